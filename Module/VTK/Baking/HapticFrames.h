@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ class vtkInformation;
 
 namespace VolumeHaptics
 {
+class SurfaceMesh;
 struct BakedVolume;
 
 /** The volume at a time step. */
@@ -33,6 +35,8 @@ struct HapticFrame
   /** vtkFloatArray or vtkDoubleArray of its points; null if there is none at this time. */
   vtkSmartPointer<vtkDataArray> Displacements;
   int Component = 0; ///< of Array
+  /** Its isosurface on the way to the next frame; null if the builder of models is to make it. */
+  std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
 /** Some frames of a series; none if the volume does not move. */

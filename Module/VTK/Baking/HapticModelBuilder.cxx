@@ -95,13 +95,16 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
-/** Gives all frames but the last one their isosurfaces. */
+/** Gives all frames but the last one the isosurfaces that they lack. */
 void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
   std::vector<VolumeFrame>& frames)
 {
   for (std::size_t i = 0; i + 1 < frames.size(); ++i)
   {
-    frames[i].Mesh = MeshFrame(frames[i], frames[i + 1], read[i].Component, value, indexToWorld);
+    if (!frames[i].Mesh)
+    {
+      frames[i].Mesh = MeshFrame(frames[i], frames[i + 1], read[i].Component, value, indexToWorld);
+    }
   }
 }
 
@@ -250,6 +253,7 @@ bool MakeVolumeFrame(
   // Samples that are not numbers have one value at all times.
   volume.View.BorderValue = shape.View.BorderValue;
   frame = { read.Time, volume.View, ShareArray(volume.Holder) };
+  frame.Mesh = read.Mesh;
   const bool isMoved = read.Displacements || read.Time < shape.Series.Last;
   return shape.Displacements.empty() || !isMoved ||
     ReadDisplacements(read, shape.Displacements, frame, error);

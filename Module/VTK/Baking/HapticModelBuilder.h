@@ -59,7 +59,7 @@ bool MakeVolumeFrame(
 
 /**
  * A baked volume with other frames of it, which may be of another region. Bakes nothing again but
- * the meshes of SURFACE_PROXY.
+ * the meshes of SURFACE_PROXY that the frames lack.
  * Null if the frames can't be touched, or are not alike: their geometry or their numbers.
  * @param displacements the name of their array; empty if there are none
  */

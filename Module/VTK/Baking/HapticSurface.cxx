@@ -40,8 +40,6 @@ constexpr double FarthestPoint = 1e30;
 constexpr double SecondsPerSample = 5e-9;
 constexpr double SecondsPerTriangle = 800e-9;
 ///@}
-/** What takes longer (s) is meshed in the background. */
-constexpr double ShortMeshing = 40e-3;
 /** Longer (s) than any mesh takes. */
 constexpr double Forever = 1e9;
 
@@ -283,6 +281,12 @@ double EstimateTriangles(const IsoSurface& iso)
 
 } // namespace
 
+double EstimateMeshTime(const IsoSurface& iso)
+{
+  return SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
+    SecondsPerTriangle * EstimateTriangles(iso);
+}
+
 namespace
 {
 
@@ -361,8 +365,7 @@ double HapticSurface::EstimateTime(vtkPolyData* surface, const IsoSurface& iso) 
     return 0.0;
   }
   return surface ? SecondsPerTriangle * static_cast<double>(surface->GetNumberOfCells())
-                 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints()) +
-      SecondsPerTriangle * EstimateTriangles(iso);
+                 : EstimateMeshTime(iso);
 }
 
 bool HapticSurface::Prepare(

@@ -38,6 +38,12 @@ struct IsoSurface
   bool MayBeEmpty = false; ///< a region may contain no part of the surface
 };
 
+/** What takes longer (s) is meshed in the background. */
+inline constexpr double ShortMeshing = 40e-3;
+
+/** How long it takes to mesh an isosurface, approximately (s); looks at some of its samples. */
+double EstimateMeshTime(const IsoSurface& iso);
+
 /**
  * The triangles of an isosurface in samples of an extent, which counts as indexToWorld does; null
  * if there are none. Any thread may call it: the array has to be of VTK's standard memory layout.

@@ -19,11 +19,11 @@ namespace VolumeHaptics
 {
 
 //------------------------------------------------------------------------------
-const char* BakePreparation::Prepare()
+const char* BakePreparation::Prepare(bool isMoving)
 {
   vtkVolumeHapticsFilter* const filter = this->Filter;
   const bool hasLabels = filter->GetLabelTable() && filter->GetInputDataObject(3, 0);
-  const bool hasMesh = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY;
+  const bool hasMesh = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY && !isMoving;
   if (!hasLabels)
   {
     this->Labels.EndPreparing();

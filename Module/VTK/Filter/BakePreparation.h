@@ -34,7 +34,7 @@ public:
   HapticLabels& GetLabels() { return this->Labels; }
 
   /** See HapticBaker::Prepare(). */
-  const char* Prepare();
+  const char* Prepare(bool isMoving);
   /** See HapticBaker::EndPreparing(). */
   void EndPreparing();
 

@@ -112,8 +112,12 @@ public:
    * Null if Bake() has all that takes long and can be made in the background: the distances to
    * forbidden labels, and a large mesh. If not, its making is under way: a text for the status,
    * such as MeshingWork.
+   * @param isMoving whether BakeFrames() follows, whose frames may have meshes of their own
    */
-  const char* Prepare() const { return this->Filter->Preparation->Prepare(); }
+  const char* Prepare(bool isMoving = false) const
+  {
+    return this->Filter->Preparation->Prepare(isMoving);
+  }
   /** Ends what Prepare() began. */
   void EndPreparing() const { this->Filter->Preparation->EndPreparing(); }
 

@@ -31,8 +31,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A series of as many steps is in memory as a whole. */
-constexpr std::size_t MostSteps = 3;
 /** How long (ns) memory is waited for that a reader of states may hold. */
 constexpr std::int64_t MostWait = 200000000;
 
@@ -42,28 +40,6 @@ bool HasTimeSteps(vtkVolumeHapticsFilter* filter)
   vtkInformation* const input =
     filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputInformation(0, 0) : nullptr;
   return input && input->Has(Pipeline::TIME_STEPS()) && input->Length(Pipeline::TIME_STEPS()) > 1;
-}
-
-/** Whether the source of the image runs. */
-bool IsUpdated(vtkVolumeHapticsFilter* filter)
-{
-  try
-  {
-    vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
-    return !source ||
-      source->GetExecutive()->Update(filter->GetInputConnection(0, 0)->GetIndex()) != 0;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return false;
-  }
-}
-
-void TellUnread(vtkVolumeHapticsFilter* filter)
-{
-  vtkErrorWithObjectMacro(filter,
-    "A frame of the image on input port 0 can't be read: see the errors of its source, which may "
-    "lack memory. SetTimeUnitsPerSecond(0) takes one frame alone.");
 }
 
 } // namespace
@@ -133,10 +109,10 @@ std::string DataPlayback::Describe() const
     return {};
   }
   const DataClockReport& report = this->Session.GetState().Clock;
-  const Need need = this->FindNeed(report.Wanted, report.IsBackward);
-  const std::size_t missing = this->Has(need.First) ? this->After(need.First) : need.First;
+  const Need need = this->Steps.FindNeed(report.Wanted, report.IsBackward, this->Orders.Mode);
+  const std::size_t missing = this->Has(need.First) ? this->Steps.After(need.First) : need.First;
   std::ostringstream text;
-  text << "The volume is waiting for the frame at data time " << this->Steps[missing]
+  text << "The volume is waiting for the frame at data time " << this->Steps.Times[missing]
        << (missing == this->Failed ? ", which can't be read: see the errors." : ".");
   return text.str();
 }
@@ -145,6 +121,15 @@ bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
 {
   return this->IsMoving && filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
     (filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS || HasTimeSteps(filter));
+}
+
+bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
+{
+  if (this->IsMoving && filter && filter->GetNumberOfInputConnections(0) > 0)
+  {
+    filter->GetInputAlgorithm(0, 0)->UpdateInformation();
+  }
+  return this->IsFelt(filter);
 }
 
 HapticFrame DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
@@ -157,47 +142,24 @@ HapticFrame DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
   const FieldFrame& frame = this->Window->Frames[nearest];
   // See ShareArray of the model's builder.
   auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
-  const int component = this->AreComponents ? static_cast<int>(nearest % this->Steps.size())
-                                            : filter->GetProperty()->GetComponent();
+  const int component = this->Steps.AreComponents
+    ? static_cast<int>(nearest % this->Steps.Times.size())
+    : filter->GetProperty()->GetComponent();
   return { frame.Time, nullptr, array, nullptr, component };
-}
-
-bool DataPlayback::IsWhole() const
-{
-  return this->AreComponents || this->Steps.size() <= MostSteps;
 }
 
 bool DataPlayback::Has(std::size_t step) const
 {
-  const std::size_t offset = (step + this->Steps.size() - this->First) % this->Steps.size();
+  const std::size_t offset =
+    (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
   return offset < this->Window->Frames.size();
 }
 
-DataPlayback::Need DataPlayback::FindNeed(double time, bool isBackward) const
+FramePlace DataPlayback::FindPlace(vtkVolumeHapticsFilter* filter) const
 {
-  const std::size_t count = this->Steps.size();
-  const bool isLoop = this->Orders.Mode == Playback::Loop;
-  const auto above = std::upper_bound(this->Steps.begin(), this->Steps.end(), time);
-  std::size_t first =
-    above == this->Steps.begin() ? 0 : static_cast<std::size_t>(above - this->Steps.begin()) - 1;
-  const bool isOnStep = this->Steps[first] == time;
-  const bool isBetween = time > this->Steps.back();
-  if (isOnStep && isBackward && (first > 0 || isLoop))
-  {
-    first = this->Before(first);
-  }
-  else if (first + 1 == count && !isBetween && !(isLoop && !isBackward))
-  {
-    first = count - 2;
-  }
-  const bool isLoopEnd = first + 1 == count; // the interval from the last step to the first one
-  const std::size_t ahead = this->After(this->After(first));
-  const std::size_t behind = this->Before(first);
-  const bool hasAhead = isLoop || isLoopEnd || first + 2 < count;
-  const bool hasBehind = isLoop || isLoopEnd || first > 0;
-  // Time may turn around where it can't go on.
-  const bool takesAhead = isBackward ? !hasBehind : hasAhead;
-  return { first, takesAhead ? ahead : behind };
+  const bool isKnown = this->HasTime || this->Orders.Places > 0;
+  const bool isBackward = this->Speed * filter->GetTimeUnitsPerSecond() < 0.0;
+  return { isKnown ? std::optional(this->GetTime()) : std::nullopt, isBackward, this->Orders.Mode };
 }
 
 bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame)
@@ -206,7 +168,7 @@ bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, Volume
   try
   {
     HapticFrame read;
-    if (!ReadFrame(filter, this->Steps[step], HapticBaker(filter).GetReading(), read))
+    if (!ReadFrame(filter, this->Steps.Times[step], HapticBaker(filter).GetReading(), read))
     {
       error = "A time step of the image on input port 0 can't be read: see the errors of its "
               "source. SetTimeUnitsPerSecond(0) takes one time step alone.";
@@ -250,18 +212,20 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   this->Failed = None;
   this->Meshless.clear();
   this->Mesher.End();
-  this->AreComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
-  std::vector<HapticFrame> read;
-  if (!(this->AreComponents ? this->ReadComponents(filter, read) : this->ReadSteps(filter, read)))
+  ReadFrames window = this->Preparation.Take(filter, this->FindPlace(filter));
+  this->Steps = std::move(window.Steps);
+  this->First = window.First;
+  if (!window.AreRead)
   {
     return nullptr;
   }
+  std::vector<HapticFrame>& read = window.Frames;
   if (read.empty())
   {
     return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
   }
   this->Rate = rate;
-  this->Window = last ? GoOnWithFrames(*last, read, MakeSeries(this->Steps),
+  this->Window = last ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times),
                           filter->GetKernelRadius(), filter->GetDisplacementArrayName())
                       : nullptr;
   if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
@@ -269,11 +233,35 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
     return std::make_shared<const HapticModel>(this->Window, placement, caps);
   }
   auto model =
-    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps);
+    HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
   this->Window = model ? model->Baked : nullptr;
   // Afterwards: the first bake makes what the property lacks.
   this->MadeBeside = FindChangeTimeBesideImage(filter);
   return model;
+}
+
+bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent)
+{
+  const bool isMade = isCurrent && this->Window && rate == this->Rate;
+  if (filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY || isMade)
+  {
+    this->EndPreparing();
+    return true;
+  }
+  const bool isStreamed = this->Window && this->IsStreamed(filter, rate);
+  const bool isPrepared = this->Preparation.Follow(
+    filter, this->FindPlace(filter), isStreamed ? this->Window.get() : nullptr);
+  // The frames of a stream that were late are played to their end before the next ones come.
+  return isPrepared && !(isStreamed && this->IsBehind() && this->IsOnItsWay());
+}
+
+/** Whether time goes to the end of the steps, and is not there yet. */
+bool DataPlayback::IsOnItsWay() const
+{
+  const bool isBackward = this->Session.GetState().Clock.IsBackward;
+  const double end = isBackward ? this->Steps.Times.front() : this->Steps.Times.back();
+  return this->Orders.Plays && this->Orders.Rate != 0.0 && this->Orders.Mode == Playback::Once &&
+    this->Time != end;
 }
 
 /** Whether the frames may be further ones of the volume that was baked last. */
@@ -283,78 +271,6 @@ bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
   return source && source->GetStreamed() && rate == this->Rate &&
     filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS &&
     this->MadeBeside == FindChangeTimeBesideImage(filter);
-}
-
-/** All of them; none if there is no image, which the baker tells. */
-bool DataPlayback::ReadComponents(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames)
-{
-  if (!IsUpdated(filter))
-  {
-    TellUnread(filter);
-    return false;
-  }
-  std::string error;
-  if (!CollectComponents(filter, frames, error))
-  {
-    vtkErrorWithObjectMacro(filter, << error);
-    return false;
-  }
-  this->Steps.clear();
-  for (const HapticFrame& frame : frames)
-  {
-    this->Steps.push_back(frame.Time);
-  }
-  this->First = 0;
-  if (!frames.empty())
-  {
-    const HapticFrame first = frames.front();
-    frames.push_back(first);
-  }
-  return true;
-}
-
-/** The window at the time; none if there is one time step. */
-bool DataPlayback::ReadSteps(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& read)
-{
-  filter->GetInputAlgorithm(0, 0)->UpdateInformation();
-  this->Steps = ReadTimeSteps(filter->GetInputInformation(0, 0));
-  const std::size_t count = this->Steps.size();
-  if (count < 2)
-  {
-    return true;
-  }
-  const double time = this->HasTime || this->Orders.Places > 0 ? this->GetTime() : this->Steps[0];
-  const bool isBackward = this->Speed * filter->GetTimeUnitsPerSecond() < 0.0;
-  this->First = this->IsWhole() ? 0 : this->FindNeed(time, isBackward).First;
-  const std::size_t frames = this->IsWhole() ? count + 1 : 2;
-  read.resize(frames);
-  const FrameReading reading = HapticBaker(filter).GetReading();
-  for (std::size_t i = 0; i < frames; ++i)
-  {
-    const std::size_t step = (this->First + i) % count;
-    bool isRead = true;
-    try
-    {
-      isRead = i == count || ReadFrame(filter, this->Steps[step], reading, read[i]);
-    }
-    catch (const std::bad_alloc&)
-    {
-      isRead = false;
-    }
-    if (!isRead)
-    {
-      TellUnread(filter);
-      return false;
-    }
-  }
-  if (this->IsWhole())
-  {
-    read.back() = read.front();
-  }
-  // What is the same at all times comes from the first step, as it does along paths.
-  const FrameReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
-  HapticFrame first;
-  return ReadFrame(filter, this->Steps.front(), nothing, first); // else the source has told why
 }
 
 bool DataPlayback::IsMemoryFree() const
@@ -370,8 +286,9 @@ std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count
   std::vector<VolumeFrame> frames;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t step = (first + i) % this->Steps.size();
-    const std::size_t offset = (step + this->Steps.size() - this->First) % this->Steps.size();
+    const std::size_t step = (first + i) % this->Steps.Times.size();
+    const std::size_t offset =
+      (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
     const FieldFrame& frame = this->Window->Frames[offset];
     frames.push_back({ frame.Time, frame.Field.GetView(), frame.Samples });
     frames.back().Mesh = frame.Mesh;
@@ -425,7 +342,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
   }
   this->Time = state.Record.DataTime;
   this->HasTime = true;
-  if (this->IsWhole())
+  if (this->Steps.AreWindow() || this->Preparation.IsBegun())
   {
     return nullptr;
   }
@@ -434,10 +351,10 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     return this->ShowMeshed(filter, this->MeshlessFirst, std::exchange(this->Meshless, {}));
   }
   const double wanted = report.IsWaiting ? report.Wanted : this->Time;
-  const Need need = this->FindNeed(wanted, report.IsBackward);
-  const std::size_t second = this->After(need.First);
+  const Need need = this->Steps.FindNeed(wanted, report.IsBackward, this->Orders.Mode);
+  const std::size_t second = this->Steps.After(need.First);
   const bool hasPair = this->Has(need.First) && this->Has(second);
-  const std::size_t begin = need.Next == this->Before(need.First) ? need.Next : need.First;
+  const std::size_t begin = need.Next == this->Steps.Before(need.First) ? need.Next : need.First;
   if (this->Window->Frames.size() > 2)
   {
     if (hasPair && this->First == begin)
@@ -445,11 +362,11 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
       return nullptr;
     }
     // The pair in which time is now; a third frame comes only when its memory is free.
-    const Need now = this->FindNeed(this->Time, report.IsBackward);
-    const bool isThere = this->Has(now.First) && this->Has(this->After(now.First));
+    const Need now = this->Steps.FindNeed(this->Time, report.IsBackward, this->Orders.Mode);
+    const bool isThere = this->Has(now.First) && this->Has(this->Steps.After(now.First));
     const std::size_t first = isThere ? now.First
       : report.IsBackward             ? this->First
-                                      : this->After(this->First);
+                                      : this->Steps.After(this->First);
     return this->Show(first, this->Keep(first, 2));
   }
   const auto isGood = [this](std::size_t step) { return step != this->Failed; };
@@ -491,7 +408,10 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
 std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
   vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames)
 {
-  if (this->Mesher.Follow(*this->Window, filter->GetProperty()->GetComponent(), frames))
+  const std::vector<int> components(frames.size(), filter->GetProperty()->GetComponent());
+  if (!this->Window->Mesh ||
+    this->Mesher.Follow(
+      frames, components, this->Window->Settings.IsoValue, this->Window->IndexToWorld))
   {
     return this->Show(first, std::move(frames));
   }

@@ -11,7 +11,8 @@
  * in memory at most: one that is no longer needed is given up first. A series of up to three steps
  * is published whole; and so are components, which are in memory anyway.
  *
- * For SURFACE_PROXY, a window is published when its meshes have been made, in the background.
+ * For SURFACE_PROXY, a window is published when its meshes have been made, in the background; the
+ * first one, too, unless they are small.
  *
  * The steps of a vtkHapticFrameSource that is streamed are whole series, too, each of which goes on
  * where the last one was.
@@ -24,6 +25,8 @@
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/FrameMesher.h"
+#include "VTK/Session/TimeSteps.h"
+#include "VTK/Session/WindowPreparation.h"
 
 #include "vtkType.h"
 
@@ -68,6 +71,20 @@ public:
 
   /** Whether the frames of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
+  /** The same, after asking the source of the image for its time steps. */
+  bool FindFelt(vtkVolumeHapticsFilter* filter) const;
+  ///@{
+  /**
+   * Whether Make() would be quick now. If not, what takes long is being made in the background, and
+   * the servo goes on within the window that it has. To be called often until EndPreparing().
+   */
+  bool Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent);
+  void EndPreparing() { this->Preparation.End(); }
+  /** How long Make() meshes if Prepare() leaves that to it, approximately (s). */
+  double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
+  ///@}
+  /** Whether the source of a stream had further frames when Make() was called. */
+  bool IsBehind() const { return this->Preparation.WasBehind(); }
   /**
    * A model of the window at the time; null after an error of the filter. If neither the filter nor
    * the volume has changed (`isCurrent`), nothing is read or baked again.
@@ -86,22 +103,10 @@ public:
   std::shared_ptr<const HapticModel> Follow(vtkVolumeHapticsFilter* filter);
 
 private:
-  /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
-  struct Need
-  {
-    std::size_t First;
-    std::size_t Next;
-  };
+  using Need = TimeSteps::Need;
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  std::size_t After(std::size_t step) const { return (step + 1) % this->Steps.size(); }
-  std::size_t Before(std::size_t step) const
-  {
-    return (step + this->Steps.size() - 1) % this->Steps.size();
-  }
-  bool IsWhole() const;
-  bool ReadComponents(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames);
-  bool ReadSteps(vtkVolumeHapticsFilter* filter, std::vector<HapticFrame>& frames);
+  FramePlace FindPlace(vtkVolumeHapticsFilter* filter) const;
   bool Has(std::size_t step) const;
   Need FindNeed(double time, bool isBackward) const;
   bool IsMemoryFree() const;
@@ -112,6 +117,7 @@ private:
   std::shared_ptr<const HapticModel> ShowMeshed(
     vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
   bool IsAtPlace() const;
+  bool IsOnItsWay() const;
   void Send();
 
   const DeviceSession& Session;
@@ -121,8 +127,7 @@ private:
   bool HasTime = false;  ///< Time is that of the servo
   double Time = 0.0;
   double Speed = 1.0; ///< times the filter's rate
-  std::vector<double> Steps;
-  bool AreComponents = false; ///< the frames of the window
+  TimeSteps Steps;
   std::shared_ptr<const BakedVolume> Window;
   std::size_t First = 0; ///< step of the window's first frame
   double Rate = 0.0;     ///< Hz, for which the window was baked
@@ -135,6 +140,7 @@ private:
   std::vector<VolumeFrame> Meshless;
   std::size_t MeshlessFirst = 0; ///< step of its first frame
   FrameMesher Mesher;
+  WindowPreparation Preparation;
 };
 
 } // namespace VolumeHaptics

@@ -114,7 +114,7 @@ bool DeviceOrders::Start()
   const double rate = device->GetServoRate();
   std::shared_ptr<const HapticModel> model;
   // What takes long comes later: Follow() publishes it.
-  const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare() : nullptr;
+  const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare(rate) : nullptr;
   if (this->Session.IsOpen() && !awaited && !this->Models.Make(rate, model))
   {
     return false;
@@ -164,7 +164,7 @@ bool DeviceOrders::Publish()
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   this->Session.Attend();
   const double rate = this->Session.IsRunning() ? this->Session.GetRate() : device->GetServoRate();
-  const char* const awaited = this->Models.Prepare();
+  const char* const awaited = this->Models.Prepare(rate);
   this->NoteAwaited(awaited);
   if (awaited)
   {
@@ -233,7 +233,8 @@ void DeviceOrders::FollowFrames()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && this->Models.LacksFrames())
+  if (ticks && !this->Models.IsAwaited() && // which Follow() publishes
+    (this->Models.LacksFrames() || this->Models.IsBehind()))
   {
     this->Publish();
   }

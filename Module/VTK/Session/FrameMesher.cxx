@@ -11,17 +11,18 @@
 namespace VolumeHaptics
 {
 
-bool FrameMesher::Follow(const BakedVolume& volume, int component, std::vector<VolumeFrame>& frames)
+bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components,
+  double value, const Affine3& indexToWorld)
 {
-  for (std::size_t i = 0; volume.Mesh && i + 1 < frames.size(); ++i)
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
   {
     if (frames[i].Mesh)
     {
       continue;
     }
-    const auto make = [frame = frames[i], next = frames[i + 1], component,
-                        value = volume.Settings.IsoValue, map = volume.IndexToWorld]
-    { return MeshFrame(frame, next, component, value, map); };
+    const auto make =
+      [frame = frames[i], next = frames[i + 1], component = components[i], value, indexToWorld]
+    { return MeshFrame(frame, next, component, value, indexToWorld); };
     // Arrays of another layout make a copy of their values for their readers, one for all threads.
     // See ShareArray of the model's builder.
     auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frames[i].Samples.get()));
@@ -30,7 +31,12 @@ bool FrameMesher::Follow(const BakedVolume& volume, int component, std::vector<V
       frames[i].Mesh = make();
       continue;
     }
-    const Key key{ frames[i].Samples.get(), frames[i + 1].Samples.get() };
+    const Key key{ frames[i].Samples.get(), frames[i + 1].Samples.get(), components[i] };
+    if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
+    {
+      this->Meshing.Abandon(); // and do not wait for its end
+      return false;
+    }
     const auto* const made =
       this->Meshing.Follow(key, [make](WorkMonitor&) { return std::optional(make()); });
     if (!made)

@@ -7,11 +7,11 @@
 #ifndef FrameMesher_h
 #define FrameMesher_h
 
-#include "Core/Model/BakedVolume.h"
+#include "Core/Model/HapticModelDescription.h"
 #include "VTK/Work/BackgroundWork.h"
 
-#include <array>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace VolumeHaptics
@@ -22,17 +22,19 @@ class FrameMesher
 {
 public:
   /**
-   * To be called often: gives frames of a volume the meshes that they lack. False until they have
-   * them all. Of other methods than SURFACE_PROXY they need none.
-   * @param component of the arrays
+   * To be called often: gives all frames but the last one the meshes that they lack. False until
+   * they have them.
+   * @param components of their arrays, one for each frame
+   * @param value of the isosurface
    */
-  bool Follow(const BakedVolume& volume, int component, std::vector<VolumeFrame>& frames);
+  bool Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components, double value,
+    const Affine3& indexToWorld);
   /** Ends what is under way, without waiting for it. */
   void End() { this->Meshing.Abandon(); }
 
 private:
-  /** The samples of a frame and the next one. */
-  using Key = std::array<const void*, 2>;
+  /** The samples of a frame and the next one, and the component of the frame. */
+  using Key = std::tuple<const void*, const void*, int>;
 
   KeyedWork<Key, std::shared_ptr<const SurfaceMesh>> Meshing;
 };

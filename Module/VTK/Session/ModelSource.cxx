@@ -25,6 +25,9 @@ vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* fi
   return filter ? filter->GetRegionSource() : nullptr;
 }
 
+/** What Prepare() returns while the meshes of frames are made. */
+constexpr char FrameMeshingWork[] = "the surfaces of the frames are meshed";
+
 } // namespace
 
 ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
@@ -75,11 +78,13 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
   if (filter)
   {
-    const LongWork work(this->Device, "the surface is meshed",
-      this->Device->IsRunning() ? HapticBaker(filter).EstimateTime() : 0.0);
+    const bool isMoving = this->Playback.IsFelt(filter);
+    const double seconds =
+      isMoving ? this->Playback.EstimateTime() : HapticBaker(filter).EstimateTime();
+    const LongWork work(
+      this->Device, "the surface is meshed", this->Device->IsRunning() ? seconds : 0.0);
     const ForceCaps caps = this->Session.FindCaps(rate);
     const bool isCurrent = this->IsUpToDate();
-    const bool isMoving = this->Playback.IsFelt(filter);
     if (isMoving)
     {
       model = this->Playback.Make(filter, rate, caps, this->DeviceToWorld, isCurrent);
@@ -90,15 +95,24 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
       model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
     }
     this->IsMadeOfFrames = isMoving;
-    this->MadeTime = FindChangeTime(filter, isMoving);
+    this->MadeTime = this->IsBehind() ? 0 : FindChangeTime(filter, isMoving);
   }
   return !filter || model;
 }
 
-const char* ModelSource::Prepare()
+const char* ModelSource::Prepare(double rate)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  this->Awaited = filter ? HapticBaker(filter).Prepare() : nullptr;
+  const bool isMoving = this->Playback.FindFelt(filter);
+  this->Awaited = filter ? HapticBaker(filter).Prepare(isMoving) : nullptr;
+  if (!isMoving)
+  {
+    this->Playback.EndPreparing();
+  }
+  else if (!this->Playback.Prepare(filter, rate, this->IsUpToDate()) && !this->Awaited)
+  {
+    this->Awaited = FrameMeshingWork;
+  }
   if (this->Awaited != MeshingWork)
   {
     this->Regions.End();
@@ -133,6 +147,7 @@ std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
 void ModelSource::EndPreparing()
 {
   this->Regions.End();
+  this->Playback.EndPreparing();
   if (this->Awaited && this->Filter)
   {
     HapticBaker(this->Filter).EndPreparing();

@@ -42,16 +42,17 @@ public:
 
   /**
    * Makes a model of the filter for a rate (Hz); null without a filter. False, after an error of
-   * the filter, if it can't be touched. If the servo runs, meshing a surface that Prepare() leaves
-   * is long work.
+   * the filter, if it can't be touched. If the servo runs, meshing what Prepare() leaves is
+   * long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
    * Null if Make can be called without waiting long. If not, what takes long is being made in the
    * background: the servo goes on with its model, and Make has to be called later. The text names
    * the work, for the status.
+   * @param rate of the model, as for Make
    */
-  const char* Prepare();
+  const char* Prepare(double rate);
   /**
    * While Prepare() leaves a mesh to the background: a model for a rate (Hz) of the surface around
    * the tip, once there is another one. Null if not.
@@ -79,6 +80,8 @@ public:
   DataPlayback& GetPlayback() { return this->Playback; }
   std::shared_ptr<const HapticModel> FollowFrames();
   bool LacksFrames() const;
+  /** Whether the last model was made of frames of a stream that had gone on meanwhile. */
+  bool IsBehind() const { return this->IsMadeOfFrames && this->Playback.IsBehind(); }
   /** Whether the servo's model has frames of a volume that moves. */
   bool HasFrames() const;
   /** The image and the time of the frame that is nearest to the servo's time; null without one. */

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The data times of the frames of a volume that moves, and which of them the servo needs.
+ */
+#ifndef TimeSteps_h
+#define TimeSteps_h
+
+#include "Core/Servo/DataClock.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+struct TimeSteps
+{
+  std::vector<double> Times; ///< ascending
+  bool AreComponents = false;
+
+  /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
+  struct Need
+  {
+    std::size_t First;
+    std::size_t Next;
+  };
+  /** What time needs that goes on from a data time. */
+  Need FindNeed(double time, bool isBackward, Playback mode) const;
+
+  std::size_t After(std::size_t step) const { return (step + 1) % this->Times.size(); }
+  std::size_t Before(std::size_t step) const
+  {
+    return (step + this->Times.size() - 1) % this->Times.size();
+  }
+  /** Whether all of them are in memory at once. */
+  bool AreWindow() const
+  {
+    constexpr std::size_t most = 3;
+    return this->AreComponents || this->Times.size() <= most;
+  }
+};
+
+} // namespace VolumeHaptics
+
+#endif

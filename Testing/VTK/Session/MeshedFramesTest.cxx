@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Large meshes of the first frames of a volume that moves, which a worker makes. Where the test
+ * holds the worker up, a device that waited for it would wait for ever.
+ */
+
+#include "Rigs/DeviceRig.h"
+#include "Rigs/GatedArray.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkDataArray.h>
+#include <vtkHapticFrameSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+
+using namespace devicetest;
+
+namespace
+{
+constexpr double MeshedStiffness = 500.0;
+constexpr double MeshedRadius = 0.5;
+constexpr double MeshedTip = 6.5;
+
+/// Frames of V = 100 (z + t): the surface at 750 comes by 1 mm in a unit of data time. The sphere
+/// of the proxy is 0.5 mm before it at 0.
+class MeshedFrames : public DeviceTest
+{
+protected:
+  MeshedFrames()
+  {
+    for (vtkSmartPointer<GatedArray>& frame : this->Frames)
+    {
+      frame = vtkSmartPointer<GatedArray>::New();
+    }
+    this->Source->StreamedOn();
+    this->Give(0);
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetMethodToSurfaceProxy();
+    this->Filter->SetIsoValue(750.0);
+    this->Filter->SetProxyRadius(MeshedRadius);
+    SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 3.0);
+    this->Filter->GetProperty()->DistinctnessFromNoiseOff();
+  }
+  /// However the test ends.
+  ~MeshedFrames() override { this->LetTheWorkerGoOn(); }
+
+  void LetTheWorkerGoOn()
+  {
+    for (GatedArray* const frame : this->Frames)
+    {
+      frame->IsOpen = true;
+    }
+  }
+  bool IsWorkerHeldUp() { return this->Frames[0]->Asked > 0 && !this->Frames[0]->IsOpen; }
+  /// A frame and the next one.
+  void Give(int first)
+  {
+    // 33 000 triangles.
+    constexpr int n = 130;
+    this->Source->RemoveAllFrames();
+    for (int i = first; i < first + 2; ++i)
+    {
+      GatedArray* const values = this->Frames[i];
+      if (values->GetNumberOfValues() == 0)
+      {
+        values->SetNumberOfValues(vtkIdType{ n } * n * n);
+        for (vtkIdType k = 0; k < n; ++k)
+        {
+          std::fill_n(values->GetPointer(k * n * n), n * n, static_cast<short>(100 * (k + i)));
+        }
+      }
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(n, n, n);
+      image->GetPointData()->SetScalars(values);
+      this->Source->AddFrame(image, i);
+    }
+  }
+  void BeginToPlay()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    this->Device->SetVirtualTip(60.3, 60.2, MeshedTip);
+    this->Device->SetPlaybackSpeed(4.0);
+    this->Device->Play();
+    ASSERT_TRUE(this->Device->Start());
+  }
+  bool Says(const char* words)
+  {
+    return this->Device->GetStatusText().find(words) != std::string::npos;
+  }
+  bool WaitTime(double time)
+  {
+    return this->Wait([&] { return this->Device->GetDataTime() == time; });
+  }
+  void ExpectForce()
+  {
+    const double deep = std::max(0.0, MeshedTip + MeshedRadius - 7.5 + this->Device->GetDataTime());
+    EXPECT_NEAR(Length(this->Device->GetComputedForce()), 0.001 * MeshedStiffness * deep, 2e-3);
+  }
+
+  vtkSmartPointer<GatedArray> Frames[3];
+  vtkNew<vtkHapticFrameSource> Source;
+};
+} // namespace
+
+TEST_F(MeshedFrames, AreNotWaitedFor)
+{
+  this->BeginToPlay();
+  ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_TRUE(this->Says("Meanwhile the surfaces of the frames are meshed."))
+    << this->Device->GetStatusText();
+  EXPECT_FALSE(this->Device->HasFrames());
+  EXPECT_EQ(Length(this->Device->GetComputedForce()), 0.0);
+  EXPECT_EQ(this->Device->GetDataTime(), 0.0);
+  // A change of mind does not wait either.
+  this->Filter->SetIsoValue(700.0);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Filter->SetIsoValue(750.0);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Device->Hold();
+  this->LetTheWorkerGoOn();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->HasFrames(); }));
+  EXPECT_FALSE(this->Says("meshed"));
+  ASSERT_TRUE(this->WaitTicks(5));
+  this->ExpectForce();
+
+  // A filter along a path meshes where it is asked to, and has the same force to the bit.
+  const std::string file = this->File("MeshedFrames.vtp");
+  ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
+  this->Device->Play();
+  ASSERT_TRUE(this->WaitTime(1.0));
+  this->ExpectForce();
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Device->Close();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* const recording = reader->GetOutput();
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->SetInputConnection(this->Source->GetOutputPort());
+  other->SetMethodToSurfaceProxy();
+  other->SetIsoValue(750.0);
+  other->SetProxyRadius(MeshedRadius);
+  other->SetProperty(this->Filter->GetProperty());
+  other->SetPathData(recording);
+  other->Update();
+  vtkPolyData* const trace = other->GetOutput();
+  const vtkIdType ticks = recording->GetNumberOfPoints();
+  ASSERT_GT(ticks, 200);
+  ASSERT_EQ(trace->GetNumberOfPoints(), ticks);
+  for (vtkIdType tick = 0; tick < ticks; ++tick)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_EQ(Get(trace, "Force", tick, c), Get(recording, "Force", tick, c)) << tick;
+    }
+  }
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// Frames that come faster than meshes would else be left out for ever.
+TEST_F(MeshedFrames, OfAStreamAreFeltBeforeTheNextOnes)
+{
+  this->BeginToPlay();
+  ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
+  this->Give(1);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(this->Device->HasFrames());
+  this->LetTheWorkerGoOn();
+  double least = 2.0;
+  ASSERT_TRUE(this->Wait(
+    [&]
+    {
+      least = this->Device->HasFrames() ? std::min(least, this->Device->GetDataTime()) : least;
+      return this->Device->GetDataTime() == 2.0;
+    }));
+  EXPECT_LT(least, 1.0);
+  this->ExpectForce();
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// The servo goes on with what it has while another one is made.
+TEST_F(MeshedFrames, GoOnWhileOthersAreMade)
+{
+  this->Filter->SetTimeUnitsPerSecond(0.0);
+  this->Filter->SetMethodToProxy();
+  this->BeginToPlay();
+  ASSERT_TRUE(this->WaitTicks(5));
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetTimeUnitsPerSecond(1.0);
+  ASSERT_TRUE(this->Lead(60.3, 60.2, MeshedTip + 1.0));
+  const double before = Length(this->Device->GetComputedForce());
+  EXPECT_GT(before, 0.2);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->IsWorkerHeldUp(); }));
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_NEAR(Length(this->Device->GetComputedForce()), before, 1e-3);
+  this->Device->Stop();
+  EXPECT_FALSE(this->Says("meshed"));
+  EXPECT_TRUE(this->IsWorkerHeldUp()) << "nothing waited for the worker";
+}
