@@ -6,6 +6,7 @@
 #include "vtkContext2D.h"
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
+#include "vtkStdString.h"
 #include "vtkTextProperty.h"
 
 #include <algorithm>
