@@ -30,6 +30,9 @@ constexpr double ColdTarget = 1.3;
 constexpr double RadiusTarget = 1.5;
 /** A tick on a mesh of some 300 000 triangles, us. */
 constexpr double SurfaceTarget = 10.0;
+/** A tick with one vector mode, and one with four oblique primitives, us. */
+constexpr double ModeTarget = 1.5;
+constexpr double SetTarget = 4.0;
 /** The time that a step may take beside its gradient, ns. */
 constexpr double RestTarget = 60.0;
 /** A tick of the offline filter with all that it writes, ns. */
@@ -120,6 +123,13 @@ void PrintRatios(const Medians& medians)
   {
     const std::string precise = NameOf("precise_tick", GetEstimators()[2].Name, "slide", "256^3");
     PrintRatio(medians, std::string(subject) + "/slide/96^3", precise, NoTarget);
+  }
+  PrintTitle("Tick of PRIMITIVES, median tick of a slide, us");
+  for (const char* subject : { "mode_tick/follow", "mode_tick/vortex", "mode_tick/four_oblique" })
+  {
+    const IterationTime tick = medians[std::string(subject) + "/slide/96^3/p50"];
+    const bool isSet = subject == std::string("mode_tick/four_oblique");
+    PrintLine(subject, 1e-3 * tick.Median, 1e-3 * tick.Least, isSet ? SetTarget : ModeTarget);
   }
   PrintTitle("Gaussian of radius 3 beside radius 2");
   for (const char* subject : { "tick", "gradient" })

@@ -25,6 +25,8 @@ struct PrimitiveMemory
 {
   PrimitiveForces Forces{}; ///< of each primitive, in the order in which the field adds them
   double Rate = 1.0;        ///< r of the steps
+  /** In which direction the proxy went at last, of any length; 0 if it has not moved. */
+  Vector3 Towards;
 };
 
 } // namespace VolumeHaptics

@@ -115,6 +115,7 @@ void VisitState(State& state, Function&& visit)
     VisitVector(force, visit);
   }
   visit(state.Primitives.Rate);
+  VisitVector(state.Primitives.Towards, visit);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -125,6 +126,8 @@ constexpr double UnitTolerance = 1e-6;
 constexpr double MostOfMaterial = 1e100;
 /** N: a primitive's force is at most half of it. */
 constexpr double MostOfForce = 2e6;
+/** Of a sum of unit vectors. */
+constexpr double MostOfDirection = 10.0;
 /** The prediction that a solver learns stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
 
@@ -171,7 +174,7 @@ bool IsPossible(const LocalState& local)
 
 bool IsPossible(const PrimitiveMemory& primitives)
 {
-  return IsAmount(primitives.Rate) &&
+  return IsAmount(primitives.Rate) && IsNear(primitives.Towards, MostOfDirection) &&
     std::all_of(primitives.Forces.begin(), primitives.Forces.end(),
       [](const Vector3& force) { return IsNear(force, MostOfForce); });
 }

@@ -255,6 +255,7 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
   PrimitiveDice dice(8);
   double worst = 0.0;
   int unfinished = 0;
+  int swept = 0;
   for (int round = 0; round < 120; ++round)
   {
     PrimitiveSet set;
@@ -265,12 +266,35 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
     }
     PrimitiveForces forces{};
     const PrimitiveBalance most = Minimise(set, Stiffness, dice.Place(1.0), forces);
+    const PrimitiveForces far = forces;
     const Vector3 tip = (-1.0 / Stiffness) * most.Force + dice.Place(1e-5);
     Long residual = 1;
     const Vector3 expected = SolveSlowly(set, tip, residual);
     forces = {};
     const PrimitiveBalance balance = Minimise(set, Stiffness, tip, forces);
     unfinished += balance.IsUnfinished;
+    PrimitiveForces old;
+    int sweeps = 0;
+    // Wherever the proxy is expected to be; from the right place, mostly without a sweep.
+    for (const Vector3& towards : { -expected, dice.Direction(), expected })
+    {
+      old = far;
+      const PrimitiveBalance led = Minimise(set, Stiffness, tip, old, 256, towards);
+      unfinished += led.IsUnfinished;
+      sweeps = led.Sweeps;
+      const bool isKnown = residual <= 1e-13L && !led.IsUnfinished;
+      worst = std::max(worst, isKnown ? Stiffness * Norm(led.Proxy - expected) : 0.0);
+      for (int i = 0; i < set.GetSize(); ++i)
+      {
+        EXPECT_LE(Norm(old[static_cast<std::size_t>(i)]), set[i].Strength * (1.0 + 1e-14));
+      }
+    }
+    swept += sweeps > 0 && Stiffness * Norm(expected) > 1e-6;
+    // A little less than what all of them hold together holds nothing back.
+    old = far;
+    const Vector3 nearer = (-(1.0 - 1e-4) / Stiffness) * most.Force;
+    const PrimitiveBalance still = Minimise(set, Stiffness, nearer, old, 256, most.Proxy);
+    EXPECT_LT(Stiffness * Norm(still.Proxy), 1e-9) << round;
     if (residual <= 1e-13L && !balance.IsUnfinished)
     {
       worst = std::max(worst, Stiffness * Norm(balance.Proxy - expected));
@@ -282,6 +306,7 @@ TEST(Primitives, YieldingALittleIsFoundAsWell)
   }
   EXPECT_LT(worst, 1e-9) << "N";
   EXPECT_LE(unfinished, 2);
+  EXPECT_LE(swept, 6);
 }
 
 TEST(Primitives, TheCompositionBearsDirectionsThatAreOffByRounding)

@@ -36,14 +36,14 @@ class Way
 {
 public:
   Way(const PrimitiveField& field, double k, const Vector3& from, const Vector3& tip,
-    PrimitiveForces& forces) noexcept
+    PrimitiveMemory& memory) noexcept
     : Field(field)
     , Stiffness(k)
     , Tip(tip)
-    , Forces(forces)
+    , Memory(memory)
     , Place(from)
   {
-    this->Arrive(from);
+    this->Arrive(from, memory.Towards);
   }
 
   /** One step; the rate that it has met. */
@@ -53,26 +53,29 @@ public:
     const double before = this->Length;
     const Vector3 first = (1.0 / before) * this->Rest;
     double length = std::min(before / rate, longest);
-    Vector3 middle = this->FindRest(from + (0.5 * length) * first);
+    Vector3 middle = this->FindRest(from + (0.5 * length) * first, first);
     const double met = (before - Dot(middle, first)) / (0.5 * length);
     const double shorter = before / std::min(met, MostRate);
     // Also false for NaN.
     if (met > RateExcess * rate && shorter < length)
     {
       length = shorter;
-      middle = this->FindRest(from + (0.5 * length) * first);
+      middle = this->FindRest(from + (0.5 * length) * first, first);
     }
     const Vector3 second = Along(middle, first);
-    const Vector3 late = this->FindRest(from + (0.75 * length) * second);
+    const Vector3 late =
+      this->FindRest(from + (0.75 * length) * second, 1.5 * second - 0.5 * first);
     const Vector3 third = Along(late, second);
     const double share =
       std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), longest / length);
-    // The integrals of the quadratic through the stages.
+    // Where the quadratic through the stages points at the end of the step; and its integrals.
+    const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
     const double square = share * share;
     const double ofFirst = share + square * (8.0 / 9.0 * share - 5.0 / 3.0);
     const double ofSecond = square * (3.0 - 8.0 / 3.0 * share);
     const double ofThird = square * (16.0 / 9.0 * share - 4.0 / 3.0);
-    this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third));
+    this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third), last);
+    this->Memory.Towards = last;
     const double next = (before - Dot(this->Rest, third)) / (share * length);
     return next > LeastRate ? std::min(next, MostRate) : LeastRate;
   }
@@ -93,27 +96,28 @@ private:
     return length > 0.0 ? std::copysign(1.0 / length, Dot(rest, before)) * rest : before;
   }
 
-  Vector3 FindRest(const Vector3& place) noexcept
+  /** @param towards where what is left is expected to point */
+  Vector3 FindRest(const Vector3& place, const Vector3& towards) noexcept
   {
     PrimitiveSet set;
     this->Field.Find(this->Field.Context, place, set);
-    this->Balance =
-      Minimise(set, this->Stiffness, this->Tip, this->Forces, std::max(this->SweepsLeft, 1));
+    this->Balance = Minimise(
+      set, this->Stiffness, this->Tip, this->Memory.Forces, std::max(this->SweepsLeft, 1), towards);
     this->SweepsLeft -= this->Balance.Sweeps;
     return this->Balance.Proxy - place;
   }
 
-  void Arrive(const Vector3& place) noexcept
+  void Arrive(const Vector3& place, const Vector3& towards) noexcept
   {
     this->Place = place;
-    this->Rest = this->FindRest(place);
+    this->Rest = this->FindRest(place, towards);
     this->Length = Norm(this->Rest);
   }
 
   const PrimitiveField& Field;
   const double Stiffness;
   const Vector3& Tip;
-  PrimitiveForces& Forces;
+  PrimitiveMemory& Memory;
   Vector3 Place;
   Vector3 Rest;
   double Length = 0.0;
@@ -135,7 +139,7 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   // Of a file, maybe.
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
-  Way way(field, k, from, tip, memory.Forces);
+  Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedShare * longestStep;
   while (
     way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/PrimitiveNewton.h"
 
+#include "Core/Solvers/Primitives/PrimitiveHolds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,23 +12,9 @@ namespace VolumeHaptics
 namespace
 {
 
-enum class HoldState : std::uint8_t
-{
-  Holds,
-  Yields,
-  IsLeft
-};
-
 constexpr int MostBalanceSteps = 6;
 constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
-/** Of a strength, so that forces that were cut to it count as such. */
-constexpr double YieldShare = 1.0 - 1e-12;
-/** The same of the forces of other primitives, which those of now differ from a little. */
-constexpr double OldYieldShare = 0.99;
-/** N, and a share of the largest force: what rounding may leave of a condition. */
-constexpr double NewtonSettled = 4e-12;
-constexpr double NewtonShare = 4e-15;
 /** A determinant of unit vectors that is less is that of directions in a plane. */
 constexpr double LeastDeterminant = 1e-9;
 
@@ -52,25 +40,19 @@ void AddOuter(double share, const Vector3& a, Matrix3& to) noexcept
 class ExactBalance
 {
 public:
-  ExactBalance(
-    const HeldPrimitives& held, const PrimitiveForces& forces, double yieldShare) noexcept
+  ExactBalance(const HeldPrimitives& held, const PrimitiveForces& forces, bool isOld) noexcept
     : Held(held)
+    , Settled(RoundingOf(held))
   {
-    double largest = 0.0;
     for (int at = 0; at < held.Count; ++at)
     {
       const Primitive& p = this->At(at);
       const Vector3& force = forces[static_cast<std::size_t>(held.Number[at])];
-      const double square = Dot(force, force);
-      const bool isFull = square >= yieldShare * yieldShare * p.Strength * p.Strength;
-      this->State[at] = isFull                            ? HoldState::Yields
-        : p.Kind == PrimitiveKind::Plane && square == 0.0 ? HoldState::IsLeft
-                                                          : HoldState::Holds;
-      this->Force[at] = isFull ? (p.Strength / std::sqrt(square)) * force : force;
+      this->State[at] = StateOf(p, force, isOld);
+      const bool isFull = this->State[at] == HoldState::Yields;
+      this->Force[at] = isFull ? (p.Strength / Norm(force)) * force : force;
       this->Sum += this->Force[at];
-      largest = std::max(largest, Dot(held.Spring[at], held.Spring[at]));
     }
-    this->Settled = NewtonSettled + NewtonShare * std::sqrt(largest);
   }
 
   /** Corrects what was assumed by what follows from it, some times. */
@@ -446,7 +428,7 @@ private:
 bool FindExactBalance(
   const HeldPrimitives& held, bool isOld, PrimitiveForces& forces, Vector3& sum) noexcept
 {
-  ExactBalance balance(held, forces, isOld ? OldYieldShare : YieldShare);
+  ExactBalance balance(held, forces, isOld);
   if (!balance.Solve())
   {
     return false;

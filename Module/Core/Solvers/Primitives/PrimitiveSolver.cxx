@@ -3,6 +3,7 @@
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
 
 #include "Core/Solvers/Primitives/PrimitiveNewton.h"
+#include "Core/Solvers/Primitives/PrimitiveRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,11 +119,14 @@ Vector3 Push(const PrimitiveSet& set, PrimitiveForces& forces) noexcept
 class Dual
 {
 public:
-  Dual(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces) noexcept
+  Dual(const PrimitiveSet& set, double k, const Vector3& tip, const Vector3& towards,
+    PrimitiveForces& forces) noexcept
     : Set(set)
+    , Towards(towards)
     , Forces(forces)
   {
     const Vector3 push = Push(set, forces);
+    double square = 0.0;
     for (int i = 0; i < set.GetSize(); ++i)
     {
       if (Holds(set[i]))
@@ -130,19 +134,21 @@ public:
         const int at = this->Count++;
         this->Number[at] = i;
         this->Spring[at] = k * (tip - set[i].Anchor) + push;
-        this->Largest = std::max(this->Largest, Norm(this->Spring[at]));
+        square = std::max(square, Dot(this->Spring[at], this->Spring[at]));
         // Of another set, maybe, or from a file.
         forces[i] = IsFinite(forces[i]) ? Nearest(set[i], forces[i]) : Vector3{};
       }
     }
+    this->Largest = std::sqrt(square);
     this->SumUp();
   }
 
-  /** See PrimitiveNewton.h. */
+  /** See PrimitiveRay.h and PrimitiveNewton.h. */
   bool FindExact(bool isOld) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
-    return FindExactBalance(held, isOld, this->Forces, this->Sum);
+    return FindBalanceOnRay(held, this->Towards, isOld, this->Forces, this->Sum) ||
+      FindExactBalance(held, isOld, this->Forces, this->Sum);
   }
 
 protected:
@@ -166,6 +172,7 @@ protected:
   }
 
   const PrimitiveSet& Set;
+  const Vector3& Towards;
   PrimitiveForces& Forces;
   Vector3 Spring[PrimitiveSet::Most];  ///< b_i: of the spring and the pushes
   int Number[PrimitiveSet::Most] = {}; ///< in the set
@@ -356,10 +363,11 @@ bool PrimitiveSolver::Compose(const PrimitiveSet& set, double k, const Vector3& 
 }
 
 void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& tip,
-  PrimitiveForces& forces, PrimitiveBalance& balance, int mostSweeps) noexcept
+  PrimitiveForces& forces, PrimitiveBalance& balance, int mostSweeps,
+  const Vector3& towards) noexcept
 {
   balance = {};
-  Dual dual(set, k, tip, forces);
+  Dual dual(set, k, tip, towards, forces);
   // The forces of the last tick mostly tell what holds and what yields.
   if (!dual.FindExact(true))
   {
@@ -370,7 +378,7 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
 }
 
 PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
-  PrimitiveForces& forces, int mostSweeps) noexcept
+  PrimitiveForces& forces, int mostSweeps, const Vector3& towards) noexcept
 {
   PrimitiveBalance balance;
   if (!(k > 0.0 && k <= StiffestSpring) || !IsNear(tip))
@@ -381,7 +389,7 @@ PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
   }
   if (!PrimitiveSolver::Compose(set, k, tip, forces, balance))
   {
-    PrimitiveSolver::Descend(set, k, tip, forces, balance, mostSweeps);
+    PrimitiveSolver::Descend(set, k, tip, forces, balance, mostSweeps, towards);
   }
   return balance;
 }

@@ -39,8 +39,8 @@
  * time, or directions are almost parallel, sweeps alone take long; so Anderson's acceleration mixes
  * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
  * the sweeps are spent, no force is more than the strengths, and the next tick goes on. Once it is
- * known which primitives yield, PrimitiveNewton.h ends this: mostly before the first sweep, since
- * they are those of the last tick, else after a sweep or some.
+ * known which primitives yield, PrimitiveRay.h or PrimitiveNewton.h ends this: mostly before the
+ * first sweep, since they are those of the last tick, else after a sweep or some.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h
@@ -73,7 +73,7 @@ bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
 
 /** Descent from `forces`, whatever the set. For numbers that Minimise has checked. */
 void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
-  PrimitiveBalance& balance, int mostSweeps = MostSweeps) noexcept;
+  PrimitiveBalance& balance, int mostSweeps = MostSweeps, const Vector3& towards = {}) noexcept;
 } // namespace PrimitiveSolver
 
 /**
@@ -81,12 +81,15 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
  *
  * @param forces those of the last tick, with which descent begins; then those of this one. Forces
  *   that are not finite are forgotten.
+ * @param towards of any length: where the proxy is expected, seen from a common anchor; 0 if that is
+ *   unknown. It makes this faster, and never wrong.
  *
  * If the tip is not finite, or farther away than an anchor may be, or if k is not a positive
  * number, nothing holds: the proxy is the tip.
  */
 PrimitiveBalance Minimise(const PrimitiveSet& set, double k, const Vector3& tip,
-  PrimitiveForces& forces, int mostSweeps = PrimitiveSolver::MostSweeps) noexcept;
+  PrimitiveForces& forces, int mostSweeps = PrimitiveSolver::MostSweeps,
+  const Vector3& towards = {}) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solvers/Primitives/PrimitiveRay.h"
+
+#include "Core/Solvers/Primitives/PrimitiveHolds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int MostTurns = 8;
+constexpr int MostRayRounds = 5;
+/** A sine. A line that is this near to the ray turns its force too fast for Newton's method. */
+constexpr double LeastSine = 1e-6;
+constexpr double MostTurn = 0.5;
+
+class RayBalance
+{
+public:
+  RayBalance(const HeldPrimitives& held, const Vector3& towards, bool isOld,
+    const PrimitiveForces& forces) noexcept
+    : Held(held)
+    , Spring(*held.Spring)
+    , Settled(RoundingOf(held))
+  {
+    Vector3 rest = this->Spring;
+    for (int at = 0; at < held.Count; ++at)
+    {
+      const Vector3& force = forces[static_cast<std::size_t>(held.Number[at])];
+      this->State[at] = StateOf(this->At(at), force, isOld);
+      rest += force;
+    }
+    const bool isUnknown = towards.X == 0.0 && towards.Y == 0.0 && towards.Z == 0.0;
+    this->Ray = isUnknown ? rest : towards;
+  }
+
+  /** Corrects what was assumed by what follows from it, some times. */
+  bool Solve() noexcept
+  {
+    if (!this->SetRay(this->Ray))
+    {
+      return false;
+    }
+    for (int round = 0; round < MostRayRounds; ++round)
+    {
+      this->Contradictions = 0;
+      if (!this->KeepConditions() || !this->Turn())
+      {
+        return false;
+      }
+      if (this->Check())
+      {
+        return true;
+      }
+      if (this->Contradictions == 0)
+      {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  void Write(PrimitiveForces& forces, Vector3& sum) const noexcept
+  {
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      forces[static_cast<std::size_t>(this->Held.Number[at])] = this->Force[at];
+    }
+    sum = this->Sum;
+  }
+
+private:
+  const Primitive& At(int at) const noexcept { return this->Held.Set[this->Held.Number[at]]; }
+
+  /** False if a vector has no direction. */
+  bool SetRay(const Vector3& to) noexcept
+  {
+    const double length = Norm(to);
+    this->Ray = (1.0 / length) * to;
+    return length > this->Settled && std::isfinite(length);
+  }
+
+  /** The ray where those that hold leave it; false if they leave it nothing. */
+  bool KeepConditions() noexcept
+  {
+    this->Slides = 0;
+    this->Along = -1;
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      if (this->State[at] != HoldState::Holds)
+      {
+        continue;
+      }
+      const PrimitiveKind kind = this->At(at).Kind;
+      const bool isPlane = kind == PrimitiveKind::Plane && this->Slides < 2 && this->Along < 0;
+      const bool isLine = kind == PrimitiveKind::Line && this->Slides == 0 && this->Along < 0;
+      if (isPlane)
+      {
+        this->Slide[this->Slides++] = at;
+      }
+      else if (isLine)
+      {
+        this->Along = at;
+      }
+      else
+      {
+        return false;
+      }
+    }
+    if (this->Along >= 0)
+    {
+      return this->SetLine(this->At(this->Along).Direction);
+    }
+    if (this->Slides == 2)
+    {
+      return this->SetLine(
+        Cross(this->At(this->Slide[0]).Direction, this->At(this->Slide[1]).Direction));
+    }
+    if (this->Slides == 1)
+    {
+      const Vector3& q = this->At(this->Slide[0]).Direction;
+      const Vector3 inPlane = this->Ray - Dot(this->Ray, q) * q;
+      return Norm(inPlane) > LeastSine && this->SetRay(inPlane);
+    }
+    return true;
+  }
+
+  /** One of the two directions of a line. */
+  bool SetLine(const Vector3& line) noexcept
+  {
+    return Norm(line) > LeastSine && this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
+  }
+
+  /** Directions across the ray in which it can turn; how many. */
+  int FindTurns(Vector3 turns[2]) const noexcept
+  {
+    if (this->Along >= 0 || this->Slides == 2)
+    {
+      return 0;
+    }
+    if (this->Slides == 1)
+    {
+      turns[0] = Cross(this->At(this->Slide[0]).Direction, this->Ray);
+      return 1;
+    }
+    // The reflection that takes an axis to the ray takes the others to these.
+    const Vector3& d = this->Ray;
+    const double sign = std::copysign(1.0, d.Z);
+    const double share = -1.0 / (sign + d.Z);
+    turns[0] = { 1.0 + sign * share * d.X * d.X, sign * share * d.X * d.Y, -sign * d.X };
+    turns[1] = { share * d.X * d.Y, sign + share * d.Y * d.Y, -d.Y };
+    return 2;
+  }
+
+  /** Turns the ray until nothing is left across it; false if it does not come to that. */
+  bool Turn() noexcept
+  {
+    for (int i = 0; i < MostTurns; ++i)
+    {
+      Vector3 turns[2];
+      const int count = this->FindTurns(turns);
+      Slope slope;
+      if (!this->FindYielding(turns, slope))
+      {
+        return false;
+      }
+      const Vector3 rest = this->Spring + this->Share * this->Yielding;
+      const double first = count > 0 ? Dot(rest, turns[0]) : 0.0;
+      const double second = count > 1 ? Dot(rest, turns[1]) : 0.0;
+      if (first * first + second * second <= 0.25 * this->Settled * this->Settled)
+      {
+        return true;
+      }
+      const double aa = this->Share * slope.AA + this->Distance;
+      const double ab = this->Share * slope.AB;
+      const double bb = count > 1 ? this->Share * slope.BB + this->Distance : 1.0;
+      const double determinant = aa * bb - (count > 1 ? ab * ab : 0.0);
+      const double inverse = 1.0 / determinant;
+      double a = inverse * (bb * first - ab * second);
+      double b = count > 1 ? inverse * (aa * second - ab * first) : 0.0;
+      const double most = std::max(std::abs(a), std::abs(b));
+      // Also false for NaN.
+      if (!(most < 1e9))
+      {
+        return false;
+      }
+      if (most > MostTurn)
+      {
+        a *= MostTurn / most;
+        b *= MostTurn / most;
+      }
+      this->SetRay(this->Ray + a * turns[0] + b * turns[1]);
+    }
+    return false;
+  }
+
+  struct Slope
+  {
+    double AA = 0.0;
+    double AB = 0.0;
+    double BB = 0.0;
+  };
+
+  /** The forces of those that yield on the ray, how they turn with it, and where it ends. */
+  bool FindYielding(const Vector3 turns[2], Slope& slope) noexcept
+  {
+    this->Yielding = {};
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      const Primitive& p = this->At(at);
+      if (this->State[at] != HoldState::Yields)
+      {
+        continue;
+      }
+      if (p.Kind == PrimitiveKind::Plane)
+      {
+        this->Force[at] = p.Strength * p.Direction;
+        this->Yielding += this->Force[at];
+        continue;
+      }
+      const bool isLine = p.Kind == PrimitiveKind::Line;
+      const Vector3 aside =
+        isLine ? this->Ray - Dot(this->Ray, p.Direction) * p.Direction : this->Ray;
+      const double size = isLine ? Norm(aside) : 1.0;
+      if (!(size > LeastSine))
+      {
+        return false;
+      }
+      const double inverse = 1.0 / size;
+      const double bend = p.Strength * inverse;
+      this->Force[at] = -bend * aside;
+      this->Yielding += this->Force[at];
+      // Of the parts of the turns across the line, what is across the force turns it.
+      const double share = inverse * inverse;
+      const double aq = isLine ? Dot(turns[0], p.Direction) : 0.0;
+      const double bq = isLine ? Dot(turns[1], p.Direction) : 0.0;
+      const double au = Dot(turns[0], aside);
+      const double bu = Dot(turns[1], aside);
+      slope.AA += bend * (1.0 - aq * aq - share * au * au);
+      slope.AB -= bend * (aq * bq + share * au * bu);
+      slope.BB += bend * (1.0 - bq * bq - share * bu * bu);
+    }
+    const double ofSpring = Dot(this->Spring, this->Ray);
+    const double ofForces = Dot(this->Yielding, this->Ray);
+    const double distance = ofSpring + ofForces;
+    this->Distance = std::max(distance, 0.0);
+    this->Share = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
+    // All hold if the spring pulls along the ray, but by less than they can. Also false for NaN.
+    return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
+  }
+
+  /** The forces of those that hold, and whether all are those of a balance. */
+  bool Check() noexcept
+  {
+    const Vector3 rest = this->Spring + this->Share * this->Yielding;
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      this->Force[at] =
+        this->State[at] == HoldState::Yields ? this->Share * this->Force[at] : Vector3{};
+    }
+    if (this->Along >= 0)
+    {
+      this->Force[this->Along] = Dot(rest, this->Ray) * this->Ray - rest;
+    }
+    else if (this->Slides > 0)
+    {
+      const Vector3& q = this->At(this->Slide[0]).Direction;
+      const double first = -Dot(rest, q);
+      if (this->Slides == 1)
+      {
+        this->Force[this->Slide[0]] = first * q;
+      }
+      else
+      {
+        const Vector3& other = this->At(this->Slide[1]).Direction;
+        const double second = -Dot(rest, other);
+        const double cosine = Dot(q, other);
+        const double share = 1.0 / (1.0 - cosine * cosine);
+        this->Force[this->Slide[0]] = share * (first - cosine * second) * q;
+        this->Force[this->Slide[1]] = share * (second - cosine * first) * other;
+      }
+    }
+    this->Sum = {};
+    for (int at = 0; at < this->Held.Count; ++at)
+    {
+      this->Sum += this->Force[at];
+      this->Correct(at);
+    }
+    const Vector3 gap = this->Spring + this->Sum - this->Distance * this->Ray;
+    return this->Contradictions == 0 && Dot(gap, gap) <= this->Settled * this->Settled;
+  }
+
+  /** Gives a primitive another state if its force or place contradicts the one that it has. */
+  void Correct(int at) noexcept
+  {
+    const Primitive& p = this->At(at);
+    HoldState& state = this->State[at];
+    const HoldState before = state;
+    if (state == HoldState::Holds)
+    {
+      const bool isPull = p.Kind == PrimitiveKind::Plane && Dot(this->Force[at], p.Direction) < 0.0;
+      const bool isMore = Dot(this->Force[at], this->Force[at]) > p.Strength * p.Strength;
+      state = isPull ? HoldState::IsLeft : (isMore ? HoldState::Yields : HoldState::Holds);
+    }
+    else if (p.Kind == PrimitiveKind::Plane)
+    {
+      const double depth = this->Distance * Dot(this->Ray, p.Direction);
+      const bool isLeft = state == HoldState::IsLeft;
+      state =
+        (isLeft ? depth >= -this->Settled : depth <= this->Settled) ? state : HoldState::Holds;
+    }
+    this->Contradictions += state != before ? 1 : 0;
+  }
+
+  const HeldPrimitives& Held;
+  const Vector3& Spring;
+  HoldState State[PrimitiveSet::Most] = {};
+  Vector3 Force[PrimitiveSet::Most];
+  Vector3 Ray;
+  double Distance = 0.0; ///< of the proxy on the ray (N)
+  double Share = 1.0;    ///< of the forces that would yield; less than 1 if all hold
+  Vector3 Yielding;      ///< the sum of these forces
+  Vector3 Sum;
+  int Slide[2] = {}; ///< the planes that hold
+  int Slides = 0;
+  int Along = -1; ///< the line that holds
+  int Contradictions = 0;
+  double Settled = 0.0;
+};
+
+bool HaveOneAnchor(const HeldPrimitives& held) noexcept
+{
+  const Vector3* const first = held.Spring;
+  return std::all_of(first, first + held.Count,
+    [first](const Vector3& spring) { return IsIdentical(*first, spring); });
+}
+
+} // namespace
+
+bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
+  PrimitiveForces& forces, Vector3& sum) noexcept
+{
+  if (held.Count == 0 || !HaveOneAnchor(held))
+  {
+    return false;
+  }
+  RayBalance balance(held, towards, isOld, forces);
+  if (!balance.Solve())
+  {
+    return false;
+  }
+  balance.Write(forces, sum);
+  return true;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The exact balance of primitives that have one anchor: the usual case, all modes read at one place.
+ *
+ * Their potentials are homogeneous about the anchor, so only the direction d in which the proxy
+ * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the forces that
+ * yield, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and d
+ * is the direction at which b + F has no part across it. That is what Newton's method finds on the
+ * sphere, in two steps or three from the direction in which the proxy went before.
+ *
+ * - A plane on which the proxy slides leaves d a circle; its force is what is missing along its
+ *   normal. A line that holds, or two such planes, leave d nothing.
+ * - If rho is negative, all primitives hold at the anchor. Their forces are not unique then; those
+ *   are chosen that yield together on a ray, times the share d.b / (-d.F) < 1 that the spring needs.
+ *
+ * Unlike the steps of PrimitiveNewton.h, these are as good near the anchor as away from it: there
+ * the forces turn fast with the place, but not with the direction. And the proxy of a tick ends
+ * where its primitives are read, so it comes as near as it likes.
+ */
+#ifndef PrimitiveRay_h
+#define PrimitiveRay_h
+
+#include "Core/Solvers/Primitives/PrimitiveNewton.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * As FindExactBalance, which it does not replace: false, too, if the anchors differ or if more
+ * holds than a plane or two or a line.
+ *
+ * @param towards where the proxy is expected, seen from the anchor, of any length; 0 if unknown
+ */
+bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
+  PrimitiveForces& forces, Vector3& sum) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif
