@@ -3,6 +3,7 @@
 """Feel fields along a path: a hand is drawn through one of four, and what holds it back is shown.
 
 python3 felt_fields.py pipe      a swirling flow in a bent pipe, on an unstructured grid
+python3 felt_fields.py pipe CASE.foam   one that OpenFOAM has computed: see ../openfoam/pipe_cyclic.sh
 python3 felt_fields.py fibres    a diffusion phantom: a bundle that turns, crossed by a straight one
 python3 felt_fields.py charges   the equipotentials of point charges
 python3 felt_fields.py vessels   a tree of vessels, of which one is followed by its ridge
@@ -13,25 +14,21 @@ import argparse
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkTensorGlyph, vtkTubeFilter
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 from volumehaptics import (
     vtkHapticRidgeMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkHapticVectorFrontMode,
     vtkVolumeHapticsFilter)
 
-STRONGEST = 2.0  # N
+from force_scene import STRONGEST, make_actor, make_colours, make_renderer, show
 
 
 def add_array(data, name, values):
@@ -86,13 +83,49 @@ def pipe():
     append = vtkAppendFilter()
     append.SetInputData(grid)
     append.Update()
+    steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
+    middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
+    return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), places[angle == 0.0][::9])
+
+
+def follow_flow(speed):
+    """The mode that follows U, with all its strength from a speed on."""
     mode = vtkHapticVectorFollowMode()
     mode.SetArrayName("U")
     mode.GetStrength().AddPoint(0.0, 0.0)
-    mode.GetStrength().AddPoint(0.3, STRONGEST)
-    steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
-    middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    return append.GetOutput(), mode, make_path(middle), stream_lines(append.GetOutput(), places[angle == 0.0][::9])
+    mode.GetStrength().AddPoint(speed, STRONGEST)
+    return mode
+
+
+def computed_pipe(case):
+    """OpenFOAM's tutorial pipeCyclic, a quarter of a pipe along x, turned to a whole one of 20 mm."""
+    reader = vtkOpenFOAMReader()
+    reader.SetFileName(case)
+    reader.CreateCellToPointOn()
+    reader.UpdateInformation()
+    steps = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    if not steps or not reader.UpdateTimeStep(steps[-1]):
+        raise SystemExit(f"{case}: no OpenFOAM case with results. ../openfoam/pipe_cyclic.sh computes one.")
+    quarter = reader.GetOutput().GetBlock(0)
+    append = vtkAppendFilter()
+    append.MergePointsOn()
+    for turn in range(4):
+        turned, transform = vtkTransformFilter(), vtkTransform()
+        transform.RotateX(90 * turn)
+        turned.SetInputData(quarter)
+        turned.SetTransform(transform)
+        turned.TransformAllInputVectorsOn()
+        append.AddInputConnection(turned.GetOutputPort())
+    append.Update()
+    flow, scale = append.GetOutput(), 20.0  # mm for a metre
+    places = scale * vtk_to_numpy(flow.GetPoints().GetData())
+    flow.GetPoints().SetData(numpy_to_vtk(places, deep=True))
+    fastest = np.linalg.norm(vtk_to_numpy(flow.GetPointData().GetArray("U")), axis=1).max()
+    length = np.linspace(4, 80, 40)
+    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # nearly as the flow turns
+    middle = np.stack([length, away * np.cos(turn), away * np.sin(turn)], -1)
+    seeds = places[(places[:, 0] < 1e-6) & (np.hypot(places[:, 1], places[:, 2]) < 9)]
+    return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds)
 
 
 def stream_lines(flow, seeds):
@@ -187,29 +220,6 @@ def vessels():
     return image, mode, make_path([[-34, -2, 1], [-2, 1.5, 0.5], [28, 20, 6]]), contour
 
 
-def make_actor(data, radius=0.0, colours=None, opacity=1.0):
-    mapper = vtkPolyDataMapper()
-    if radius > 0.0:
-        tube = vtkTubeFilter()
-        tube.SetInputData(data)
-        tube.SetRadius(radius)
-        tube.SetNumberOfSides(12)
-        mapper.SetInputConnection(tube.GetOutputPort())
-    else:
-        mapper.SetInputConnection(data.GetOutputPort())
-    mapper.SetScalarVisibility(colours is not None)
-    if colours:
-        mapper.SetLookupTable(colours)
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("NormalForce")
-        mapper.UseLookupTableScalarRangeOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.6, 0.66, 0.74)
-    actor.GetProperty().SetOpacity(opacity)
-    return actor
-
-
 def as_line(path):
     line = vtkPolyData()
     line.SetPoints(path.GetPoints())
@@ -225,9 +235,12 @@ def main():
     fields = {function.__name__: function for function in (pipe, fibres, charges, vessels)}
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("field", choices=fields)
+    parser.add_argument("case", nargs="?", metavar="CASE.foam", help="of the pipe: a flow that OpenFOAM has computed")
     parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
     options = parser.parse_args()
-    data, mode, path, surface = fields[options.field]()
+    if options.case and options.field != "pipe":
+        parser.error("only the pipe can be a case of OpenFOAM")
+    data, mode, path, surface = computed_pipe(options.case) if options.case else fields[options.field]()
     touch = vtkVolumeHapticsFilter()
     touch.SetInputData(0, data)
     touch.SetPathData(path)
@@ -243,35 +256,17 @@ def main():
           f"felt in {100 * (force > 0.01).mean():.0f} % of them, "
           f"held back by {np.linalg.norm(apart, axis=1).max():.1f} mm at most")
 
-    colours = vtkColorTransferFunction()
-    for share, name in ((0.0, "RoyalBlue"), (0.3, "MediumSeaGreen"), (0.6, "Gold"), (1.0, "OrangeRed")):
-        colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
-    renderer = vtkRenderer()
-    renderer.SetBackground(0.07, 0.08, 0.11)
-    renderer.AddActor(make_actor(as_line(path), 0.15))
-    renderer.AddActor(make_actor(trace, 0.5, colours))
+    renderer = make_renderer(make_actor(as_line(path), 0.15), make_actor(trace, 0.5, make_colours()))
     if surface:
         renderer.AddActor(make_actor(surface, opacity=0.3))
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(options.picture is not None)
-    window.SetSize(1000, 700)
-    window.AddRenderer(renderer)
-    renderer.ResetCamera(data.GetBounds())
+    if options.case:
+        renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # where the path is
+    else:
+        renderer.ResetCamera(data.GetBounds())
     renderer.GetActiveCamera().Elevation(-35)
     renderer.GetActiveCamera().Zoom(1.4)
     renderer.ResetCameraClippingRange()
-    if options.picture:
-        window.Render()
-        grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
-        grab.SetInput(window)
-        writer.SetInputConnection(grab.GetOutputPort())
-        writer.SetFileName(options.picture)
-        writer.Write()
-        return
-    interactor = vtkRenderWindowInteractor()
-    interactor.SetRenderWindow(window)
-    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-    interactor.Start()
+    show(renderer, options.picture)
 
 
 if __name__ == "__main__":

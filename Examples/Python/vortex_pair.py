@@ -8,22 +8,15 @@ import argparse
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkLineSource
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
-    vtkWindowToImageFilter)
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from volumehaptics import vtkHapticVortexMode, vtkVolumeHapticsFilter
 
-CORE, APART, STRONGEST = 8.0, 24.0, 2.0  # mm, mm, N
+from force_scene import STRONGEST, make_actor, make_colours, make_renderer, show
+
+CORE, APART = 8.0, 24.0  # mm
 
 
 def make_flow():
@@ -77,29 +70,6 @@ def stream_lines(flow):
     return lines
 
 
-def make_actor(source, radius, colours=None, colour=(1, 1, 1)):
-    tube = vtkTubeFilter()
-    if hasattr(source, "GetOutputPort"):
-        tube.SetInputConnection(source.GetOutputPort())
-    else:
-        tube.SetInputData(source)
-    tube.SetRadius(radius)
-    tube.SetNumberOfSides(12)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
-    if colours:
-        mapper.SetLookupTable(colours)
-        mapper.SetScalarModeToUsePointFieldData()
-        mapper.SelectColorArray("NormalForce")
-        mapper.UseLookupTableScalarRangeOn()
-    else:
-        mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(colour)
-    return actor
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
@@ -113,9 +83,7 @@ def main():
         print(f"core at {middle:.0f} mm: strongest {force[np.abs(proxy[:, 0] - middle) < CORE].max():.3f} N, "
               f"proxy at y = {proxy[nearest, 1]:.2f} mm")
 
-    colours = vtkColorTransferFunction()
-    for share, name in ((0.0, "RoyalBlue"), (0.4, "MediumSeaGreen"), (0.7, "Gold"), (1.0, "OrangeRed")):
-        colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
+    colours = make_colours()
     bar = vtkScalarBarActor()
     bar.SetLookupTable(colours)
     bar.SetTitle("Force (N)")
@@ -127,33 +95,15 @@ def main():
     bar.SetPosition(0.9, 0.2)
     bar.SetHeight(0.6)
     bar.SetWidth(0.08)
-    renderer = vtkRenderer()
-    renderer.SetBackground(0.07, 0.08, 0.11)
-    renderer.AddActor(make_actor(stream_lines(flow), 0.12, colour=(0.55, 0.62, 0.7)))
-    renderer.AddActor(make_actor(trace, 0.7, colours))
+    renderer = make_renderer(make_actor(stream_lines(flow), 0.12), make_actor(trace, 0.7, colours))
     renderer.AddActor2D(bar)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(picture is not None)
-    window.SetSize(1100, 700)
-    window.AddRenderer(renderer)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, -60, 140)
     camera.SetFocalPoint(0, 0, 0)
     camera.SetViewUp(0, 1, 0)
     renderer.ResetCamera(-52, 52, -33, 33, -2, 2)
     camera.Zoom(1.45)
-    if picture:
-        window.Render()
-        grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
-        grab.SetInput(window)
-        writer.SetInputConnection(grab.GetOutputPort())
-        writer.SetFileName(picture)
-        writer.Write()
-        return
-    interactor = vtkRenderWindowInteractor()
-    interactor.SetRenderWindow(window)
-    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-    interactor.Start()
+    show(renderer, picture, (1100, 700))
 
 
 if __name__ == "__main__":

@@ -236,13 +236,13 @@ private:
       this->Yielding += this->Force[at];
       // Of the parts of the turns across the line, what is across the force turns it.
       const double share = inverse * inverse;
-      const double aq = isLine ? Dot(turns[0], p.Direction) : 0.0;
-      const double bq = isLine ? Dot(turns[1], p.Direction) : 0.0;
-      const double au = Dot(turns[0], aside);
-      const double bu = Dot(turns[1], aside);
-      slope.AA += bend * (1.0 - aq * aq - share * au * au);
-      slope.AB -= bend * (aq * bq + share * au * bu);
-      slope.BB += bend * (1.0 - bq * bq - share * bu * bu);
+      const double firstAlong = isLine ? Dot(turns[0], p.Direction) : 0.0;
+      const double secondAlong = isLine ? Dot(turns[1], p.Direction) : 0.0;
+      const double firstAside = Dot(turns[0], aside);
+      const double secondAside = Dot(turns[1], aside);
+      slope.AA += bend * (1.0 - firstAlong * firstAlong - share * firstAside * firstAside);
+      slope.AB -= bend * (firstAlong * secondAlong + share * firstAside * secondAside);
+      slope.BB += bend * (1.0 - secondAlong * secondAlong - share * secondAside * secondAside);
     }
     const double ofSpring = Dot(this->Spring, this->Ray);
     const double ofForces = Dot(this->Yielding, this->Ray);

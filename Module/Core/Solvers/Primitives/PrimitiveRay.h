@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The exact balance of primitives that have one anchor: the usual case, all modes read at one place.
+ * The exact balance of primitives that have one anchor: the usual case, since all modes are read at
+ * one place.
  *
  * Their potentials are homogeneous about the anchor, so only the direction d in which the proxy
  * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the forces that
- * yield, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and d
- * is the direction at which b + F has no part across it. That is what Newton's method finds on the
- * sphere, in two steps or three from the direction in which the proxy went before.
+ * yield, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and
+ * d is the direction in which b + F has no part across it. That is what Newton's method finds on
+ * the sphere, in two steps or three from the direction in which the proxy went before.
  *
  * - A plane on which the proxy slides leaves d a circle; its force is what is missing along its
  *   normal. A line that holds, or two such planes, leave d nothing.
  * - If rho is negative, all primitives hold at the anchor. Their forces are not unique then; those
- *   are chosen that yield together on a ray, times the share d.b / (-d.F) < 1 that the spring needs.
+ *   are chosen that yield together on a ray, times the share d.b / (-d.F) < 1 that is needed.
  *
  * Unlike the steps of PrimitiveNewton.h, these are as good near the anchor as away from it: there
  * the forces turn fast with the place, but not with the direction. And the proxy of a tick ends

@@ -81,8 +81,8 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
  *
  * @param forces those of the last tick, with which descent begins; then those of this one. Forces
  *   that are not finite are forgotten.
- * @param towards of any length: where the proxy is expected, seen from a common anchor; 0 if that is
- *   unknown. It makes this faster, and never wrong.
+ * @param towards of any length: where the proxy is expected, seen from a common anchor; 0 if that
+ *   is unknown. It makes this faster, and never wrong.
  *
  * If the tip is not finite, or farther away than an anchor may be, or if k is not a positive
  * number, nothing holds: the proxy is the tip.

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the demonstrations of felt fields share: lines coloured by the force, in a window or a picture."""
+from vtkmodules.vtkCommonColor import vtkNamedColors
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
+    vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+
+STRONGEST = 2.0  # N
+GREY = (0.6, 0.66, 0.74)
+
+
+def make_colours():
+    """From no force to the strongest one."""
+    colours = vtkColorTransferFunction()
+    for share, name in ((0.0, "RoyalBlue"), (0.35, "MediumSeaGreen"), (0.65, "Gold"), (1.0, "OrangeRed")):
+        colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
+    return colours
+
+
+def connect(consumer, source):
+    """Data, or the output of a filter."""
+    if hasattr(source, "GetOutputPort"):
+        consumer.SetInputConnection(source.GetOutputPort())
+    else:
+        consumer.SetInputData(source)
+
+
+def make_actor(source, radius=0.0, colours=None, opacity=1.0):
+    """Surfaces, or lines as tubes of a radius; of one colour, or coloured by the force."""
+    mapper = vtkPolyDataMapper()
+    if radius > 0.0:
+        tube = vtkTubeFilter()
+        connect(tube, source)
+        tube.SetRadius(radius)
+        tube.SetNumberOfSides(12)
+        source = tube
+    connect(mapper, source)
+    mapper.SetScalarVisibility(colours is not None)
+    if colours:
+        mapper.SetLookupTable(colours)
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("NormalForce")
+        mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(GREY)
+    actor.GetProperty().SetOpacity(opacity)
+    return actor
+
+
+def make_renderer(*actors):
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.07, 0.08, 0.11)
+    for actor in actors:
+        renderer.AddActor(actor)
+    return renderer
+
+
+def show(renderer, picture=None, size=(1000, 700)):
+    """In a window, until it is closed; or in a PNG file."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(picture is not None)
+    window.SetSize(size)
+    window.AddRenderer(renderer)
+    if picture:
+        window.Render()
+        grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+        grab.SetInput(window)
+        writer.SetInputConnection(grab.GetOutputPort())
+        writer.SetFileName(picture)
+        writer.Write()
+        return
+    interactor = vtkRenderWindowInteractor()
+    interactor.SetRenderWindow(window)
+    interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+    interactor.Start()
