@@ -12,11 +12,11 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int MostTurns = 8;
+constexpr int MostRayTurns = 8;
 constexpr int MostRayRounds = 5;
 /** A sine. A line that is this near to the ray turns its force too fast for Newton's method. */
-constexpr double LeastSine = 1e-6;
-constexpr double MostTurn = 0.5;
+constexpr double LeastRaySine = 1e-6;
+constexpr double MostRayAngle = 0.5;
 
 class RayBalance
 {
@@ -124,7 +124,7 @@ private:
     {
       const Vector3& q = this->At(this->Slide[0]).Direction;
       const Vector3 inPlane = this->Ray - Dot(this->Ray, q) * q;
-      return Norm(inPlane) > LeastSine && this->SetRay(inPlane);
+      return Norm(inPlane) > LeastRaySine && this->SetRay(inPlane);
     }
     return true;
   }
@@ -132,7 +132,8 @@ private:
   /** One of the two directions of a line. */
   bool SetLine(const Vector3& line) noexcept
   {
-    return Norm(line) > LeastSine && this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
+    return Norm(line) > LeastRaySine &&
+      this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
   }
 
   /** Directions across the ray in which it can turn; how many. */
@@ -159,7 +160,7 @@ private:
   /** Turns the ray until nothing is left across it; false if it does not come to that. */
   bool Turn() noexcept
   {
-    for (int i = 0; i < MostTurns; ++i)
+    for (int i = 0; i < MostRayTurns; ++i)
     {
       Vector3 turns[2];
       const int count = this->FindTurns(turns);
@@ -188,10 +189,10 @@ private:
       {
         return false;
       }
-      if (most > MostTurn)
+      if (most > MostRayAngle)
       {
-        a *= MostTurn / most;
-        b *= MostTurn / most;
+        a *= MostRayAngle / most;
+        b *= MostRayAngle / most;
       }
       this->SetRay(this->Ray + a * turns[0] + b * turns[1]);
     }
@@ -226,7 +227,7 @@ private:
       const Vector3 aside =
         isLine ? this->Ray - Dot(this->Ray, p.Direction) * p.Direction : this->Ray;
       const double size = isLine ? Norm(aside) : 1.0;
-      if (!(size > LeastSine))
+      if (!(size > LeastRaySine))
       {
         return false;
       }
@@ -332,7 +333,7 @@ private:
   double Settled = 0.0;
 };
 
-bool HaveOneAnchor(const HeldPrimitives& held) noexcept
+bool HaveCommonAnchor(const HeldPrimitives& held) noexcept
 {
   const Vector3* const first = held.Spring;
   return std::all_of(first, first + held.Count,
@@ -344,7 +345,7 @@ bool HaveOneAnchor(const HeldPrimitives& held) noexcept
 bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
   PrimitiveForces& forces, Vector3& sum) noexcept
 {
-  if (held.Count == 0 || !HaveOneAnchor(held))
+  if (held.Count == 0 || !HaveCommonAnchor(held))
   {
     return false;
   }
