@@ -36,6 +36,7 @@ set(package_files)
 foreach (file IN ITEMS
     __init__.py
     __main__.py
+    _grids.py
     _identify.py
     _labels.py
     _large.py

@@ -56,6 +56,38 @@ def test_what_is_hidden_is_not_felt(window, hands, visibility, felt):
     assert (press_ball(hand) > 0.5) == felt
 
 
+def test_the_flow_of_a_grid_is_followed(window):
+    """Vectors along x, in blocks: nothing along them, and across them a spring of 500 N/m, here of 3 mm."""
+    blocks = pv.MultiBlock()
+    for first in (-12.0, 0.0):
+        block = pv.RectilinearGrid(first + np.arange(0.0, 13.0, 2.0), np.linspace(-9, 9, 8), np.linspace(-9, 9, 4))
+        block.cell_data["U"] = np.tile([3.0, 0.0, 0.0], (block.n_cells, 1))
+        blocks.append(block)
+    plotter = pv.Plotter(off_screen=True, window_size=(200, 200))
+    plotter.add_mesh(blocks, style="wireframe")
+    with add_haptics(plotter, blocks) as haptics:
+        device, end = haptics.device, time.monotonic() + 30.0
+        assert haptics.filter.GetMode(0).GetText() == "vector follow, U"
+        plotter.show(auto_close=False)
+
+        def wait(holds):
+            while not holds():
+                assert time.monotonic() < end, device.GetStatusText()
+                haptics.update()
+                time.sleep(0.002)
+
+        device.SetVirtualTip(-3, 0, 0)
+        wait(lambda: device.GetTick() > 50)
+        device.Arm()
+        wait(lambda: "100 % of the force" in device.GetStatusText())
+        for step in range(1, 31):
+            device.SetVirtualTip(-3 + 0.2 * step, 0.1 * step, 0)
+            tick = device.GetTick()
+            wait(lambda: device.GetTick() > tick + 5)
+        wait(lambda: np.allclose(device.GetForce(), (0, -1.5, 0), atol=0.02))
+    plotter.close()
+
+
 def test_labels_have_materials(window, hands):
     """A label that is not felt lets the tip through, until its table says otherwise."""
     hand = hands(labels=np.ones((33, 33, 33), np.uint8), materials={1: {"name": "ball", "felt": False}})

@@ -55,7 +55,7 @@ def test_twice(plotter):
 
 def test_what_is_no_image(plotter):
     unstructured = plotter.add_volume(grid().cast_to_unstructured_grid())
-    refused(TypeError, "not UnstructuredGrid", plotter, unstructured)
+    refused(TypeError, "not UnstructuredGrid. Cure: give the grid itself", plotter, unstructured)
     refused(TypeError, "not ndarray", plotter, np.zeros((3, 3, 3)))
 
 

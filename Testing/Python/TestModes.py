@@ -12,13 +12,15 @@ import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkStaticPointLocator
-from vtkmodules.vtkFiltersCore import vtkTensorGlyph
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkRectilinearGrid, vtkStaticPointLocator)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkTensorGlyph
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from volumehaptics import (
-    vtkHapticDevice, vtkHapticGuideMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkVolumeHapticsFilter)
+    touch, vtkHapticDevice, vtkHapticGuideMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode,
+    vtkVolumeHapticsFilter)
 
 DEMONSTRATIONS = Path(__file__).resolve().parents[2] / "Examples" / "Python"
 
@@ -146,6 +148,64 @@ def test_a_preset_and_a_surface_from_python():
     assert trace.GetNumberOfPoints() == 60
     assert np.allclose(trace.GetPoint(59), (5.9, 3.0, 2.0), atol=1e-4)
     assert np.allclose(trace.GetPointData().GetArray("Force").GetTuple(59), (0, 0, -0.5 * 2.95), atol=1e-4)
+
+
+def make_grid(first, last, components=3, of="cells"):
+    """An uneven rectilinear grid in x from first to last, with a uniform flow, or a tensor, along x."""
+    grid, sizes = vtkRectilinearGrid(), []
+    for axis, places in (("X", np.linspace(first, last, 7)), ("Y", 12 * np.linspace(-1, 1, 8) ** 3), ("Z", [-9, 0, 9])):
+        getattr(grid, f"Set{axis}Coordinates")(numpy_to_vtk(np.array(places, float), deep=True))
+        sizes.append(len(places))
+    grid.SetDimensions(sizes)
+    data, count = (grid.GetCellData(), grid.GetNumberOfCells()) if of == "cells" else (
+        grid.GetPointData(), grid.GetNumberOfPoints())
+    array = numpy_to_vtk(np.tile(np.eye(1, components) * 3.0, (count, 1)), deep=True)
+    array.SetName("U")
+    data.AddArray(array)
+    return grid
+
+
+def in_blocks(*grids):
+    blocks = vtkMultiBlockDataSet()
+    for i, grid in enumerate(grids):
+        blocks.SetBlock(i, grid)
+    return blocks
+
+
+def unstructured(grid):
+    append = vtkAppendFilter()
+    append.SetInputData(grid)
+    append.Update()
+    return append.GetOutput()
+
+
+@pytest.mark.parametrize("make, mode", (
+    (lambda: make_grid(-12, 12), None),
+    (lambda: unstructured(make_grid(-12, 12, of="points")), "Follow the flow"),
+    (lambda: in_blocks(make_grid(-12, 0), None, make_grid(0, 12)), None),
+    (lambda: make_grid(-12, 12, components=6), None)))
+def test_grids_are_felt(make, mode):
+    """The tip goes 1 mm along a flow, or a fibre, and 6 mm across it: a spring of 500 N/m up to 2 N, and then 2 N."""
+    across = np.linspace(0, 6, 121)
+    trace = touch(make(), np.stack([across / 6, across, 0 * across], -1), mode=mode)
+    force = vtk_to_numpy(trace.GetPointData().GetArray("Force"))
+    assert np.allclose(force[:, 1], -np.minimum(0.5 * across, 2.0), atol=0.01)
+    assert np.abs(force[:, [0, 2]]).max() < 0.01
+    assert trace.GetPointData().HasArray("ModeForce_0")
+
+
+def test_grids_that_can_not_be_felt_say_why():
+    path = [[0, 0, 0], [1, 0, 0]]
+    with pytest.raises(ValueError, match="(?s)Fly.*Follow the flow"):
+        touch(make_grid(-12, 12), path, mode="Fly")
+    flat = make_grid(-12, 12)
+    flat.SetZCoordinates(numpy_to_vtk(np.zeros(3), deep=True))
+    with pytest.raises(ValueError, match="no volume. Cure"):
+        touch(flat, path)
+    with pytest.raises(ValueError, match="no cells"):
+        touch(vtkMultiBlockDataSet(), path)
+    with pytest.raises(TypeError):
+        touch(vtkPolyData(), path)
 
 
 def run(name, picture, *words):

@@ -12,12 +12,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData
 from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
+from ._grids import is_grid, overview
 from ._labels import Labels, Materials, set_labels
-from ._touch import Errors, configure, frame_of, plain
+from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
@@ -225,8 +226,9 @@ def _image_of(volume: Any) -> vtkImageData:
             raise ValueError("the volume is moved, turned or scaled in the scene, which is not felt. Cure: set the "
                              "image's origin, spacing and direction_matrix instead of the actor's")
     if not isinstance(image, vtkImageData):
-        raise TypeError(f"what is touched is a pyvista.ImageData or what plotter.add_volume() returned for one, not "
-                        f"{type(image).__name__}. Cure for other grids: image.sample(grid)")
+        cure = ". Cure: give the grid itself instead of its actor" if is_grid(image) else ""
+        raise TypeError("what is touched is a pyvista.ImageData, what plotter.add_volume() returned for one, or a grid "
+                        f"of cells in space, not {type(image).__name__}{cure}")
     return image
 
 
@@ -273,12 +275,13 @@ def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageD
 
 def add_haptics(
     plotter: pv.Plotter,
-    volume: vtkVolume | vtkImageData | Sequence[vtkImageData] | vtkHapticRegionSource | None = None,
+    volume: vtkVolume | vtkDataSet | vtkCompositeDataSet | Sequence[vtkImageData] | vtkHapticRegionSource | None = None,
     preset: str | Sequence[float] | None = None,
     *,
     times: Sequence[float] | None = None,
     device: str | vtkHapticDevice = "virtual",
     visibility: bool | vtkVolume = True,
+    mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
     **settings: Any,
@@ -292,7 +295,8 @@ def add_haptics(
         the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
         is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory,
         of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
-        that is in memory finely, in a frame.
+        that is in memory finely, in a frame. Or a rectilinear, structured or unstructured grid, or a MultiBlock of
+        these: its arrays are felt, resampled around the hand, whatever shows it.
     times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
         preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
@@ -301,6 +305,8 @@ def add_haptics(
         open and stays so.
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
         (True, default). False: what is hidden is felt, too.
+    mode: a way to feel vectors, tensors or vessels, such as "Find a vortex", as for volumehaptics.touch(): a grid
+        of vectors has "Follow the flow" if nothing else is said.
     labels, materials: a segmentation and what its labels feel like, as for volumehaptics.touch(). The table is
         haptics.filter.GetLabelTable(); what is changed in it is felt at once.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
@@ -337,12 +343,17 @@ def add_haptics(
     large = volume if isinstance(volume, vtkHapticRegionSource) else None
     if large is not None:
         volume = _show_coarse(plotter, large)
-    image = _image_of(volume) if large is None else frame_of(large)
+    grid = volume if is_grid(volume) else None
+    if large is not None:
+        image = frame_of(large)
+    else:
+        image = _image_of(volume) if grid is None else overview(grid)
     scalars = image.GetPointData().GetScalars()
-    if large is None and scalars is None:
+    has_modes = mode is not None or grid is not None
+    if large is None and not has_modes and scalars is None:
         raise ValueError("the volume has no active point scalars. Cure: image.set_active_scalars(NAME), or "
                          "image.cells_to_points() if it has cell data")
-    if large is None and scalars.GetNumberOfComponents() > 1 and "property" not in settings:
+    if large is None and not has_modes and scalars.GetNumberOfComponents() > 1 and "property" not in settings:
         raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter)
@@ -350,7 +361,7 @@ def add_haptics(
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
     try:
-        _prepare(haptics, large or image, preset, look.GetProperty() if isinstance(look, vtkVolume) else None,
+        _prepare(haptics, large or (image if grid is None else grid), image, preset, mode, look.GetProperty() if isinstance(look, vtkVolume) else None,
                  settings, labels, materials)
         if frames is not None:
             haptics.frames = frames
@@ -375,8 +386,10 @@ def add_haptics(
 
 def _prepare(
     haptics: Haptics,
-    volume: vtkImageData | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | vtkHapticRegionSource,
+    image: vtkImageData,
     preset: str | None,
+    mode: str | None,
     look: Any,
     settings: dict[str, Any],
     labels: Labels | None,
@@ -384,15 +397,16 @@ def _prepare(
 ) -> None:
     touch = haptics.filter
     is_large = isinstance(volume, vtkHapticRegionSource)
-    image = frame_of(volume) if is_large else volume
+    known = volume.GetCoarseImage() if is_large else image
     with Errors(touch, touch.GetProperty()) as errors:
-        configure(touch, is_large and volume.GetCoarseImage() or image, preset, settings, errors, "add_haptics")
+        configure(touch, known or image, preset, settings, errors, "add_haptics")
         if look is not None:
             touch.GetProperty().SetVisibilityFrom(look)
         if is_large:
             touch.SetInputConnection(volume.GetOutputPort())
         else:
-            touch.SetInputData(image)
+            touch.SetInputDataObject(0, volume)
+        choose_mode(touch, volume, known, mode, preset, settings, errors)
         set_labels(touch, image, labels, materials)
         touch.Update()  # without a path, only checks
     if errors:

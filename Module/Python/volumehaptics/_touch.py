@@ -13,9 +13,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from vtkmodules.vtkCommonCore import VTK_STRING
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
 
 from . import vtkVolumeHaptics
+from ._grids import is_grid, overview, suggest_mode
 from ._labels import Labels, Materials, set_labels
 from .vtkVolumeHaptics import vtkHapticProperty, vtkHapticRegionSource, vtkVolumeHapticsFilter
 
@@ -133,6 +134,23 @@ def configure(
         raise ValueError("; ".join(errors))
 
 
+def choose_mode(
+    haptics: vtkVolumeHapticsFilter,
+    volume: Any,
+    image: vtkImageData | None,
+    mode: str | None,
+    preset: str | None,
+    settings: dict[str, Any],
+    errors: Errors,
+) -> None:
+    """The modes of that name, or those that suit a grid of vectors or tensors if it is not said how it feels."""
+    said = preset is not None or any(name in settings for name in ("property", "method", "method_by_name"))
+    if mode is None and is_grid(volume) and not said:
+        mode = suggest_mode(image)
+    if mode is not None and not haptics.ApplyModePreset(mode, image):
+        raise ValueError("; ".join(errors))
+
+
 def frame_of(source: vtkHapticRegionSource) -> vtkImageData:
     """The extent and the place of a large volume, without its samples."""
     frame = vtkImageData()
@@ -246,10 +264,11 @@ class _Feeling:
 
 @overload
 def touch(
-    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
     tip: vtkPolyData | np.ndarray,
     preset: str | None = None,
     *,
+    mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
     **settings: Any,
@@ -258,10 +277,11 @@ def touch(
 
 @overload
 def touch(
-    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
     tip: Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
+    mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
     **settings: Any,
@@ -269,10 +289,11 @@ def touch(
 
 
 def touch(
-    volume: vtkImageData | np.ndarray | vtkHapticRegionSource,
+    volume: vtkDataSet | vtkCompositeDataSet | np.ndarray | vtkHapticRegionSource,
     tip: vtkPolyData | np.ndarray | Sequence[vtkPolyData | np.ndarray],
     preset: str | None = None,
     *,
+    mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
     **settings: Any,
@@ -281,6 +302,8 @@ def touch(
 
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
         (0, 0, 0) on: see image() for others. It is not copied. Or one that is larger than memory: see open_large().
+        Or a rectilinear, structured or unstructured grid, or a composite data set of these, as vtkOpenFOAMReader
+        has it: its point and cell arrays are felt, resampled along the path.
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
@@ -288,6 +311,9 @@ def touch(
     preset: the feel of the tissues, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
         500 N/m everywhere. "propose", for data of any unit: functions from the edges of the volume, with the kernel
         radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
+    mode: a way to feel vectors, tensors or vessels, such as "Follow the flow", "Find a vortex" or "Slide along
+        fibres": see vtkVolumeHapticsFilter.ApplyModePreset(). Default: none for an image; for a grid without a preset,
+        method or property, "Follow the flow" if it has vectors, or else "Slide along fibres" if it has tensors.
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
         the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
         .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any; if it has as many voxels as the
@@ -324,6 +350,8 @@ def touch(
                              "open_large() a coarse level, or propose them for a part of it and give property=...")
     elif isinstance(volume, vtkImageData):
         image = volume
+    elif is_grid(volume):
+        image = overview(volume)
     else:
         from . import arrays
 
@@ -340,7 +368,8 @@ def touch(
         if source is not None:
             haptics.SetInputConnection(source.GetOutputPort())
         else:
-            haptics.SetInputData(image)
+            haptics.SetInputDataObject(0, volume if is_grid(volume) else image)
+        choose_mode(haptics, volume, image if source is None else coarse, mode, preset, settings, errors)
         set_labels(haptics, image, labels, materials)
         feeling = _Feeling(haptics, errors, failures)
         traces = feeling.feel_all(paths) if several else [feeling.feel(paths[0])]

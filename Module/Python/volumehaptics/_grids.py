@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data sets that are no images: grids, and composite data sets of them. The filter resamples them where they are felt."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkResampleToImage
+
+# Points along the longest edge of an overview, which is for strengths and bounds alone.
+POINTS = 64
+
+
+def is_grid(volume: Any) -> bool:
+    """Whether it has cells in space, and is no image."""
+    return isinstance(volume, (vtkDataSet, vtkCompositeDataSet)) and not isinstance(volume, (vtkImageData, vtkPolyData))
+
+
+def _leaves(grid: vtkDataSet | vtkCompositeDataSet) -> list[vtkDataSet]:
+    if isinstance(grid, vtkDataSet):
+        return [grid]
+    leaves, iterator = [], grid.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        leaves.append(iterator.GetCurrentDataObject())
+        iterator.GoToNextItem()
+    return [leaf for leaf in leaves if isinstance(leaf, vtkDataSet) and leaf.GetNumberOfCells()]
+
+
+def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
+    """A coarse image of the whole, with its point and cell arrays as point arrays."""
+    all_bounds = [leaf.GetBounds() for leaf in _leaves(grid)]
+    bounds = [(min if i % 2 == 0 else max)(one[i] for one in all_bounds) for i in range(6)] if all_bounds else [0.0] * 6
+    edges = [bounds[i + 1] - bounds[i] for i in (0, 2, 4)]
+    if not min(edges) > 0.0:
+        raise ValueError("the data set has no cells, or they have no volume. Cure: give grids of cells in space, such "
+                         "as hexahedra and tetrahedra")
+    resample = vtkResampleToImage()
+    resample.SetInputDataObject(grid)
+    resample.SetSamplingDimensions(*[max(2, round(POINTS * edge / max(edges))) for edge in edges])
+    resample.Update()
+    image = vtkImageData()
+    image.ShallowCopy(resample.GetOutput())
+    for mask in ("vtkValidPointMask", "vtkGhostType"):
+        image.GetPointData().RemoveArray(mask)
+    return image
+
+
+def suggest_mode(image: vtkImageData) -> str | None:
+    """The preset of modes for vectors or else tensors; None for scalars, whose surfaces are felt."""
+    points = image.GetPointData()
+    sizes = {points.GetArray(i).GetNumberOfComponents() for i in range(points.GetNumberOfArrays()) if points.GetArray(i)}
+    if 3 in sizes:
+        return "Follow the flow"
+    return "Slide along fibres" if sizes & {6, 9} else None
