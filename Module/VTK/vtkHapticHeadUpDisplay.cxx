@@ -114,6 +114,8 @@ std::string DescribeTime(vtkHapticDevice* device)
   {
     text << "held";
   }
+  // A picture that takes long delays the frames.
+  text << (device->IsWaitingForData() ? ", waiting for data" : "");
   return text.str();
 }
 } // namespace

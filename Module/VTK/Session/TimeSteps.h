@@ -19,6 +19,7 @@ struct TimeSteps
 {
   std::vector<double> Times; ///< ascending
   bool AreComponents = false;
+  bool AreInMemory = false; ///< all of them are in the memory of the source
 
   /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
   struct Need
@@ -34,11 +35,11 @@ struct TimeSteps
   {
     return (step + this->Times.size() - 1) % this->Times.size();
   }
-  /** Whether all of them are in memory at once. */
+  /** Whether the servo gets all of them at once. */
   bool AreWindow() const
   {
     constexpr std::size_t most = 3;
-    return this->AreComponents || this->Times.size() <= most;
+    return this->AreComponents || this->AreInMemory || this->Times.size() <= most;
   }
 };
 

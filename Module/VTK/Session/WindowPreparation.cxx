@@ -75,11 +75,23 @@ bool ReadComponents(vtkVolumeHapticsFilter* filter, ReadFrames& read)
   return true;
 }
 
+/**
+ * Whether the source has all its frames in memory, as they are felt. Meshes and copies of
+ * displacements would take further memory for each.
+ */
+bool AreInMemory(vtkVolumeHapticsFilter* filter)
+{
+  return vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0)) &&
+    filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY &&
+    filter->GetDisplacementArrayName().empty();
+}
+
 /** The window at a place; none if there is one time step. */
 bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, ReadFrames& read)
 {
   filter->GetInputAlgorithm(0, 0)->UpdateInformation();
   read.Steps.Times = ReadTimeSteps(filter->GetInputInformation(0, 0));
+  read.Steps.AreInMemory = AreInMemory(filter);
   const std::vector<double>& steps = read.Steps.Times;
   const std::size_t count = steps.size();
   if (count < 2)

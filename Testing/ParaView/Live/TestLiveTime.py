@@ -4,7 +4,7 @@
 
 The wall is at z = 10 + t and 500 N/m stiff, and the hand at z = 12: the force is 0.5 max(0, t - 2) N, whatever the hand
 did before. A volume that was published anew at each time would come up around the hand, with no force. The wall's mesh
-does the same to a sphere, one radius sooner.
+does the same to a sphere, one radius sooner. All of it comes back from a state file.
 """
 import builtins  # ParaView gives scripts other functions of these names
 import sys
@@ -62,8 +62,16 @@ def go(how, time):
     live.check(is_force(time), "and it stays", list(device.ComputedForce), expected(time))
 
 
+def rest():
+    """The hand, where the wall will be."""
+    device.Running = 1
+    live.check(live.poll(device, lambda: device.TickRate > 0 and live.distance(device.TipPosition, [20, 12, TIP]) < 1e-9
+                         and device.Residency == 1.0), "the hand rests where the wall will be", device.StatusText)
+    live.check(is_force(0.0), "it is in the air", list(device.ComputedForce))
+
+
 def touch():
-    global scene, keeper, device
+    global volume, scene, keeper, device
     volume = simple.ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation=INFORMATION, Script=DATA)
     volume.UpdatePipelineInformation()
     scene = simple.GetAnimationScene()
@@ -75,10 +83,7 @@ def touch():
     if MESH:
         filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
     device = simple.HapticDevice(Touch=filter, MaximumRegionVoxels=44**3, VirtualTip=[20.0, 12.0, TIP])
-    device.Running = 1
-    live.check(live.poll(device, lambda: device.TickRate > 0 and live.distance(device.TipPosition, [20, 12, TIP]) < 1e-9
-                         and device.Residency == 1.0), "the hand rests where the wall will be", device.StatusText)
-    live.check(is_force(0.0), "it is in the air", list(device.ComputedForce))
+    rest()
     device.RecordingFile = live.FOLDER + ("/time.csv" if REMOTE else "/time.vtp")
     device.Recording = 1
     for time in (1.0, 2.0, 3.0, 4.0):
@@ -101,6 +106,25 @@ def touch():
     live.poll_for(device, 0.3)
     live.check(device.ComputedForce[2] < 0.02, "a wall that appears begins a contact anew", list(device.ComputedForce))
     live.check("rror" not in device.StatusText, "nothing is wrong", device.StatusText)
+
+
+def come_back():
+    global scene, keeper, device
+    volume.Script = DATA
+    device.VirtualTip = [20.0, 12.0, TIP]
+    state = live.FOLDER + "/time.pvsm"
+    simple.SaveState(state)
+    simple.ResetSession()
+    live.check(simple.FindSource("HapticDevice1") is None, "nothing is left")
+    simple.LoadState(state)
+    device, scene, keeper = simple.FindSource("HapticDevice1"), simple.GetAnimationScene(), simple.GetTimeKeeper()
+    device.UpdatePipeline()
+    live.check(device.Running == 0 and keeper.Time == 0.0, "the state waits for its user, at its time", keeper.Time)
+    live.check(list(keeper.TimestepValues) == [0.0, 1.0, 2.0, 3.0, 4.0], "with its time steps", keeper.TimestepValues)
+    rest()
+    for how, time in ((scene.GoToNext, 1.0), (scene.GoToLast, 4.0), (scene.GoToPrevious, 3.0)):
+        go(how, time)
+    device.Running = 0
 
 
 def check_steps(forces, resident):
@@ -131,3 +155,4 @@ else:
     # A blend of two edges that are a voxel apart is off by 0.02 of their width.
     live.check(wrong < 0.02, "the force is that of where the wall is, in every tick", wrong)
     check_steps(list(forces[:, 2]), [1.0] * len(forces))
+    come_back()

@@ -7,6 +7,8 @@
 
 #include "StyleRig.h"
 
+#include "Rigs/TimeSource.h"
+
 #include <vtkAlgorithmOutput.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkHapticFrameSource.h>
@@ -83,6 +85,8 @@ protected:
       [&]
       {
         this->Style->UpdateHaptics();
+        // Frames that are in memory never come late.
+        EXPECT_FALSE(this->Device->IsWaitingForData());
         if (this->Device->HasFrames())
         {
           this->ExpectWhatIsFelt(first);
@@ -128,6 +132,27 @@ TEST_F(StylePlayback, WhatIsSeenIsWhatIsFelt)
   this->Log.Warnings.clear();
   this->Style->SetDevice(nullptr);
   EXPECT_EQ(this->GetShown(), this->Source->GetOutput());
+}
+
+TEST_F(StylePlayback, TellsThatFramesAreLate)
+{
+  vtkNew<apitest::TimeSource> reader;
+  reader->Steps = { 0.0, 1.0, 2.0, 3.0, 4.0 };
+  reader->Make = [](double time) { return MakeNumbered(static_cast<int>(time)); };
+  this->Filter->SetInputConnection(0, reader->GetOutputPort());
+  this->Start();
+  this->Device->SetDataTime(0.0);
+  ASSERT_TRUE(Eventually([&] { return this->Device->UpdateState() && this->Device->HasFrames(); }));
+  EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
+  // The frames of another place come when the servo's state has told of it.
+  this->Device->SetDataTime(4.0);
+  ASSERT_TRUE(
+    Eventually([&] { return this->Device->UpdateState() && this->Device->IsWaitingForData(); }));
+  EXPECT_NE(this->Display->GetText().find("held, waiting for data"), std::string::npos)
+    << this->Display->GetText();
+  ASSERT_TRUE(
+    Eventually([&] { return this->Device->UpdateState() && this->Device->GetFrameTime() == 4.0; }));
+  EXPECT_EQ(this->Display->GetText().find("waiting"), std::string::npos);
 }
 
 TEST_F(StylePlayback, AnImageWithTheFirstFramesScalarsIsTheSame)
