@@ -122,7 +122,7 @@ def come_back():
     live.check(device.Running == 0 and keeper.Time == 0.0, "the state waits for its user, at its time", keeper.Time)
     live.check(list(keeper.TimestepValues) == [0.0, 1.0, 2.0, 3.0, 4.0], "with its time steps", keeper.TimestepValues)
     rest()
-    for how, time in ((scene.GoToNext, 1.0), (scene.GoToLast, 4.0), (scene.GoToPrevious, 3.0)):
+    for how, time in ((scene.GoToNext, 1.0), (scene.GoToNext, 2.0), (scene.GoToNext, 3.0), (scene.GoToPrevious, 2.0)):
         go(how, time)
     device.Running = 0
 
