@@ -71,6 +71,11 @@ constexpr double SecondHead = 0.8;
 /// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
+/** Whether forces are shown: always, but for the hand of a virtual device that is not armed. */
+bool IsFelt(vtkHapticDevice* device)
+{
+  return device->GetDeviceId() != "virtual" || device->GetStatus() >= vtkHapticDevice::ARMED;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -170,8 +175,10 @@ void vtkHapticRepresentation::UpdateMarkers()
     {
       d.Markers[i].PlaceSphere(at(i), radii[i] * this->Radius);
     }
-    const bool shown[4] = { this->SpringVisibility, this->ForceVisibility,
-      this->NormalForceVisibility, this->FrictionForceVisibility };
+    // A hand that has let go feels nothing, though the tip may still be in a surface.
+    const bool isFelt = IsFelt(this->GetDevice());
+    const bool shown[4] = { isFelt && this->SpringVisibility, isFelt && this->ForceVisibility,
+      isFelt && this->NormalForceVisibility, isFelt && this->FrictionForceVisibility };
     for (int line = 0; line < 4; ++line)
     {
       const vtkIdType point = Source::SPRING + 2 * line;

@@ -14,8 +14,8 @@
  * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
  * while it is pushed through a surface. If the device measures the orientation of its stylus, a
  * stylus with its point in the proxy shows it (vtkHapticDevice::GetTipOrientation). A text in the
- * lower right corner shows the length of a newton. Markers behind a surface or inside the volume
- * show through, faintly.
+ * lower right corner shows the length of a newton. Spring and arrows are not shown while a virtual
+ * device is not armed. Markers behind a surface or inside the volume show through, faintly.
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);

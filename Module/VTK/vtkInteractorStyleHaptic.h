@@ -14,7 +14,8 @@
  *
  * In the touch mode the mouse leads the tip of the virtual device:
  *
- *   mouse                 moves the tip in the plane of the view
+ *   mouse                 moves the tip along the surface, or in the plane of the view; see
+ *                         SetTipFollowsSurface()
  *   wheel                 moves it into the screen and out of it, along the line of sight
  *   Ctrl + mouse          the same, up is into the screen
  *   Shift                 with any of these: five times finer
@@ -170,6 +171,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the mouse moves the tip along the first surface under it, at the depth to which the
+   * wheel has brought it, so that a stroke goes on around a head. If not, or if there is no
+   * surface, or beyond an edge, the tip moves in the plane of the view. Default on.
+   */
+  vtkSetMacro(TipFollowsSurface, bool);
+  vtkGetMacro(TipFollowsSurface, bool);
+  vtkBooleanMacro(TipFollowsSurface, bool);
+  ///@}
+
+  ///@{
   /** Whether the workspace of a real device follows the camera. Default on. */
   vtkSetMacro(WorkspaceFollowsCamera, bool);
   vtkGetMacro(WorkspaceFollowsCamera, bool);
@@ -261,6 +273,7 @@ protected:
 
   double DepthStep = 0.0;
   double DisplayRate = 60.0;
+  bool TipFollowsSurface = true;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;
 

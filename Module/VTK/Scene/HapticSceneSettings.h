@@ -115,6 +115,10 @@ inline constexpr StyleSetting All[] = {
     "smallest spacing of the image."),
   HapticNumberMacro(DisplayRate, 1.0, 240.0, 60.0, "Hz", NotBaked,
     "Updates per second, 1 to 240. Default 60. Takes effect with the next interactor."),
+  HapticFlagMacro(TipFollowsSurface, true, NotBaked,
+    "Whether the mouse moves the tip along the first surface under it, at the depth to which the "
+    "wheel has brought it, so that a stroke goes on around a head. If not, or if there is no "
+    "surface, or beyond an edge, the tip moves in the plane of the view. Default on."),
   HapticFlagMacro(WorkspaceFollowsCamera, true, NotBaked,
     "Whether the workspace of a real device follows the camera. Default on."),
   HapticNumberMacro(WorkspaceScale, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,

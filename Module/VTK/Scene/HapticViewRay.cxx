@@ -102,7 +102,7 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 }
 
 bool FindFirstContact(
-  vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position)
+  vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter, Vector3& position)
 {
   const char* const awaited = HapticBaker(filter).Prepare();
   vtkImageData* const image = filter->GetTouchedImage();
@@ -122,11 +122,9 @@ bool FindFirstContact(
   }
   double bounds[6];
   image->GetBounds(bounds);
-  const Vector3 focus = FromArray(renderer->GetActiveCamera()->GetFocalPoint());
-  const Vector3 middle = UnderPointer(renderer, pointer, focus);
-  const Vector3 sight = LineOfSight(renderer, middle);
-  const double reach = image->GetLength() + Norm(middle - FromArray(image->GetCenter()));
-  const Vector3 ends[2] = { middle - reach * sight, middle + reach * sight };
+  const Vector3 sight = LineOfSight(renderer, through);
+  const double reach = image->GetLength() + Norm(through - FromArray(image->GetCenter()));
+  const Vector3 ends[2] = { through - reach * sight, through + reach * sight };
   double from[3] = { ends[0].X, ends[0].Y, ends[0].Z };
   double to[3] = { ends[1].X, ends[1].Y, ends[1].Z };
   double enters = 0.0;
@@ -138,15 +136,27 @@ bool FindFirstContact(
   {
     return false;
   }
+  // In coarse steps, and again in fine ones shortly before the contact.
+  constexpr int fineness = 16;
+  constexpr int before = 2; // coarse steps
+  Probe again = probe;
   const double step = 0.25 * SmallestSpacing(image);
   const Vector3 start = ends[0] + (2.0 * reach * enters) * sight;
   const auto steps = static_cast<int>(2.0 * reach * (leaves - enters) / step);
   for (int i = 0; i <= steps; ++i)
   {
-    const Vector3 tip = start + (i * step) * sight;
-    if (probe(tip))
+    if (probe(start + (i * step) * sight))
     {
-      position = tip - (2.0 * step) * sight;
+      position = start + ((i - before) * step) * sight;
+      for (int fine = 1 - before * fineness; fine <= 0; ++fine)
+      {
+        const Vector3 tip = start + ((i + static_cast<double>(fine) / fineness) * step) * sight;
+        if (again(tip))
+        {
+          position = tip - (before * step) * sight;
+          break;
+        }
+      }
       return true;
     }
   }

@@ -22,13 +22,13 @@ Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3&
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
 /**
- * Walks along the line of sight under a pointer, from the entry into the image, with the servo's
- * own tick, up to the first contact. True with the last free position in front of it; false if
+ * Walks along the line of sight through a position, from the entry into the image, with the servo's
+ * own tick, up to the first contact. True with the position half a voxel in front of it; false if
  * nothing can be felt along the line. While an isosurface is still being meshed, its samples stand
  * for it.
  */
 bool FindFirstContact(
-  vtkRenderer* renderer, const int pointer[2], vtkVolumeHapticsFilter* filter, Vector3& position);
+  vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter, Vector3& position);
 
 } // namespace VolumeHaptics
 

@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cmath>
 #include <utility>
 
 namespace VolumeHaptics
@@ -86,7 +87,7 @@ void TouchMode::Begin()
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning)
       {
-        FindFirstContact(renderer, pointer, filter, start);
+        FindFirstContact(renderer, start, filter, start);
       }
     }
   }
@@ -148,7 +149,43 @@ void TouchMode::MoveInPlane(const int from[2], const int to[2])
   vtkRenderer* const renderer = this->Scene.FindRenderer();
   const Vector3 motion =
     UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, from, this->Lead);
-  this->LeadTo(this->Lead + this->GetFineness() * motion);
+  const Vector3 target = this->Lead + this->GetFineness() * motion;
+  const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
+  this->LeadTo(follows ? this->FollowSurface(renderer, target) : target);
+}
+
+bool TouchMode::HasSurfaces() const
+{
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  return filter && filter->GetMethod() != vtkVolumeHapticsFilter::FORCE_FIELD &&
+    filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
+}
+
+Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) const
+{
+  /// The slope up to which a touched surface is followed; beyond it is an edge.
+  constexpr double steepest = 2.0;
+  /// The height, in voxels, from which the hand comes back to the surface.
+  constexpr double highest = 10.0;
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  Vector3 before;
+  Vector3 after;
+  const bool isOver = FindFirstContact(renderer, this->Lead, filter, before);
+  if (!FindFirstContact(renderer, target, filter, after))
+  {
+    return target;
+  }
+  const double depth = Dot(this->Lead - before, LineOfSight(renderer, this->Lead));
+  const Vector3 sight = LineOfSight(renderer, target);
+  const double voxel = SmallestSpacing(filter->GetTouchedImage());
+  if (this->Scene.Device->GetContact() == 0)
+  {
+    const bool isNear = isOver && depth > -highest * voxel;
+    return after + (isNear ? depth : 0.0) * sight;
+  }
+  const double change = Dot(after - target, sight) + depth;
+  const bool isEdge = std::abs(change) > steepest * Norm(target - this->Lead) + voxel;
+  return isOver && !isEdge ? target + change * sight : target;
 }
 
 } // namespace VolumeHaptics

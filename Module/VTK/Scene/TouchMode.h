@@ -39,7 +39,10 @@ public:
   bool LeadsTip() const;
   /** Moves along the line of sight, away from the viewer; one step is one of the wheel. */
   void MoveInDepth(double steps);
-  /** Moves in the plane of the view, from one position of the pointer to another one (pixels). */
+  /**
+   * Moves from one position of the pointer to another one (pixels): along the surface, or in the
+   * plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
+   */
   void MoveInPlane(const int from[2], const int to[2]);
 
 private:
@@ -47,6 +50,10 @@ private:
   double GetDepthStep() const;
   double GetFineness() const;
   void LeadTo(const Vector3& world);
+  /** Whether the touched method has surfaces that the tip can follow. */
+  bool HasSurfaces() const;
+  /** Where the tip goes instead of to a position in the plane of the view. */
+  Vector3 FollowSurface(vtkRenderer* renderer, const Vector3& target) const;
 
   TouchedScene& Scene;
   HapticWindowWatch& Window;

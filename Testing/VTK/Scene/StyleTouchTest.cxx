@@ -115,3 +115,54 @@ TEST_F(StyleTest, NeedsADeviceThatRuns)
   EXPECT_NE(this->Log.Errors[0].find("started"), std::string::npos);
   EXPECT_FALSE(this->Style->UpdateHaptics());
 }
+
+TEST_F(StyleTest, AStrokeGoesOnAroundABall)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Style->TipFollowsSurfaceOn();
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->RunUntilFullyArmed();
+  const double start = this->Device->GetTipPosition()[2];
+  const double radius = start - 0.5; // of the first contact: the touch begins half a voxel before
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+    this->Run(10);
+  }
+  const double press = start - this->Device->GetTipPosition()[2];
+  ASSERT_NEAR(press, 4.0, 1e-6) << "voxels of 1 mm";
+  const auto heightAt = [&](double x) { return std::sqrt(radius * radius - x * x) + 0.5; };
+  const auto strokeTo = [&](int pixel)
+  {
+    this->Pointer(pixel, 150);
+    this->Run(30);
+    return 0.2 * (pixel - 150); // mm
+  };
+  double x = 0.0;
+  for (int pixel = 154; pixel <= 294; pixel += 4)
+  {
+    x = strokeTo(pixel);
+    ASSERT_NEAR(this->Device->GetTipPosition()[2], heightAt(x) - press, 0.05) << x;
+    ASSERT_NE(this->Device->GetContact(), 0) << x;
+  }
+  // Beyond a slope of 2 there is an edge: the hand leaves the ball, in the plane of the view.
+  const double height = this->Device->GetTipPosition()[2];
+  strokeTo(150 + static_cast<int>(5.0 * radius) - 1);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], height, 1e-6);
+  strokeTo(340);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], height, 1e-6) << "there is nothing to follow";
+  EXPECT_EQ(this->Device->GetContact(), 0);
+  // From there, it comes back to the front of the surface, and a little higher it stays higher.
+  x = strokeTo(200);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(x), 0.05);
+  this->Pointer(200, 150, vtkCommand::MouseWheelBackwardEvent);
+  x = strokeTo(230);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(x) + 1.0, 0.05);
+  // Methods without surfaces are felt in the plane.
+  this->Filter->SetMethodToForceField();
+  this->Run(10);
+  x = strokeTo(180);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], heightAt(16.0) + 1.0, 0.05);
+}
