@@ -234,6 +234,10 @@ bool HapticInteraction::TurnWheel(double steps)
 bool HapticInteraction::PressKey(const std::string& key)
 {
   auto& scene = this->Scene;
+  if (this->Repeat.IsRepeat(key) && !KeyRepeat::MayRepeat(key))
+  {
+    return false;
+  }
   if (key == "t")
   {
     this->Touch.Set(!this->Touch.IsOn());
@@ -291,6 +295,7 @@ bool HapticInteraction::PressKey(const std::string& key)
 //------------------------------------------------------------------------------
 bool HapticInteraction::ReleaseKey(const std::string& key)
 {
+  this->Repeat.NoteRelease(key);
   if (key != "k")
   {
     return false;

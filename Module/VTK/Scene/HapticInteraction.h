@@ -14,6 +14,7 @@
 #include "VTK/Scene/HapticShownVolumes.h"
 #include "VTK/Scene/HapticStateWatch.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/KeyRepeat.h"
 #include "VTK/Scene/ModeKeys.h"
 #include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
@@ -104,6 +105,7 @@ private:
 
   FilterPublisher Publisher;
   PlaybackKeys Playback;
+  KeyRepeat Repeat;
   ModeKeys Modes;
   EditorKeys Editor;
   HapticShownFrames ShownFrames;

@@ -258,6 +258,28 @@ TEST_F(StylePlayback, KeysGoFromFrameToFrame)
   expect("Left", 4.0);
 }
 
+/// As X servers repeat it: a release and a press at the same time.
+TEST_F(StylePlayback, AKeyThatIsHeldSwitchesOnce)
+{
+  this->Start();
+  this->Press("space");
+  ASSERT_TRUE(this->Device->IsPlaying());
+  int switches = 0;
+  for (int i = 0; i < 20; ++i)
+  {
+    const bool wasPlaying = this->Device->IsPlaying();
+    this->Press("space", vtkCommand::KeyReleaseEvent);
+    this->Press("space");
+    switches += this->Device->IsPlaying() != wasPlaying;
+  }
+  EXPECT_LE(switches, 4) << "but for pauses of a busy machine";
+  const double speed = this->Device->GetPlaybackSpeed();
+  this->Press("period");
+  this->Press("period", vtkCommand::KeyReleaseEvent);
+  this->Press("period");
+  EXPECT_EQ(this->Device->GetPlaybackSpeed(), 4.0 * speed) << "steps go on";
+}
+
 TEST_F(StylePlayback, KeysChangeTheSpeedAndWhatIsAtTheEnd)
 {
   this->Start();
