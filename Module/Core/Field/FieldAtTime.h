@@ -26,8 +26,10 @@ namespace VolumeHaptics
 class FieldAtTime
 {
 public:
-  explicit FieldAtTime(const FieldSampler& field) noexcept
+  /** @param memory of the last gradient, see FieldSampler */
+  explicit FieldAtTime(const FieldSampler& field, TapMemory* memory = nullptr) noexcept
     : First(field)
+    , Memory(memory)
   {
   }
   /**
@@ -73,7 +75,8 @@ public:
 
   FieldSample Gradient(const Vector3& index) const noexcept
   {
-    return this->Second ? this->Blend(this->ReadFrames(index)) : this->First.Gradient(index);
+    return this->Second ? this->Blend(this->ReadFrames(index))
+                        : this->First.Gradient(index, this->Memory);
   }
 
   ///@{
@@ -148,6 +151,7 @@ private:
   const FieldSampler* const Second = nullptr; ///< null if the instant is that of a frame
   const double Share = 0.0;
   const DisplacementField* const Motion = nullptr; ///< null if it is not known
+  TapMemory* const Memory = nullptr;               ///< null for a blend of frames
 };
 
 } // namespace VolumeHaptics

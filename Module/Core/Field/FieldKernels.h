@@ -48,6 +48,38 @@ FieldSample SplineGradient(const FieldView& view, double x, double y, double z) 
   return sample;
 }
 
+/** The gradient from the taps of a memory, which are read anew if they are of another place. */
+template <int N>
+VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<N>& foot,
+  FillFunction fill, TapMemory& memory, FieldSample& sample)
+{
+  static_assert(N <= TapMemory::MostTaps, "the memory has no room for more taps");
+  if (memory.Field != view.Number || memory.First[0] != foot.First[0] ||
+    memory.First[1] != foot.First[1] || memory.First[2] != foot.First[2])
+  {
+    memory.Field = 0;
+    if (!fill(view.Volume, foot.First, memory))
+    {
+      return false;
+    }
+    memory.Field = view.Number;
+    for (int a = 0; a < 3; ++a)
+    {
+      memory.First[a] = foot.First[a];
+    }
+  }
+  sample.Value = SumTaps<N>(memory.Taps, foot, &sample.Gradient);
+  return IsNumber(sample.Value);
+}
+
+bool RememberedSpline(const FieldView& view, double x, double y, double z, FillFunction fill,
+  TapMemory& memory, FieldSample& sample) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(view, x, y, z, foot);
+  return SumRemembered<4>(view, foot, fill, memory, sample);
+}
+
 /** First tap and weights of the Gaussian along one axis, from the kernel's table. */
 VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   const FieldView& view, int axis, double position, int taps, double* weights)
@@ -73,18 +105,34 @@ VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   return static_cast<std::int64_t>(interval / intervals) - kernel.Radius;
 }
 
-template <typename T, int N>
-FieldSample GaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+template <int N>
+VOLUME_HAPTICS_INLINE void LocateGaussian(
+  const FieldView& view, double x, double y, double z, Footprint<N>& foot)
 {
-  Footprint<N> foot;
   const double position[3] = { x, y, z };
   for (int a = 0; a < 3; ++a)
   {
     foot.First[a] = LocateGaussian(view, a, position[a], N, foot.Weights[a]);
   }
+}
+
+template <typename T, int N>
+FieldSample GaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(view, x, y, z, foot);
   FieldSample sample;
   sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
   return sample;
+}
+
+template <int N>
+bool RememberedGaussian(const FieldView& view, double x, double y, double z, FillFunction fill,
+  TapMemory& memory, FieldSample& sample) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(view, x, y, z, foot);
+  return SumRemembered<N>(view, foot, fill, memory, sample);
 }
 
 /** The same for any number of taps, in plain loops. */
@@ -142,16 +190,18 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
     case GradientEstimator::CentralDifference:
       return { TrilinearValue<T>, TrilinearPair<T>, CentralDifference<T> };
     case GradientEstimator::CubicBSpline:
-      return { SplineValue<T>, SplinePair<T>, SplineGradient<T> };
+      return { SplineValue<T>, SplinePair<T>, SplineGradient<T>, FillTaps<T, 4>, RememberedSpline };
     case GradientEstimator::Gaussian:
       break;
   }
   switch (taps)
   {
     case 4:
-      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 4> };
+      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 4>, FillTaps<T, 4>,
+        RememberedGaussian<4> };
     case 6:
-      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 6> };
+      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 6>, FillTaps<T, 6>,
+        RememberedGaussian<6> };
     case 8:
       return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 8> };
     default:

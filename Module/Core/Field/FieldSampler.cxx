@@ -3,6 +3,7 @@
 #include "Core/Field/FieldSampler.h"
 
 #include "Core/Field/WholeData.h"
+#include "Core/Math/UniqueNumber.h"
 
 namespace VolumeHaptics
 {
@@ -28,6 +29,7 @@ FieldSampler::FieldSampler(
   , Given(view)
 {
   this->View.Volume.Data = WholeData(view);
+  this->View.Number = MakeUniqueNumber();
   for (int axis = 0; axis < 3; ++axis)
   {
     this->View.First[axis] = static_cast<double>(view.First[axis]);

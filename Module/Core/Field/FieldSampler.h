@@ -13,6 +13,7 @@
 #define FieldSampler_h
 
 #include "Core/Field/GradientKernel.h"
+#include "Core/Field/TapMemory.h"
 #include "Core/Field/VolumeView.h"
 #include "Core/Math/Vector3.h"
 
@@ -40,6 +41,7 @@ struct FieldView
   KernelView Kernel;
   double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis
   double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest one
+  std::uint64_t Number = 0;            ///< that no other field has
 };
 
 /** Values on both sides of a position: a tick always needs both. */
@@ -54,6 +56,12 @@ using ValueFunction = double (*)(const FieldView&, double x, double y, double z)
 using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
+/** Reads all taps from the first one; false if they are not all in the samples. */
+using FillFunction = bool (*)(
+  const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
+/** The gradient from the memory's taps, read anew if need be; false if it can't be had so. */
+using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
+  TapMemory& memory, FieldSample& sample) noexcept;
 
 /** The kernels for one scalar type and one estimator. */
 struct FieldFunctions
@@ -61,6 +69,11 @@ struct FieldFunctions
   ValueFunction Value = nullptr;
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
+  ///@{
+  /** Null for estimators that gain nothing by a memory. */
+  FillFunction Fill = nullptr;
+  RememberedFunction Remembered = nullptr;
+  ///@}
 };
 
 enum class InstructionSet : std::uint8_t
@@ -97,9 +110,19 @@ public:
     return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
   }
 
-  /** Value and gradient at a continuous index, which must lie inside; may be NaN. */
-  FieldSample Gradient(const Vector3& index) const noexcept
+  /**
+   * Value and gradient at a continuous index, which must lie inside; may be NaN. A memory saves
+   * time where one gradient follows another nearby.
+   */
+  FieldSample Gradient(const Vector3& index, TapMemory* memory = nullptr) const noexcept
   {
+    FieldSample sample;
+    if (memory && this->Functions.Remembered &&
+      this->Functions.Remembered(
+        this->View, index.X, index.Y, index.Z, this->Functions.Fill, *memory, sample))
+    {
+      return sample;
+    }
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 

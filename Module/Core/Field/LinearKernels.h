@@ -39,8 +39,8 @@ struct Axis
 VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
-  const double cell = Floor(inside);
-  return { static_cast<std::int64_t>(cell), inside - cell };
+  // The index does not wait for the rounded number.
+  return { static_cast<std::int64_t>(inside), inside - Floor(inside) };
 }
 
 /** The same with a sample behind the cell: the last sample is the end of the cell before it. */

@@ -62,6 +62,38 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
   }
 }
 
+///@{
+/** Both rows as numbers to compute with. By fours: the compiler takes a copy as a whole apart. */
+template <int N>
+VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
+{
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    StoreDouble4(rows.Even[p], to + 4 * p);
+    StoreDouble4(rows.Odd[p], to + 4 * (whole + p));
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    StoreDouble4(rows.Rest, to + 8 * whole);
+  }
+}
+template <int N>
+VOLUME_HAPTICS_INLINE void LoadStoredRows(const double* from, RowPair<N>& rows)
+{
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    rows.Even[p] = LoadDouble4(from + 4 * p);
+    rows.Odd[p] = LoadDouble4(from + 4 * (whole + p));
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = LoadDouble4(from + 8 * whole);
+  }
+}
+///@}
+
 /** sum += weights[0] even row + weights[1] odd row. */
 template <int N>
 VOLUME_HAPTICS_INLINE void AddRows(
@@ -93,8 +125,9 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, double weight, RowS
   }
 }
 
+/** The products with the weights along x, in four sums: AddLanes adds them up. */
 template <int N>
-VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
+VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weights)
 {
   Double4 products = sum.Whole[0] * LoadDouble4(weights);
   for (int p = 1; p < RowPair<N>::Whole; ++p)
@@ -107,16 +140,17 @@ VOLUME_HAPTICS_INLINE double DotRow(const RowSum<N>& sum, const double* weights)
     const double b = weights[N - 1];
     products = products + sum.Rest * Double4{ a, b, a, b };
   }
-  return (products[0] + products[2]) + (products[1] + products[3]);
+  return products;
 }
 
 /**
- * The sum over the N^3 taps behind `corner` and, with WithGradient, the gradient's. Rows lie along
- * x: they are combined over y and z first, in fours, and weighted along x last.
+ * The sum over N^3 taps and, with WithGradient, the gradient's. `load` gives the rows j and j + 1
+ * of plane k. Rows lie along x: they are combined over y and z first, in fours, and weighted along
+ * x last.
  */
-template <typename T, int N, bool WithGradient>
-VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
-  const Footprint<N>& foot, Vector3* gradient)
+template <int N, bool WithGradient, typename LoadFunction>
+VOLUME_HAPTICS_INLINE double SumPlanes(
+  const LoadFunction& load, const Footprint<N>& foot, Vector3* gradient)
 {
   RowSum<N> sum;
   RowSum<N> sumY;
@@ -125,12 +159,11 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
   {
     RowSum<N> smooth;
     RowSum<N> slope;
-    const T* const from = corner + k * plane;
 #pragma GCC unroll 8
     for (int j = 0; j < N; j += 2)
     {
       RowPair<N> rows;
-      LoadRows<T, N>(from + j * line, from + (j + 1) * line, rows);
+      load(k, j, rows);
       AddRows<N>(rows, foot.Weights[1] + j, j == 0, smooth);
       if constexpr (WithGradient)
       {
@@ -144,13 +177,33 @@ VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::i
       AddScaled<N>(smooth, foot.Weights[2][N + k], sumZ);
     }
   }
+  const double* const weights = foot.Weights[0];
+  const Double4 value = WeighRow<N>(sum, weights);
   if constexpr (WithGradient)
   {
-    gradient->X = DotRow<N>(sum, foot.Weights[0] + N);
-    gradient->Y = DotRow<N>(sumY, foot.Weights[0]);
-    gradient->Z = DotRow<N>(sumZ, foot.Weights[0]);
+    double sums[4];
+    AddLanes(value, WeighRow<N>(sum, weights + N), WeighRow<N>(sumY, weights),
+      WeighRow<N>(sumZ, weights), sums);
+    gradient->X = sums[1];
+    gradient->Y = sums[2];
+    gradient->Z = sums[3];
+    return sums[0];
   }
-  return DotRow<N>(sum, foot.Weights[0]);
+  return AddLanes(value);
+}
+
+/** The sum over the N^3 taps behind `corner`. */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
+  const Footprint<N>& foot, Vector3* gradient)
+{
+  return SumPlanes<N, WithGradient>(
+    [=](int k, int j, RowPair<N>& rows)
+    {
+      const T* const even = corner + k * plane + j * line;
+      LoadRows<T, N>(even, even + line, rows);
+    },
+    foot, gradient);
 }
 
 /** Offset of a tap along an axis; taps beyond the resident samples replicate the last one. */
@@ -212,30 +265,73 @@ VOLUME_HAPTICS_INLINE void PrefetchRows(
   }
 }
 
+/** The samples of N^3 taps, if they lie one behind another along x and all within the samples. */
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE const T* FindCorner(const VolumeView& view, const std::int64_t* first)
+{
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t* const stride = view.Stride;
+  const auto fits = [&](int a)
+  { return first[a] >= view.First[a] && first[a] + N <= view.First[a] + n[a]; };
+  return stride[0] == 1 && fits(0) && fits(1) && fits(2)
+    ? static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2]
+    : nullptr;
+}
+
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double Separable(
   const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
 {
-  const std::int64_t* const n = view.Dimensions;
-  const std::int64_t* const stride = view.Stride;
-  const std::int64_t* const first = foot.First;
-  const auto fits = [&](int a)
-  { return first[a] >= view.First[a] && first[a] + N <= view.First[a] + n[a]; };
-  if (stride[0] == 1 && fits(0) && fits(1) && fits(2))
+  const std::int64_t line = view.Stride[1];
+  const std::int64_t plane = view.Stride[2];
+  if (const T* const corner = FindCorner<T, N>(view, foot.First))
   {
-    const T* const corner =
-      static_cast<const T*>(view.Data) + first[0] + first[1] * stride[1] + first[2] * stride[2];
     if constexpr (N > 4)
     {
-      PrefetchRows(corner, N, stride[1], stride[2]);
+      PrefetchRows(corner, N, line, plane);
     }
-    const double value = SumBlock<T, N, WithGradient>(corner, stride[1], stride[2], foot, gradient);
+    const double value = SumBlock<T, N, WithGradient>(corner, line, plane, foot, gradient);
     if (!std::is_floating_point_v<T> || IsNumber(value))
     {
       return value;
     }
   }
   return SumCopy<T, N, WithGradient>(view, foot, gradient);
+}
+
+/** Writes the N^3 taps behind the first one to a memory; false if they are not all there. */
+template <typename T, int N>
+bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memory) noexcept
+{
+  const T* const corner = FindCorner<T, N>(view, first);
+  if (!corner)
+  {
+    return false;
+  }
+  PrefetchRows(corner, N, view.Stride[1], view.Stride[2]);
+  double* to = memory.Taps;
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; j += 2)
+    {
+      RowPair<N> rows;
+      const T* const even = corner + k * view.Stride[2] + j * view.Stride[1];
+      LoadRows<T, N>(even, even + view.Stride[1], rows);
+      StoreRows<N>(rows, to);
+      to += 2 * N;
+    }
+  }
+  return true;
+}
+
+/** The sum over the taps of a memory, and the gradient's. */
+template <int N>
+VOLUME_HAPTICS_INLINE double SumTaps(
+  const double* taps, const Footprint<N>& foot, Vector3* gradient)
+{
+  const auto load = [=](int k, int j, RowPair<N>& rows)
+  { LoadStoredRows<N>(taps + (k * N + j) * N, rows); };
+  return SumPlanes<N, true>(load, foot, gradient);
 }
 
 } // namespace

@@ -65,6 +65,25 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
   }
 }
 
+///@{
+/** The sum of the lanes of each: first those two apart, then both of these sums. */
+VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)
+{
+  return _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+}
+VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
+{
+  const __m128d halves = AddHalves(a);
+  return _mm_cvtsd_f64(_mm_hadd_pd(halves, halves));
+}
+VOLUME_HAPTICS_INLINE void AddLanes(
+  const Double4& a, const Double4& b, const Double4& c, const Double4& d, double* sums)
+{
+  _mm_storeu_pd(sums, _mm_hadd_pd(AddHalves(a), AddHalves(b)));
+  _mm_storeu_pd(sums + 2, _mm_hadd_pd(AddHalves(c), AddHalves(d)));
+}
+///@}
+
 } // namespace
 } // namespace VolumeHaptics
 

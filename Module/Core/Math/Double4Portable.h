@@ -46,6 +46,22 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
     static_cast<double>(from[2]), static_cast<double>(from[3]) } };
 }
 
+///@{
+/** The sum of the lanes of each: first those two apart, then both of these sums. */
+VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
+{
+  return (a[0] + a[2]) + (a[1] + a[3]);
+}
+VOLUME_HAPTICS_INLINE void AddLanes(
+  const Double4& a, const Double4& b, const Double4& c, const Double4& d, double* sums)
+{
+  sums[0] = AddLanes(a);
+  sums[1] = AddLanes(b);
+  sums[2] = AddLanes(c);
+  sums[3] = AddLanes(d);
+}
+///@}
+
 } // namespace
 } // namespace VolumeHaptics
 

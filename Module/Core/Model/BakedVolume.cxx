@@ -3,8 +3,8 @@
 #include "Core/Model/BakedVolume.h"
 
 #include "Core/Math/PolylineMask.h"
+#include "Core/Math/UniqueNumber.h"
 #include "Core/Model/HapticModel.h"
-#include "Core/Model/UniqueNumber.h"
 
 #include <algorithm>
 #include <cmath>

@@ -81,10 +81,13 @@ struct BakedVolume
   const std::vector<BakedMode> Modes; ///< of HapticMethod::Primitives
 
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
-  /** The volume at a data time; before the first frame and after the last one, it stands still. */
-  FieldAtTime At(double time) const noexcept
+  /**
+   * The volume at a data time; before the first frame and after the last one, it stands still. One
+   * that does not move takes the memory of the last gradient.
+   */
+  FieldAtTime At(double time, TapMemory* memory = nullptr) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time) : FieldAtTime(this->Field);
+    return this->IsMoving() ? this->BlendFrames(time) : FieldAtTime(this->Field, memory);
   }
   FrameWindow GetWindow() const noexcept
   {

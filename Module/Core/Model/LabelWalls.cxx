@@ -3,7 +3,7 @@
 #include "Core/Model/LabelWalls.h"
 
 #include "Core/Field/LabelSamples.h"
-#include "Core/Model/UniqueNumber.h"
+#include "Core/Math/UniqueNumber.h"
 
 #include <cmath>
 

@@ -35,7 +35,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)
   {
-    VolumeHaptics::Tick(model, state, tip, record, result);
+    VolumeHaptics::Tick(model, state, tip, record, result, &this->Taps);
     return;
   }
   if (opening == 0.0 || !state.Enabled)

@@ -7,6 +7,7 @@
 #ifndef ResidentServo_h
 #define ResidentServo_h
 
+#include "Core/Field/TapMemory.h"
 #include "Core/Math/Vector3.h"
 
 namespace VolumeHaptics
@@ -46,6 +47,7 @@ private:
   bool IsOut = false; ///< the old force has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last one
   Vector3 Lag;        ///< while IsOut: proxy minus tip
+  TapMemory Taps;     ///< of the last tick
 };
 
 } // namespace VolumeHaptics

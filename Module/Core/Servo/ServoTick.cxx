@@ -11,7 +11,7 @@
 namespace VolumeHaptics
 {
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result) noexcept
+  const LocalSurfaceResult& result, TapMemory* memory) noexcept
 {
   // Also false for NaN.
   const bool isSomewhere =
@@ -43,11 +43,11 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   else if (method == HapticMethod::Proxy && model.Baked->Settings.Solver == HapticSolver::Precise)
   {
-    StepPrecise(model, state, record);
+    StepPrecise(model, state, record, memory);
   }
   else if (method == HapticMethod::ForceField)
   {
-    StepForceField(model, state, record);
+    StepForceField(model, state, record, memory);
   }
   else if (method == HapticMethod::Primitives)
   {
@@ -55,7 +55,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   else
   {
-    StepPaper(model, state, record);
+    StepPaper(model, state, record, memory);
   }
   state.Proxy = record.Proxy;
   state.PreviousTip = tip;

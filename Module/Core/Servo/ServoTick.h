@@ -23,10 +23,11 @@ namespace VolumeHaptics
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
- * LOCAL_SURFACE only.
+ * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated()) noexcept;
+  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(),
+  TapMemory* memory = nullptr) noexcept;
 
 /**
  * The drag in a tick's force (N) against the hand's motion, which only takes energy: that of

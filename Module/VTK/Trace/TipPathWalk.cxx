@@ -41,7 +41,8 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
   // What ResidentServo does where all samples are there.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
-  VolumeHaptics::Tick(model, this->State, tip, record);
+  VolumeHaptics::Tick(
+    model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps);
 }
 
 std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const HapticModel> model)

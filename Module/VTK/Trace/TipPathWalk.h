@@ -60,6 +60,7 @@ private:
   std::size_t Next = 0; ///< of a recording
   ServoState State;
   ResidentServo Servo;
+  TapMemory Taps;    ///< of a plain walk
   ForceGate Gate;    ///< only its opening is used
   TickRecord Whole;  ///< of the last tick, with the force before the residency scales it
   TickRecord Scaled; ///< the same with the force that is felt, while the gate is not open

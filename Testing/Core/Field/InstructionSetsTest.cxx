@@ -44,6 +44,9 @@ protected:
     const FieldSampler baseline(volume.View, kernel, InstructionSet::Baseline);
     const FieldSampler avx2(volume.View, kernel, InstructionSet::AVX2);
     const std::int64_t* const n = volume.View.Dimensions;
+    TapMemory ofBaseline;
+    TapMemory ofAvx2;
+    TapMemory ofBoth;
     std::mt19937_64 engine(7);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (int i = 0; i < 400; ++i)
@@ -56,6 +59,17 @@ protected:
       const Vector3 inside{ along(n[0]), along(n[1]), along(n[2]) };
       const Vector3 around = 1.5 * inside + Vector3{ -3.0, -3.0, -3.0 };
       ASSERT_TRUE(IsSame(baseline.Gradient(inside), avx2.Gradient(inside)));
+      // A memory changes nothing: of one place after another, and of two in the same voxel.
+      const auto beside = [&](double x, std::int64_t samples)
+      { return std::min(std::floor(x) + uniform(engine), static_cast<double>(samples - 1)); };
+      for (const Vector3& at : { inside,
+             Vector3{ beside(inside.X, n[0]), beside(inside.Y, n[1]), beside(inside.Z, n[2]) } })
+      {
+        const FieldSample expected = baseline.Gradient(at);
+        ASSERT_TRUE(IsSame(expected, baseline.Gradient(at, &ofBaseline)));
+        ASSERT_TRUE(IsSame(expected, avx2.Gradient(at, &ofAvx2)));
+        ASSERT_TRUE(IsSame(expected, (i % 2 == 0 ? baseline : avx2).Gradient(at, &ofBoth)));
+      }
       ASSERT_TRUE(IsSame(baseline.Value(inside), avx2.Value(inside)));
       ASSERT_TRUE(IsSame(baseline.Value(around), avx2.Value(around)));
     }
@@ -122,6 +136,21 @@ TEST_P(InstructionSets, StridedAndContiguousSamplesAgree)
           << "type " << static_cast<int>(type) << " radius " << radius;
       }
     }
+  }
+}
+
+TEST_P(InstructionSets, MemoriesAreOfOneField)
+{
+  // Other samples in the same place of the memory, as a model that follows another one has them.
+  TestVolume volume(ScalarType::Int16, { 12, 11, 10 });
+  const GradientKernel kernel(this->GetParam(), 2);
+  TapMemory memory;
+  const Vector3 p{ 5.3, 5.6, 4.2 };
+  for (const unsigned seed : { 1U, 2U })
+  {
+    volume.FillRandom(seed);
+    const FieldSampler field(volume.View, kernel);
+    EXPECT_TRUE(IsSame(field.Gradient(p, &memory), field.Gradient(p))) << "seed " << seed;
   }
 }
 

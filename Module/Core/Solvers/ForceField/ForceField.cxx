@@ -33,9 +33,10 @@ Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexce
   return state.PreviousTip + Inverse(model.DeviceToIndex.Linear) * (now - index);
 }
 
-void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+void StepForceField(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
 {
-  const FieldAtTime field = model.Baked->At(state.DataTime);
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   const Vector3 index = model.DeviceToIndex(record.Tip);
   const Surface surface = Law::FindFieldSurface(model, field, index);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);

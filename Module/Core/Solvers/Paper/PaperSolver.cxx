@@ -41,7 +41,8 @@ Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) n
 
 } // namespace
 
-void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+void StepPaper(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
 {
   const Vector3& tip = record.Tip;
   CarriedProxy carried;
@@ -52,7 +53,7 @@ void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) 
   }
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
-  const FieldAtTime field = model.Baked->At(state.DataTime);
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface =
     carried.IsChanged ? carried.There : Law::FindSurface(model, field, index, state.Labels);

@@ -12,10 +12,12 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct ServoState;
+struct TapMemory;
 struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record, and the memory of labels. */
-void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
+void StepPaper(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -19,8 +19,8 @@ namespace VolumeHaptics
 class PreciseFollower
 {
 public:
-  PreciseFollower(const HapticModel& model, ServoState& state) noexcept
-    : Field(model, state.DataTime, state.Labels)
+  PreciseFollower(const HapticModel& model, ServoState& state, TapMemory* memory) noexcept
+    : Field(model, state.DataTime, state.Labels, memory)
     , IsTwoSided(model.Baked->Settings.Side == SurfaceSide::Both)
     , IsOfWalls(model.Baked->Settings.Geometry == SurfaceGeometry::Labels)
     , Proxy(state.Proxy)

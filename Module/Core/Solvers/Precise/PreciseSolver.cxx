@@ -8,7 +8,8 @@
 namespace VolumeHaptics
 {
 
-void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+void StepPrecise(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
 {
   if (!state.Enabled)
   {
@@ -29,7 +30,7 @@ void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record
     }
     record.WallWork = carried.Work;
   }
-  PreciseFollower follower(model, state);
+  PreciseFollower follower(model, state, memory);
   if (carried.IsChanged)
   {
     follower.TakeOver(carried);

@@ -55,13 +55,15 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct ServoState;
+struct TapMemory;
 struct TickRecord;
 
 /** The largest number of samples in a tick. */
 constexpr int MaximumLooks = 256;
 
 /** One tick from record.Tip; writes the record and all of the state except its proxy. */
-void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
+void StepPrecise(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept;
 
 } // namespace VolumeHaptics
 

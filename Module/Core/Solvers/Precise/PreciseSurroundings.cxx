@@ -221,20 +221,24 @@ Arrival PreciseSurroundings::Arrive(
   const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept
 {
   const Vector3 displacement = share * motion.Displacement;
-  const Arrival end = this->Try(start, motion, displacement, tip);
+  Arrival end = this->Try(start, motion, displacement, tip);
   const Remainder rest = this->Judge(motion, displacement, tip, end);
   const double tolerance = -Tolerance * Norm(tip - end.Proxy);
-  return rest.Normal < tolerance || rest.Tangent < tolerance
-    ? this->DrawBack(start, motion, displacement, tip, end, rest)
-    : end;
+  if (rest.Normal < tolerance || rest.Tangent < tolerance)
+  {
+    end = this->DrawBack(start, motion, displacement, tip, end, rest);
+  }
+  return end;
 }
 
 Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
   const Vector3& displacement, const Vector3& tip) noexcept
 {
-  Arrival end{ start.Proxy + displacement, {}, 0.0, start.Spring };
-  const Vector3 lag = tip - end.Proxy;
-  end.There = this->Look(end.Proxy, lag, start.Touched, this->Voxels(displacement));
+  const Vector3 proxy = start.Proxy + displacement;
+  const Vector3 lag = tip - proxy;
+  // The point is made in place: copies of it would have to wait until it is in the cache.
+  Arrival end{ proxy, this->Look(proxy, lag, start.Touched, this->Voxels(displacement)), 0.0,
+    start.Spring };
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
   if (motion.IsHeld && end.There.Slope != 0.0)
   {

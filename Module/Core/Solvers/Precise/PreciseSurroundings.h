@@ -56,9 +56,10 @@ void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept;
 class PreciseSurroundings
 {
 public:
-  PreciseSurroundings(const HapticModel& model, double dataTime, LabelMemory& labels) noexcept
+  PreciseSurroundings(
+    const HapticModel& model, double dataTime, LabelMemory& labels, TapMemory* memory) noexcept
     : Model(model)
-    , Field(model.Baked->At(dataTime))
+    , Field(model.Baked->At(dataTime, memory))
     , Labels(labels)
   {
   }

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TapMemory_h
+#define TapMemory_h
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/**
+ * The samples of the last gradient, as numbers to compute with, from one tick to the next: a hand
+ * stays within a voxel for many ticks. It changes no result.
+ */
+struct TapMemory
+{
+  static constexpr int MostTaps = 6; ///< along an axis
+
+  std::uint64_t Field = 0;             ///< the number of the FieldSampler; 0: there are none
+  std::int64_t First[3] = { 0, 0, 0 }; ///< the index of the first tap along each axis
+  /** Two rows along x after two others, as RowPair has them. */
+  alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
+};
+
+} // namespace VolumeHaptics
+
+#endif
