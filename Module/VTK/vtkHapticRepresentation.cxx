@@ -74,7 +74,9 @@ const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, {
 /** Whether forces are shown: always, but for the hand of a virtual device that is not armed. */
 bool IsFelt(vtkHapticDevice* device)
 {
-  return device->GetDeviceId() != "virtual" || device->GetStatus() >= vtkHapticDevice::ARMED;
+  const int status = device->GetStatus();
+  return device->GetDeviceId() != "virtual" || status == vtkHapticDevice::ARMED ||
+    status == vtkHapticDevice::ACTIVE;
 }
 } // namespace
 

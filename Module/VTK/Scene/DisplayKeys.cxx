@@ -71,9 +71,13 @@ std::string DisplayKeys::ListKeys() const
 std::string DisplayKeys::FindHint()
 {
   vtkHapticDevice* const device = this->Scene.Device;
-  if (!device || !device->IsRunning() || device->GetStatus() == vtkHapticDevice::FAULT)
+  if (!device || !device->IsRunning())
   {
     return {};
+  }
+  if (device->GetStatus() == vtkHapticDevice::FAULT && (this->Scene.IsReal() || this->Touch.IsOn()))
+  {
+    return "Press a to go on";
   }
   const bool isTouching =
     this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;

@@ -74,6 +74,23 @@ TEST_F(StyleHints, SayWhatToDoUntilItWasDone)
   EXPECT_TRUE(this->Hints("press t")) << this->Display->GetHint();
 }
 
+TEST_F(StyleHints, SayHowToGoOnAfterAFault)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->RunUntilFullyArmed();
+  this->Device->PlaceVirtualTip(0.0, 0.0, 500.0); // an armed device sees a hand that is too fast
+  this->Run(20);
+  ASSERT_EQ(this->Device->GetStatus(), vtkHapticDevice::FAULT);
+  EXPECT_TRUE(this->Hints("Press a to go on")) << this->Display->GetHint();
+  this->Press("a");
+  this->Run(20);
+  EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT);
+  EXPECT_TRUE(this->Hints("Escape lets go")) << this->Display->GetHint();
+}
+
 TEST_F(StyleHints, OfTheApplicationStay)
 {
   ASSERT_TRUE(this->Device->Open("virtual"));
