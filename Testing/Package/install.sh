@@ -106,8 +106,8 @@ if [ "$python" = ON ]; then
   package=$(find "$prefix" -path '*/volumehaptics/__init__.py')
   site=$(dirname "$(dirname "$package")")
   installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
-  expected=$(printf './%s\n' __init__.py __main__.py _identify.py _labels.py _large.py _paths.py _plotting.py _touch.py \
-    _version.py arrays.py data/HeadPhantom.vti data/README.txt examples.py py.typed pyvista.py | sort)
+  expected=$(printf './%s\n' __init__.py __main__.py _grids.py _identify.py _labels.py _large.py _paths.py \
+    _plotting.py _touch.py _version.py arrays.py data/HeadPhantom.vti data/README.txt examples.py py.typed pyvista.py | sort)
   if [ "$installed" != "$expected" ]; then
     printf 'installed Python package:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
     exit 1
