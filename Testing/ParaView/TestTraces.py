@@ -9,6 +9,7 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
+from paraview import simple  # noqa: E402
 from scenes import METHODS, SCENES  # noqa: E402
 
 compared = 0
@@ -31,3 +32,20 @@ for name, scene in SCENES.items():
         print(f"{name}, {method}: {len(force)} ticks, {len(arrays)} arrays, up to {force.max():.3g} N")
         compared += 1
 assert compared >= 2 * len(METHODS)
+
+# A flow along x, as image data and as data of other kinds: across it, a spring of 500 N/m, and nothing along it.
+wavelet = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+flow = simple.Calculator(Input=wavelet, ResultArrayName="U", Function="3*iHat")
+cells = simple.AppendDatasets(Input=flow)
+across = simple.Line(Point1=[-2, 0, 0], Point2=[2, 3, 0], Resolution=300)
+for data in (flow, cells, simple.GroupDatasets(Input=[cells, flow])):
+    data.UpdatePipeline()
+    simple.SetActiveSource(data)
+    felt = rig.VolumeHaptics(Input=data, Path=across, Method="Primitives", Modes=["VectorFollow", "U", "2", ""])
+    chooser = felt.SMProxy.GetProperty("Input")
+    chooser.SetUncheckedInputConnection(0, data.SMProxy, 0)
+    assert chooser.IsInDomains(), f"the menu offers no {data}"
+    chooser.ClearUncheckedElements()
+    force = rig.arrays_of(felt)["Force"]
+    assert len(force) == 301, data
+    assert numpy.allclose(force, [(0, -0.5 * y, 0) for y in numpy.linspace(0, 3, 301)], atol=0.005), data
