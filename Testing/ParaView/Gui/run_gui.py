@@ -16,7 +16,8 @@ import tempfile
 PARAVIEW, PLUGIN, VOLUME, OUTPUT = map(os.path.abspath, sys.argv[1:5])
 HERE = os.path.dirname(os.path.abspath(__file__))
 STEPS = ["setup", "attached", "touch_mode", "contact", "picture", "recorded", "detached", "armed_elsewhere",
-         "taken_over", "armed", "other_style", "view_closed", "device_deleted", "armed_at_exit"]
+         "taken_over", "armed", "other_style", "close_view", "view_closed", "delete_device",
+         "device_deleted", "armed_at_exit"]
 LIMIT = 600  # s: a hang; it takes a minute, and four on a machine that computes six times as much beside it
 
 

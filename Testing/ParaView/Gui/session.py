@@ -70,12 +70,15 @@ class Session:
         shown.ScalarOpacityUnitDistance = 4
         shown.Shade = 1
         shown.SetScalarBarVisibility(view, False)
-        view.CameraPosition = [-315, -400, 60]
-        view.CameraFocalPoint = [0, 0, -22]
-        view.CameraViewUp = [0, 0, 1]
+        self.look_at_head(view)
         simple.SetActiveSource(head)
         simple.Render()
         self.style = self.current_style()
+
+    def look_at_head(self, view):
+        view.CameraPosition = [-315, -400, 60]
+        view.CameraFocalPoint = [0, 0, -22]
+        view.CameraViewUp = [0, 0, 1]
 
     def attached(self):
         device = self.device()
@@ -118,10 +121,30 @@ class Session:
             self.lead(device, tip)
         raise AssertionError(f"only {self.force(device)} N are felt in the skin: {device.GetPropertyValue('StatusText')}")
 
+    def turn_wheel(self, steps):
+        interactor = simple.GetActiveView().GetInteractor()
+        for _ in range(abs(steps)):
+            interactor.MouseWheelForwardEvent() if steps > 0 else interactor.MouseWheelBackwardEvent()
+            self.device().UpdatePipeline()
+            time.sleep(0.02)
+
     def press(self):
-        """1 cm along the line of sight, by the property alone."""
-        camera = simple.GetActiveView().GetActiveCamera()
-        self.device().VirtualTip = [x + 10 * d for x, d in zip(self.tip(), camera.GetDirectionOfProjection())]
+        """By the wheel, a voxel a step. If the machine stood still, force was cut off, as it must be: once more."""
+        device = self.device()
+        for _ in range(5):
+            device.Armed = 1
+            for _ in range(100):
+                device.UpdatePipeline()
+                time.sleep(0.02)
+                device.UpdatePropertyInformation()
+                if "100 % of the force" in "".join(device.GetPropertyValue("StatusText")):
+                    break
+            for steps in range(1, 21):
+                self.turn_wheel(1)
+                if self.force(device) > 0.5:
+                    return
+            self.turn_wheel(-steps - 5)
+        raise AssertionError(f"only {self.force(device)} N are felt: {device.GetPropertyValue('StatusText')}")
 
     def armed(self):
         assert self.device().Armed == 1, "Arm has not armed the device"
@@ -185,7 +208,7 @@ class Session:
 
     def close_view(self):
         self.kept = self.device()
-        assert self.force(self.kept) > 0.5, "nothing is felt that could end"
+        self.press()
         simple.Delete(simple.GetActiveView())
 
     def view_closed(self):
@@ -195,13 +218,14 @@ class Session:
         head = simple.FindSource("HeadPhantom.vti")
         simple.Show(head, view)
         simple.SetActiveView(view)
+        self.look_at_head(view)
         simple.SetActiveSource(head)
         simple.Render()
         self.style = self.current_style()
 
     def delete_device(self):
         self.kept = self.device()
-        assert self.force(self.kept) > 0.5, "nothing is felt that could end"
+        self.press()
         simple.Delete(self.kept)
 
     def device_deleted(self):
@@ -210,7 +234,7 @@ class Session:
         self.kept = None
 
     def armed_at_exit(self):
-        assert self.force(self.device()) > 0.5, "nothing is felt that could end"
+        self.press()
 
 
 session = Session()
