@@ -208,6 +208,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
     }
     this->Interactor->RemoveObserver(d.TimerObserver);
     d.Timer = 0;
+    d.Interaction.Frames.SetWindow(nullptr);
   }
   this->Superclass::SetInteractor(interactor);
   d.Interaction.Window.SetInteractor(interactor);

@@ -165,6 +165,22 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether ray casters draw as finely as 20 frames per second allow while something moves, and
+   * input interrupts a frame at rest; a frame at rest that can't be interrupted takes 0.1 s at most
+   * while the device is armed. Default on.
+   *
+   * In motion, vtkGPUVolumeRayCastMapper and vtkFixedPointVolumeRayCastMapper cast fewer rays and
+   * take fewer samples on them, but one in each voxel. Only the fixed point mapper, which runs on
+   * the processor, can be interrupted. If OpenGL runs on the processor, too, vtkSmartVolumeMapper
+   * uses that mapper while a scene is touched. Windows off the screen are left alone.
+   */
+  vtkSetMacro(AutoAdjustVolumeQuality, bool);
+  vtkGetMacro(AutoAdjustVolumeQuality, bool);
+  vtkBooleanMacro(AutoAdjustVolumeQuality, bool);
+  ///@}
+
+  ///@{
   /** Updates per second, 1 to 240. Default 60. Takes effect with the next interactor. */
   vtkSetClampMacro(DisplayRate, double, 1.0, 240.0);
   vtkGetMacro(DisplayRate, double);
@@ -274,6 +290,7 @@ protected:
   double DepthStep = 0.0;
   double DisplayRate = 60.0;
   bool TipFollowsSurface = true;
+  bool AutoAdjustVolumeQuality = true;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;
 

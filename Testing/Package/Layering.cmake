@@ -98,14 +98,16 @@ allow(VTK/Charts VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
-# private classes of the library, of which it gets the objects, and hands ticks on through a ring of headers alone.
+# private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, and asks
+# a header whether OpenGL runs on the processor.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
 set(chart VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
 set(writer VTK/Trace/TraceWriter.h)
 set(ring Core/Servo/TraceRing.h)
-allow(${explorer} ${chart} ${writer} ${ring})
+set(software VTK/Scene/SoftwareOpenGL.h)
+allow(${explorer} ${chart} ${writer} ${ring} ${software})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors)
@@ -116,7 +118,7 @@ set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${exp
 list(APPEND exploration ${explorer}/Sound)
 allow(${explorer}/Exploration ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
-allow(${explorer}/Scene ${exploration})
+allow(${explorer}/Scene ${exploration} ${software})
 allow(${explorer}/Report ${exploration} ${chart} ${writer})
 allow(${explorer}/Live ${exploration} ${explorer}/Scene ${writer})
 

@@ -48,7 +48,6 @@ set(Explore_SOURCES
   Report/ReportFiles.cxx
   Report/TraceSound.cxx
   Report/TraceSummary.cxx
-  Scene/CoarseFrames.cxx
   Scene/ExplorerScene.cxx
   Scene/Trail.cxx
   Scene/VolumeLook.cxx

@@ -329,7 +329,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; o
     ListModePresets() + R"(
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
-  --mapper NAME     volume rendering: auto (default), gpu, cpu
+  --mapper NAME     volume rendering: auto (default), gpu, cpu; auto takes the
+                    processor in a window if OpenGL runs there, too
   --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
   --up AXIS         where the top is: +z (default), ...
   --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt

@@ -357,6 +357,9 @@ bool HapticInteraction::UpdateHaptics()
   // Observers of the following events may take any of these away.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
+  vtkRenderWindowInteractor* const interactor = style->GetInteractor();
+  this->Frames.SetWindow(
+    interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr);
   this->Editor.FollowProposal();
   this->Displays.UpdateHint();
   if (!scene.Device || !scene.Device->IsRunning())

@@ -58,6 +58,13 @@ public:
     this->Cost = quickly ? this->Cost : cost;
   }
 
+  /** Call it after a frame that was interrupted: it becomes due again. */
+  void Interrupted(double now)
+  {
+    this->LastDrawn = now;
+    this->IsStill = false;
+  }
+
 private:
   double LastDrawn = 0.0;
   double Cost = 0.0; ///< of a still frame, s

@@ -110,6 +110,10 @@ namespace StyleSettingRows
 using Owner = vtkInteractorStyleHaptic;
 
 inline constexpr StyleSetting All[] = {
+  HapticFlagMacro(AutoAdjustVolumeQuality, true, NotBaked,
+    "Whether ray casters draw as finely as 20 frames per second allow while something moves, and "
+    "input interrupts a frame at rest; a frame at rest that can't be interrupted takes 0.1 s at "
+    "most while the device is armed. Default on."),
   HapticNumberMacro(DepthStep, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
     "The distance that a step of the wheel moves the tip (world units, 0 or more). Default 0: the "
     "smallest spacing of the image."),

@@ -20,6 +20,13 @@ SceneFrames::SceneFrames(
   : Scene(scene)
   , Window(window)
   , DrawScene(std::move(drawScene))
+  , Quality(
+      [this]
+      {
+        using Touch = FrameQuality::Touch;
+        const bool isArmed = this->Scene.Device && this->Scene.IsArmed();
+        return isArmed ? Touch::Armed : this->Scene.Style->GetTouchMode() ? Touch::On : Touch::Off;
+      })
 {
 }
 
@@ -65,8 +72,13 @@ void SceneFrames::DrawIfDue(bool isNew)
 {
   using Frame = HapticRenderPace::Frame;
   this->FollowEditor();
+  const double now = vtkTimerLog::GetUniversalTime();
+  if (this->Quality.TakeInterruption())
+  {
+    this->Pace.Interrupted(now);
+  }
   const bool moves = this->Scene.Style->GetState() != VTKIS_NONE || this->HasMoved();
-  const Frame frame = this->Pace.Next(vtkTimerLog::GetUniversalTime(), moves, isNew);
+  const Frame frame = this->Pace.Next(now, moves, isNew);
   if (frame != Frame::None)
   {
     this->Draw(frame == Frame::Quick);

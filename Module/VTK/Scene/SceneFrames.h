@@ -7,6 +7,7 @@
 #ifndef SceneFrames_h
 #define SceneFrames_h
 
+#include "VTK/Scene/FrameQuality.h"
 #include "VTK/Scene/HapticRenderPace.h"
 #include "VTK/Scene/TouchedScene.h"
 
@@ -30,6 +31,8 @@ public:
   SceneFrames(
     TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
 
+  /** Adjusts how finely the volumes in this window are drawn; nullptr for none. */
+  void SetWindow(vtkRenderWindow* window) { this->Quality.SetWindow(window); }
   void Draw(bool quickly);
   /** Called by the timer: draws a frame if one is due. `isNew`: the device has a new state. */
   void DrawIfDue(bool isNew);
@@ -46,6 +49,7 @@ private:
   TouchedScene& Scene;
   const HapticWindowWatch& Window;
   const std::function<void(bool)> DrawScene;
+  FrameQuality Quality;
   HapticRenderPace Pace;
   Vector3 DrawnTip; ///< world, of the last frame
   Vector3 DrawnProxy;

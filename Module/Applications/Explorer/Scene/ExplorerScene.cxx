@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 
-#include "Applications/Explorer/Scene/CoarseFrames.h"
 #include "Applications/Explorer/Scene/Trail.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Applications/Explorer/View/SceneCamera.h"
+#include "VTK/Scene/SoftwareOpenGL.h"
 
 #include "vtkAnnotatedCubeActor.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
@@ -49,25 +49,19 @@ vtkSmartPointer<vtkImageData> PlainImage(vtkImageData* image, vtkMatrix4x4* toWo
 }
 
 /// Sampled without jitter: the same picture in every run.
-vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(
-  double sampleDistance, bool interactive, vtkRenderWindow* window)
+vtkSmartPointer<vtkVolumeMapper> MakeGPUMapper(double sampleDistance)
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   mapper->UseJitteringOff();
-  if (interactive)
-  {
-    Explore::DrawCoarselyInMotion(window, mapper);
-  }
   return mapper;
 }
 
-/// It adjusts the distances of samples and of rays by itself.
-vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance, bool interactive)
+vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance)
 {
   auto mapper = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
-  mapper->SetAutoAdjustSampleDistances(interactive);
+  mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSampleDistance(static_cast<float>(sampleDistance));
   mapper->SetImageSampleDistance(1.0f);
   return mapper;
@@ -90,17 +84,22 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   const Explore::Analysis& analysis = exploration.Values;
   vtkVolumeProperty* const property = scene.Look;
   Explore::SetVolumeLook(analysis, property);
-  const bool gpu = options.Mapper == MapperChoice::GPU ||
-    (options.Mapper == MapperChoice::Auto && IsGPUUsable(scene.Window, property, image));
+  bool gpu = options.Mapper != MapperChoice::CPU;
+  if (options.Mapper == MapperChoice::Auto)
+  {
+    // Where the processor plays the graphics card, rays that it casts itself take a fifth of the
+    // time, and input interrupts them. A picture may take longer.
+    gpu = IsGPUUsable(scene.Window, property, image) &&
+      !(options.Interactive && VolumeHaptics::IsSoftwareOpenGL(scene.Window));
+  }
   const double* spacing = image->GetSpacing();
-  // A picture may take longer.
-  const double voxels = options.Interactive ? 1.0 : 0.5;
+  // A frame on the graphics card can't be interrupted, but a picture may take longer.
+  const double voxels = gpu && options.Interactive ? 1.0 : 0.5;
   const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
 
   vtkNew<vtkMatrix4x4> toWorld;
   vtkNew<vtkVolume> volume;
-  auto mapper = gpu ? MakeGPUMapper(sample, options.Interactive, scene.Window)
-                    : MakeCPUMapper(sample, options.Interactive);
+  auto mapper = gpu ? MakeGPUMapper(sample) : MakeCPUMapper(sample);
   mapper->SetInputData(PlainImage(image, toWorld));
   volume->SetMapper(mapper);
   volume->SetProperty(property);

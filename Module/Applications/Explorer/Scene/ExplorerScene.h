@@ -17,7 +17,9 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  Auto, // the GPU's if the window and the volume allow it, else the CPU's
+  // The GPU's if the window and the volume allow it, else the CPU's; in a window to touch in, also
+  // if OpenGL runs on the CPU.
+  Auto,
   GPU,
   CPU
 };
@@ -30,7 +32,7 @@ struct SceneOptions
   std::string Caption;
   bool Anatomical = true; // letters of the marker: patient's sides instead of axes
   bool OffScreen = true;
-  bool Interactive = false; // coarser while something moves, and without the trail
+  bool Interactive = false; // to touch in: without the trail
 };
 
 /// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/FrameQuality.h"
+
+#include "VTK/Scene/PendingInput.h"
+#include "VTK/Scene/SoftwareOpenGL.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
+constexpr double LeastRate = 20.0;    // Hz, in motion
+constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
+constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
+constexpr double MostSteps =
+  5.0; // each makes the distance between rays larger by a half power of two
+
+double SmallestSpacing(vtkImageData* image)
+{
+  const double* const spacing = image->GetSpacing();
+  return std::min({ spacing[0], spacing[1], spacing[2] });
+}
+
+/** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
+double AutomaticDistance(vtkImageData* image)
+{
+  const double* const spacing = image->GetSpacing();
+  return (spacing[0] + spacing[1] + spacing[2]) / 6.0;
+}
+
+template <typename Visit>
+void ForEachMapper(vtkRenderWindow* window, Visit&& visit)
+{
+  vtkRendererCollection* const renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* const renderer = renderers->GetNextRenderer(at))
+  {
+    vtkVolumeCollection* const volumes = renderer->GetVolumes();
+    for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+    {
+      auto* const volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+      if (volume && volume->GetVisibility() && volume->GetMapper())
+      {
+        visit(volume->GetMapper());
+      }
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+FrameQuality::FrameQuality(std::function<Touch()> touch)
+  : AskTouch(std::move(touch))
+  , Observer(vtkSmartPointer<vtkCallbackCommand>::New())
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*)
+    {
+      auto* const quality = static_cast<FrameQuality*>(self);
+      if (event == vtkCommand::StartEvent)
+      {
+        quality->Begin();
+      }
+      else if (event == vtkCommand::EndEvent)
+      {
+        quality->End();
+      }
+      else
+      {
+        quality->Interrupt();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+FrameQuality::~FrameQuality()
+{
+  this->SetWindow(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::SetWindow(vtkRenderWindow* window)
+{
+  if (window == this->Window)
+  {
+    return;
+  }
+  if (this->Window)
+  {
+    this->Window->RemoveObserver(this->Observer);
+  }
+  this->Restore();
+  this->Window = window;
+  this->InMotion = Pace();
+  this->AtRest = Pace();
+  if (window)
+  {
+    window->AddObserver(vtkCommand::StartEvent, this->Observer);
+    window->AddObserver(vtkCommand::EndEvent, this->Observer);
+    window->AddObserver(vtkCommand::AbortCheckEvent, this->Observer);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FrameQuality::TakeInterruption()
+{
+  return std::exchange(this->IsInterrupted, false);
+}
+
+//------------------------------------------------------------------------------
+double FrameQuality::Pace::Next(double longest)
+{
+  if (this->Time > longest || this->Time < 0.6 * longest)
+  {
+    // As if all of the time were spent on rays, whose number falls with the square of their
+    // distance. What else is drawn takes its time, so that the next frames may correct this.
+    const double steps = std::log2(this->Time / longest); // of a factor of the square root of two
+    this->Steps = std::clamp(
+      this->Steps + (steps > 0.0 ? std::ceil(steps) : std::trunc(steps)), 0.0, MostSteps);
+    this->Time = longest; // until a frame tells
+  }
+  return std::exp2(0.5 * this->Steps);
+}
+
+//------------------------------------------------------------------------------
+template <typename Mapper>
+void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
+{
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  if (!image)
+  {
+    return;
+  }
+  const Settings now{ mapper->GetImageSampleDistance(), mapper->GetSampleDistance(),
+    mapper->GetAutoAdjustSampleDistances() != 0 };
+  const auto isMapper = [mapper](const Caster& caster) { return caster.Mapper == mapper; };
+  auto caster = std::find_if(this->Casters.begin(), this->Casters.end(), isMapper);
+  if (caster == this->Casters.end())
+  {
+    caster = this->Casters.insert(caster, { mapper, now, now });
+    // VTK's interrupted mapper tells its progress more often than the window asks.
+    mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
+  }
+  // What the application has set meanwhile counts.
+  Settings& own = caster->Own;
+  own.ImageDistance =
+    now.ImageDistance == caster->Set.ImageDistance ? own.ImageDistance : now.ImageDistance;
+  own.SampleDistance =
+    now.SampleDistance == caster->Set.SampleDistance ? own.SampleDistance : now.SampleDistance;
+  own.AutoAdjust = now.AutoAdjust == caster->Set.AutoAdjust ? own.AutoAdjust : now.AutoAdjust;
+
+  const double voxel = SmallestSpacing(image);
+  const bool isInterruptible = mapper->IsA("vtkFixedPointVolumeRayCastMapper") != 0;
+  const double finely =
+    own.AutoAdjust && !isInterruptible ? AutomaticDistance(image) : own.SampleDistance;
+  Settings next = own;
+  if (moves)
+  {
+    next.AutoAdjust = false;
+    next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
+  }
+  if (moves || (armed && !isInterruptible))
+  {
+    const double rate = std::max(LeastRate, this->Window->GetDesiredUpdateRate());
+    const double distance =
+      moves ? this->InMotion.Next(DrawingShare / rate) : this->AtRest.Next(LongestWait);
+    next.ImageDistance = std::max(own.ImageDistance, distance);
+  }
+  mapper->SetAutoAdjustSampleDistances(next.AutoAdjust);
+  mapper->SetImageSampleDistance(static_cast<float>(next.ImageDistance));
+  mapper->SetSampleDistance(static_cast<float>(next.SampleDistance));
+  caster->Set = { mapper->GetImageSampleDistance(), mapper->GetSampleDistance(), next.AutoAdjust };
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
+{
+  const auto isMapper = [mapper](const Smart& smart) { return smart.Mapper == mapper; };
+  const auto known = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(), isMapper);
+  if (!touched && known != this->SmartMappers.end())
+  {
+    mapper->SetRequestedRenderMode(known->Own);
+    this->SmartMappers.erase(known);
+  }
+  const int mode = mapper->GetRequestedRenderMode();
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  // The ray caster on the processor draws no cells and no independent components.
+  vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (touched && known == this->SmartMappers.end() &&
+    mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
+    values->GetNumberOfComponents() == 1 && IsSoftwareOpenGL(this->Window))
+  {
+    this->SmartMappers.push_back({ mapper, mode });
+    mapper->SetRequestedRenderModeToRayCast();
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Begin()
+{
+  if (!this->Window || this->Window->GetOffScreenRendering())
+  {
+    return;
+  }
+  const Touch touch = this->AskTouch();
+  this->Moves = this->Window->GetDesiredUpdateRate() > SlowestMotion;
+  ForEachMapper(this->Window,
+    [&](vtkAbstractVolumeMapper* mapper)
+    {
+      auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+      auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
+      auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+      if (gpu)
+      {
+        this->Adjust(gpu, this->Moves, touch == Touch::Armed);
+      }
+      else if (cpu)
+      {
+        this->Adjust(cpu, this->Moves, touch == Touch::Armed);
+      }
+      else if (smart)
+      {
+        this->ChooseProcessor(smart, touch != Touch::Off);
+      }
+    });
+  this->Start = std::chrono::steady_clock::now();
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::End()
+{
+  if (!this->Window || this->Window->GetOffScreenRendering())
+  {
+    return;
+  }
+  if (this->Window->GetAbortRender())
+  {
+    this->IsInterrupted = true;
+    return;
+  }
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Start;
+  (this->Moves ? this->InMotion : this->AtRest).Time = time.count();
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Interrupt()
+{
+  if (this->Window && !this->Moves && !this->Window->GetOffScreenRendering() &&
+    this->Window->CheckInRenderStatus() && HasPendingInput(this->Window))
+  {
+    this->Window->SetAbortRender(1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Restore()
+{
+  const auto restore = [this](auto* mapper, const Caster& caster)
+  {
+    mapper->RemoveObserver(this->Observer);
+    mapper->SetAutoAdjustSampleDistances(caster.Own.AutoAdjust);
+    mapper->SetImageSampleDistance(static_cast<float>(caster.Own.ImageDistance));
+    mapper->SetSampleDistance(static_cast<float>(caster.Own.SampleDistance));
+  };
+  for (const Caster& caster : this->Casters)
+  {
+    if (auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(caster.Mapper))
+    {
+      restore(gpu, caster);
+    }
+    else if (auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(caster.Mapper))
+    {
+      restore(cpu, caster);
+    }
+  }
+  for (const Smart& smart : this->SmartMappers)
+  {
+    if (smart.Mapper)
+    {
+      smart.Mapper->SetRequestedRenderMode(smart.Own);
+    }
+  }
+  this->Casters.clear();
+  this->SmartMappers.clear();
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How finely the volumes of a touched scene are drawn, so that a frame never blocks the hand.
+ */
+#ifndef FrameQuality_h
+#define FrameQuality_h
+
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+#include <functional>
+#include <vector>
+
+class vtkCallbackCommand;
+class vtkObject;
+class vtkRenderWindow;
+class vtkSmartVolumeMapper;
+class vtkVolumeMapper;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Follows the frames of one window:
+ *
+ * - In motion (the window wants more than 1 frame a second) ray casters cast as many rays as 20
+ *   frames a second allow, one for each pixel at best. VTK's GPU mapper by itself would save
+ *   samples along each ray, which lets rays miss thin surfaces: dark speckles. So a sample is taken
+ *   in each voxel at least.
+ * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
+ *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
+ *   device is armed, it casts as many rays as 0.1 s allows.
+ * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched, if OpenGL runs
+ *   there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
+ *
+ * A window off the screen makes pictures for nobody who waits: it is left alone.
+ */
+class FrameQuality
+{
+public:
+  enum class Touch
+  {
+    Off,
+    On,
+    Armed
+  };
+
+  /** `touch` tells before each frame whether the scene is touched. */
+  explicit FrameQuality(std::function<Touch()> touch);
+  ~FrameQuality();
+  FrameQuality(const FrameQuality&) = delete;
+  FrameQuality& operator=(const FrameQuality&) = delete;
+
+  /** Follows this window, nullptr for none, and gives the mappers of the last one their own
+   * settings back. */
+  void SetWindow(vtkRenderWindow* window);
+
+  /** Whether input has interrupted a frame since the last call: it is to be drawn again. */
+  bool TakeInterruption();
+
+private:
+  /** A mapper with what the application has set, and what this has. */
+  struct Settings
+  {
+    double ImageDistance; ///< pixels between rays
+    double SampleDistance;
+    bool AutoAdjust;
+  };
+  struct Caster
+  {
+    vtkWeakPointer<vtkVolumeMapper> Mapper;
+    Settings Own;
+    Settings Set;
+  };
+  struct Smart
+  {
+    vtkWeakPointer<vtkSmartVolumeMapper> Mapper;
+    int Own;
+  };
+
+  /**
+   * The distance between rays that keeps frames of one kind within a time. It changes in steps,
+   * because a mapper whose distance changes makes new buffers.
+   */
+  struct Pace
+  {
+    /** For the next frame, pixels. `longest`: that it may take, s. */
+    double Next(double longest);
+    double Time = 0.05; ///< that the last one took, s
+    double Steps = 2.0;
+  };
+
+  void Begin();
+  void End();
+  void Interrupt();
+  void Restore();
+  template <typename Mapper>
+  void Adjust(Mapper* mapper, bool moves, bool armed);
+  void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
+
+  const std::function<Touch()> AskTouch;
+  vtkWeakPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkCallbackCommand> Observer;
+  std::vector<Caster> Casters;
+  std::vector<Smart> SmartMappers;
+  std::chrono::steady_clock::time_point Start;
+  Pace InMotion;
+  Pace AtRest;
+  bool Moves = false;
+  bool IsInterrupted = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Whether somebody waits for the end of a frame.
+ */
+#ifndef PendingInput_h
+#define PendingInput_h
+
+class vtkRenderWindow;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Whether a window has keys, buttons or motions of the mouse, or its closing, to process.
+ * vtkRenderWindow::GetEventPending() knows of presses of mouse buttons only; where a window is one
+ * of X11, its queue is looked through. Nothing is taken out of it.
+ */
+bool HasPendingInput(vtkRenderWindow* window);
+
+} // namespace VolumeHaptics
+
+#endif

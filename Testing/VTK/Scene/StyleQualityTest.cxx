@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * How finely volumes are drawn in a window that a person looks at: coarsely in motion, as the
+ * application has set it at rest, and never so slowly that the hand waits.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkSmartVolumeMapper.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <dlfcn.h>
+#include <string>
+#include <thread>
+
+using namespace scenetest;
+
+namespace
+{
+constexpr double InMotion = 15.0;
+constexpr double AtRest = 0.001;
+
+/// By X11's XWarpPointer. Its header defines macros that other tests must not see.
+void MovePointer(vtkRenderWindow* window)
+{
+  using Warp =
+    int (*)(void*, unsigned long, unsigned long, int, int, unsigned int, unsigned int, int, int);
+  static const auto warp =
+    reinterpret_cast<Warp>(dlsym(dlopen("libX11.so.6", RTLD_LAZY), "XWarpPointer"));
+  static int x = 10;
+  x = x == 10 ? 100 : 10;
+  warp(window->GetGenericDisplayId(), 0,
+    reinterpret_cast<unsigned long>(window->GetGenericWindowId()), 0, 0, 0, 0, x, 60);
+}
+
+class StyleQualityTest : public StyleTest
+{
+protected:
+  StyleQualityTest()
+  {
+    this->Window->SetOffScreenRendering(0);
+    this->Window->SetSize(120, 120);
+    this->Volume->GetProperty()->GetScalarOpacity()->AddPoint(-1.0, 0.0);
+    this->Volume->GetProperty()->GetScalarOpacity()->AddPoint(1.0, 1.0);
+    this->Renderer->AddVolume(this->Volume);
+    vtkNew<vtkCallbackCommand> wait;
+    wait->SetClientData(this);
+    wait->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*)
+      {
+        std::this_thread::sleep_for(
+          std::chrono::milliseconds(static_cast<StyleQualityTest*>(self)->Slowness));
+      });
+    this->Window->AddObserver(vtkCommand::EndEvent, wait, 1.0f); // before the style sees it
+  }
+  ~StyleQualityTest() override { this->Interactor->SetInteractorStyle(nullptr); }
+
+  template <typename Mapper>
+  void Show(Mapper* mapper)
+  {
+    mapper->SetInputData(this->Ball);
+    this->Volume->SetMapper(mapper);
+    this->Interactor->Initialize();
+    this->Style->UpdateHaptics();
+  }
+  void Draw(double rate, int times)
+  {
+    this->Window->SetDesiredUpdateRate(rate);
+    for (int i = 0; i < times; ++i)
+    {
+      this->Window->Render();
+    }
+  }
+  void Arm()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Device->Arm();
+    ASSERT_TRUE(Eventually(
+      [this]
+      {
+        this->Style->UpdateHaptics();
+        return this->Device->GetStatus() == vtkHapticDevice::ARMED;
+      }));
+  }
+
+  vtkNew<vtkVolume> Volume;
+  int Slowness = 0; ///< of a frame, ms
+};
+} // namespace
+
+TEST_F(StyleQualityTest, MotionCastsFewerRaysIfFramesAreSlow)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(0.25f);
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
+  EXPECT_GT(mapper->GetSampleDistance(), 0.25f);
+  EXPECT_LE(mapper->GetSampleDistance(), 1.0f) << "rays miss what is thinner than a voxel";
+  this->Slowness = 0;
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  EXPECT_EQ(mapper->GetSampleDistance(), 0.25f);
+  EXPECT_EQ(mapper->GetAutoAdjustSampleDistances(), 0);
+}
+
+TEST_F(StyleQualityTest, AVolumeThatIsQuicklyDrawnIsDrawnFinely)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  const float coarse = mapper->GetImageSampleDistance();
+  this->Slowness = 0;
+  this->Window->SetSize(30, 30);
+  this->Draw(InMotion, 8);
+  EXPECT_LT(mapper->GetImageSampleDistance(), coarse);
+}
+
+TEST_F(StyleQualityTest, WhatTheApplicationSetsMeanwhileCounts)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 3);
+  mapper->SetSampleDistance(0.125f);
+  mapper->SetImageSampleDistance(2.0f);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetSampleDistance(), 0.125f);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 2.0f);
+  this->Draw(InMotion, 3);
+  ASSERT_NE(mapper->GetSampleDistance(), 0.125f);
+  this->Interactor->SetInteractorStyle(nullptr);
+  EXPECT_EQ(mapper->GetSampleDistance(), 0.125f);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 2.0f);
+}
+
+TEST_F(StyleQualityTest, AFrameThatCanNotBeInterruptedDoesNotBlockAnArmedHand)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  this->Slowness = 400;
+  this->Draw(AtRest, 2);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "nobody waits";
+  this->Arm();
+  this->Draw(AtRest, 2);
+  EXPECT_GE(mapper->GetImageSampleDistance(), 2.0f);
+  this->Device->Disarm();
+  ASSERT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->GetStatus() != vtkHapticDevice::ARMED;
+    }));
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+}
+
+TEST_F(StyleQualityTest, InputInterruptsAFrameAtRest)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(0.1f);
+  this->Show(mapper.GetPointer());
+  this->Draw(AtRest, 1);
+  if (!this->Window->IsA("vtkXOpenGLRenderWindow"))
+  {
+    GTEST_SKIP() << "only the queue of X11 tells of motions";
+  }
+  ASSERT_EQ(this->Window->GetAbortRender(), 0);
+  // A real motion of the mouse, within the frame.
+  vtkNew<vtkCallbackCommand> move;
+  move->SetClientData(this->Window);
+  move->SetCallback(
+    [](vtkObject*, unsigned long, void* window, void*)
+    {
+      MovePointer(static_cast<vtkRenderWindow*>(window));
+      std::this_thread::sleep_for(std::chrono::milliseconds(2)); // the X server's
+    });
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, move, 1.0f);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(this->Window->GetAbortRender(), 1);
+  mapper->RemoveObserver(move);
+  // A frame in motion is short, and has to be seen.
+  this->Draw(InMotion, 1);
+  EXPECT_EQ(this->Window->GetAbortRender(), 0);
+}
+
+TEST_F(StyleQualityTest, SmartMapperCastsRaysOnTheProcessorWhereOpenGLRunsThere)
+{
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  this->Show(mapper.GetPointer());
+  this->Draw(AtRest, 1);
+  if (std::string(this->Window->ReportCapabilities()).find("llvmpipe") == std::string::npos)
+  {
+    GTEST_SKIP() << "OpenGL runs on a graphics card";
+  }
+  EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
+  this->Arm();
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
+  this->Style->AutoAdjustVolumeQualityOff();
+  this->Style->UpdateHaptics();
+  EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
+}
+
+TEST_F(StyleQualityTest, PicturesOffTheScreenAreLeftAlone)
+{
+  this->Window->SetOffScreenRendering(1);
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 3);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  EXPECT_NE(mapper->GetAutoAdjustSampleDistances(), 0);
+}
