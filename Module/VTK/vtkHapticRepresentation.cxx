@@ -6,6 +6,7 @@
 #include "VTK/Charts/HapticModeColors.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
+#include "VTK/Scene/LandingRing.h"
 #include "VTK/Scene/SceneMarker.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
@@ -48,6 +49,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
+  LandingRing Landing;
   bool HasState = false;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
@@ -264,6 +266,7 @@ double* vtkHapticRepresentation::GetBounds()
   }
   d.Stylus.AddTo(d.Box);
   d.Followed.AddTo(d.Box);
+  d.Landing.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     d.Box.AddBounds(d.Trail->GetBounds());
@@ -295,6 +298,10 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
   }
   d.Stylus.RenderOpaque(viewport);
   d.Followed.RenderOpaque(viewport);
+  const bool hasLanding = this->LandingVisibility && d.HasState && IsFelt(this->GetDevice());
+  d.Landing.Update(vtkRenderer::SafeDownCast(viewport), hasLanding ? this->GetDevice() : nullptr,
+    this->Radius, this->WorldUnitName);
+  d.Landing.RenderOpaque(viewport);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     this->UpdateTrail();
@@ -331,6 +338,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     d.Followed.RenderHidden(viewport);
+    d.Landing.RenderHidden(viewport);
     d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
     for (SceneMarker& marker : d.Markers)
     {
@@ -341,6 +349,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
       head.RenderHidden(viewport);
     }
   }
+  d.Landing.RenderText(viewport);
   if (this->ScaleTextVisibility && d.HasState)
   {
     d.ScaleText->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
@@ -363,6 +372,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
   }
   d.Stylus.Release(window);
   d.Followed.Release(window);
+  d.Landing.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);
   d.ScaleText->ReleaseGraphicsResources(window);
 }

@@ -138,6 +138,16 @@ public:
 
   ///@{
   /**
+   * Whether a ring shows where the tip would touch next on its way along the line of sight, with
+   * the distance; in contact, it lies on the touched surface around the proxy. Default on.
+   */
+  vtkSetMacro(LandingVisibility, bool);
+  vtkGetMacro(LandingVisibility, bool);
+  vtkBooleanMacro(LandingVisibility, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
    * line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs.
    * Default on. See vtkHapticDevice::GetFollowed.
@@ -191,6 +201,7 @@ protected:
   double StylusLength = 0.0;
   bool ScaleTextVisibility = true;
   bool HiddenVisibility = true;
+  bool LandingVisibility = true;
   bool FollowedVisibility = true;
   double FollowedReach = 48.0;
 

@@ -55,6 +55,9 @@ inline constexpr RepresentationSetting All[] = {
     "Whether a text shows the length of a newton. Default on."),
   HapticFlagMacro(HiddenVisibility, true, NotBaked,
     "Whether markers behind a surface or inside the volume show through. Default on."),
+  HapticFlagMacro(LandingVisibility, true, NotBaked,
+    "Whether a ring shows where the tip would touch next on its way along the line of sight, with "
+    "the distance; in contact, it lies on the touched surface around the proxy. Default on."),
   HapticFlagMacro(FollowedVisibility, true, NotBaked,
     "Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the "
     "line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs. "

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -31,8 +32,11 @@ Vector3 FromArray(const double* v)
   return { v[0], v[1], v[2] };
 }
 
-/** Whether there is something at a position (world), coming from the one before. */
-using Probe = std::function<bool(const Vector3&)>;
+/**
+ * Whether there is something at a position (world), coming from the one before. If it is a surface
+ * that is felt, sets its normal.
+ */
+using Probe = std::function<bool(const Vector3& position, Vector3& normal)>;
 
 /** Feels with the servo's own tick; nothing if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
@@ -45,7 +49,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
     return nullptr;
   }
   return [model = std::move(model), state = ServoState(), record = TickRecord()](
-           const Vector3& tip) mutable
+           const Vector3& tip, Vector3& normal) mutable
   {
     if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
@@ -54,6 +58,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
       return false;
     }
     Tick(*model, state, model->WorldToDevice(tip), record);
+    normal = -1.0 * record.Normal;
     return record.Contact != ContactState::Free;
   };
 }
@@ -64,7 +69,7 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
-  return [=, isFirst = true, wasInside = false](const Vector3& tip) mutable
+  return [=, isFirst = true, wasInside = false](const Vector3& tip, Vector3&) mutable
   {
     const double at[3] = { tip.X, tip.Y, tip.Z };
     const vtkIdType point = image->FindPoint(at[0], at[1], at[2]);
@@ -78,6 +83,81 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
     wasInside = isInside;
     return passes;
   };
+}
+
+/** The way through an image along a line of sight. */
+struct Line
+{
+  Vector3 Start;
+  Vector3 Sight;
+  double Length = 0.0; ///< world units
+  double Step = 0.0;   ///< of the walk
+};
+
+Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image)
+{
+  Line line;
+  line.Sight = LineOfSight(renderer, through);
+  line.Step = 0.25 * SmallestSpacing(image);
+  double bounds[6];
+  image->GetBounds(bounds);
+  const double reach = image->GetLength() + Norm(through - FromArray(image->GetCenter()));
+  const Vector3 ends[2] = { through - reach * line.Sight, through + reach * line.Sight };
+  const double from[3] = { ends[0].X, ends[0].Y, ends[0].Z };
+  const double to[3] = { ends[1].X, ends[1].Y, ends[1].Z };
+  double enters = 0.0;
+  double leaves = 0.0;
+  double x[3];
+  double y[3];
+  int planes[2];
+  if (vtkBox::IntersectWithLine(bounds, from, to, enters, leaves, x, y, planes[0], planes[1]))
+  {
+    line.Start = ends[0] + (2.0 * reach * enters) * line.Sight;
+    line.Length = 2.0 * reach * (leaves - enters);
+  }
+  return line;
+}
+
+/** What to walk with; nothing if there is nothing to be felt. */
+Probe MakeProbe(vtkVolumeHapticsFilter* filter)
+{
+  const char* const awaited = HapticBaker(filter).Prepare();
+  vtkImageData* const image = filter->GetTouchedImage();
+  const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
+  if (isIsoSurface)
+  {
+    return MakeValueProbe(filter, image);
+  }
+  return image && !awaited ? MakeFeelingProbe(filter) : nullptr;
+}
+
+/** The first contact of a tip that walks along a line. */
+bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal)
+{
+  // In coarse steps, and again in fine ones shortly before the contact.
+  constexpr int fineness = 16;
+  constexpr int before = 2; // coarse steps
+  Probe again = probe;
+  const auto steps = static_cast<int>(line.Length / line.Step);
+  for (int i = 0; i <= steps; ++i)
+  {
+    if (probe(line.Start + (i * line.Step) * line.Sight, normal))
+    {
+      contact = line.Start + (i * line.Step) * line.Sight;
+      for (int fine = 1 - before * fineness; fine <= 0; ++fine)
+      {
+        const Vector3 tip =
+          line.Start + ((i + static_cast<double>(fine) / fineness) * line.Step) * line.Sight;
+        if (again(tip, normal))
+        {
+          contact = tip;
+          break;
+        }
+      }
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -104,63 +184,37 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 bool FindFirstContact(
   vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter, Vector3& position)
 {
-  const char* const awaited = HapticBaker(filter).Prepare();
-  vtkImageData* const image = filter->GetTouchedImage();
-  const bool isIsoSurface = image && awaited == MeshingWork && !filter->GetInputDataObject(2, 0);
-  Probe probe;
-  if (isIsoSurface)
-  {
-    probe = MakeValueProbe(filter, image);
-  }
-  else if (image && !awaited)
-  {
-    probe = MakeFeelingProbe(filter);
-  }
+  const Probe probe = MakeProbe(filter);
   if (!probe)
   {
     return false;
   }
-  double bounds[6];
-  image->GetBounds(bounds);
-  const Vector3 sight = LineOfSight(renderer, through);
-  const double reach = image->GetLength() + Norm(through - FromArray(image->GetCenter()));
-  const Vector3 ends[2] = { through - reach * sight, through + reach * sight };
-  double from[3] = { ends[0].X, ends[0].Y, ends[0].Z };
-  double to[3] = { ends[1].X, ends[1].Y, ends[1].Z };
-  double enters = 0.0;
-  double leaves = 0.0;
-  double x[3];
-  double y[3];
-  int planes[2];
-  if (!vtkBox::IntersectWithLine(bounds, from, to, enters, leaves, x, y, planes[0], planes[1]))
+  const Line line = MakeLine(renderer, through, filter->GetTouchedImage());
+  Vector3 contact;
+  Vector3 normal;
+  if (!(line.Length > 0.0) || !Walk(line, probe, contact, normal))
   {
     return false;
   }
-  // In coarse steps, and again in fine ones shortly before the contact.
-  constexpr int fineness = 16;
-  constexpr int before = 2; // coarse steps
-  Probe again = probe;
-  const double step = 0.25 * SmallestSpacing(image);
-  const Vector3 start = ends[0] + (2.0 * reach * enters) * sight;
-  const auto steps = static_cast<int>(2.0 * reach * (leaves - enters) / step);
-  for (int i = 0; i <= steps; ++i)
+  position = contact - (2.0 * line.Step) * line.Sight;
+  return true;
+}
+
+bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
+  Vector3& contact, Vector3& normal)
+{
+  const Probe probe = MakeProbe(filter);
+  if (!probe)
   {
-    if (probe(start + (i * step) * sight))
-    {
-      position = start + ((i - before) * step) * sight;
-      for (int fine = 1 - before * fineness; fine <= 0; ++fine)
-      {
-        const Vector3 tip = start + ((i + static_cast<double>(fine) / fineness) * step) * sight;
-        if (again(tip))
-        {
-          position = tip - (before * step) * sight;
-          break;
-        }
-      }
-      return true;
-    }
+    return false;
   }
-  return false;
+  Line line = MakeLine(renderer, from, filter->GetTouchedImage());
+  // A tip in front of the image walks from the entry on.
+  const double gone = std::max(0.0, Dot(from - line.Start, line.Sight));
+  line.Start = line.Start + gone * line.Sight;
+  line.Length -= gone;
+  normal = {};
+  return line.Length > 0.0 && Walk(line, probe, contact, normal);
 }
 
 } // namespace VolumeHaptics

@@ -30,6 +30,13 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 bool FindFirstContact(
   vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter, Vector3& position);
 
+/**
+ * The same from a position on. True with the position of the contact, and the surface's normal
+ * towards the outside, unit; a zero vector if it is not known.
+ */
+bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
+  Vector3& contact, Vector3& normal);
+
 } // namespace VolumeHaptics
 
 #endif

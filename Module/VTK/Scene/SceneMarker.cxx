@@ -7,6 +7,8 @@
 #include "vtkArrowSource.h"
 #include "vtkBoundingBox.h"
 #include "vtkCylinderSource.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
@@ -45,6 +47,19 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     this->Mapper->SetInputConnection(rod->GetOutputPort());
     this->Solid->RotateX(90.0);
     this->Ghost->RotateX(90.0);
+  }
+  else if (shape == Ring)
+  {
+    vtkNew<vtkParametricTorus> torus; // around z
+    torus->SetRingRadius(1.0);
+    torus->SetCrossSectionRadius(0.06);
+    vtkNew<vtkParametricFunctionSource> ring;
+    ring->SetParametricFunction(torus);
+    ring->SetUResolution(2 * Resolution);
+    ring->SetVResolution(Resolution / 2);
+    ring->GenerateTextureCoordinatesOff();
+    this->Mapper->SetInputConnection(ring->GetOutputPort());
+    this->Mapper->ScalarVisibilityOff();
   }
   else if (shape == Stylus)
   {
@@ -100,14 +115,23 @@ void SceneMarker::PlaceAlong(const Vector3& from, const Vector3& to, double radi
     this->Shown = false;
     return;
   }
+  this->Aim(from, line);
+  this->Place->Scale(radius, radius, length);
+}
+
+void SceneMarker::PlaceRing(const Vector3& centre, const Vector3& axis, double radius)
+{
+  this->Aim(centre, axis);
+  this->Place->Scale(radius, radius, radius);
+}
+
+void SceneMarker::Aim(const Vector3& from, const Vector3& direction)
+{
   constexpr double degrees = 57.29577951308232;
-  const double turn = degrees * std::atan2(line.Y, line.X);
-  const double tilt = degrees * std::acos(line.Z / length);
   this->Place->Identity();
   this->Place->Translate(from.X, from.Y, from.Z);
-  this->Place->RotateZ(turn);
-  this->Place->RotateY(tilt);
-  this->Place->Scale(radius, radius, length);
+  this->Place->RotateZ(degrees * std::atan2(direction.Y, direction.X));
+  this->Place->RotateY(degrees * std::acos(direction.Z / Norm(direction)));
 }
 
 void SceneMarker::PlaceTurned(const Vector3& point, const Quaternion& orientation, double length)

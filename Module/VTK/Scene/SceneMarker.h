@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, a rod, an arrow or a stylus in the scene, which shines faintly through objects in front
- * of it.
+ * A sphere, a rod, an arrow, a ring or a stylus in the scene, which shines faintly through objects
+ * in front of it.
  */
 #ifndef SceneMarker_h
 #define SceneMarker_h
@@ -29,6 +29,7 @@ public:
     Sphere,
     Rod,   ///< from one position to another
     Arrow, ///< the same, with a head
+    Ring,  ///< around an axis
     Stylus ///< a pen with a button, which points along its -z
   };
   SceneMarker(Shape shape, double red, double green, double blue);
@@ -37,6 +38,7 @@ public:
   void PlaceSphere(const Vector3& centre, double radius);
   /** A marker that is shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
+  void PlaceRing(const Vector3& centre, const Vector3& axis, double radius);
   /** A stylus: its point, its orientation (DeviceBackend.h), and its length. */
   void PlaceTurned(const Vector3& point, const Quaternion& orientation, double length);
   void Show(bool shown) { this->Shown = shown; }
@@ -49,6 +51,9 @@ public:
   void AddTo(vtkBoundingBox& box);
 
 private:
+  /** Lets z of the shape point along a direction that is not zero. */
+  void Aim(const Vector3& from, const Vector3& direction);
+
   vtkNew<vtkPolyDataMapper> Mapper;
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Above the surface: tip and proxy at one position, no force; the positions at which materials are
-// read.
+// read; a ring on the surface, 7.9 mm away along the line of sight: 3 mm above z = 0, seen from
+// (10, -60, 28), that is 3 mm * 65.8 / 25.
 #include "ShownContact.h"
 
 int TestRepresentationFree(int argc, char* argv[])
