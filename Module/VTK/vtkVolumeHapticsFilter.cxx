@@ -349,6 +349,7 @@ int vtkVolumeHapticsFilter::TouchPath(
       return 0;
     }
   }
+  walk.Finish();
   trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
   // Ticks of a recording are points of the path, one for one, unless the user ended this.
   vtkDataArray* const orientations =

@@ -104,14 +104,17 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
   const auto found = std::find_if(GetEstimators().begin(), GetEstimators().end(),
     [](const Estimator& estimator)
     { return estimator.Kind == GradientEstimator::Gaussian && estimator.Radius == 2; });
-  const auto model = MakeModel(volume, *found, { HapticMethod::Proxy, solver });
+  ModelChoice choice{ HapticMethod::Proxy, solver };
+  choice.IsPlacedAsThePaper = true; // as MakeFilter says
+  const auto model = MakeModel(volume, *found, choice);
   TickRecord record;
   while (bench.KeepRunningBatch(Ticks))
   {
     ServoState state;
+    TapMemory memory;
     for (const Vector3& tip : tips)
     {
-      Tick(*model, state, 0.001 * tip, record);
+      Tick(*model, state, 0.001 * tip, record, LocalSurfaceResult::Simulated(), &memory);
       benchmark::DoNotOptimize(record);
       if (withValue)
       {

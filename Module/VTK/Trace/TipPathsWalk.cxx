@@ -4,12 +4,14 @@
 
 #include "Core/Servo/ServoClock.h"
 #include "VTK/Trace/TracePart.h"
+#include "VTK/Trace/TracePipe.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace VolumeHaptics
@@ -31,6 +33,8 @@ constexpr std::size_t RunnersOfAThread = 16;
 constexpr vtkIdType TicksOfAThread = 65536;
 /** No stretch begins later (ns) in a round, so that the caller can stop slow methods, too. */
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
+/** A path that is as long as this (ticks) is worth a thread that writes its trace. */
+constexpr vtkIdType LongPath = 4 * static_cast<vtkIdType>(TracePipe::BlockSize);
 
 bool IsFiniteRecord(const TickRecord& record)
 {
@@ -57,7 +61,8 @@ struct TipPathsWalk::Runner
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
   WorkMeter Work;
-  bool IsTaken = false; ///< by a thread
+  std::unique_ptr<TracePipe> Pipe; ///< null if the thread that ticks writes the trace
+  bool IsTaken = false;            ///< by a thread
 };
 
 TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
@@ -69,9 +74,12 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
 {
   const std::size_t count = paths.GetNumberOfPaths();
   const vtkIdType ticks = paths.GetNumberOfTicks();
+  const bool areMore =
+    vtkSMPTools::GetEstimatedNumberOfThreads() > 1 && !vtkSMPTools::IsParallelScope();
   this->Threads = this->Finder || count == 1
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->HasPipe = count == 1 && areMore && ticks >= LongPath;
   this->MostRunning = this->Finder ? 1 : RunnersOfAThread * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
   this->RoundTicks = this->Threads == 1
@@ -98,6 +106,33 @@ vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
   return this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count;
 }
 
+void TipPathsWalk::AddPipe(Runner& runner) const
+{
+  if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty())
+  {
+    try
+    {
+      runner.Pipe =
+        std::make_unique<TracePipe>(this->Trace, runner.Model, this->Rows[runner.Path].First);
+    }
+    catch (const std::system_error&)
+    {
+      // No thread: this one writes the trace.
+    }
+  }
+}
+
+void TipPathsWalk::Finish()
+{
+  for (const std::unique_ptr<Runner>& runner : this->Running)
+  {
+    if (runner->Pipe)
+    {
+      runner->Pipe->Finish();
+    }
+  }
+}
+
 void TipPathsWalk::Fill()
 {
   for (; this->Running.size() < this->MostRunning && this->NextPath < this->Rows.size();
@@ -107,6 +142,10 @@ void TipPathsWalk::Fill()
     {
       this->Running.push_back(
         std::make_unique<Runner>(this->Paths, this->NextPath, this->Model, this->Finder));
+      if (this->HasPipe)
+      {
+        this->AddPipe(*this->Running.back());
+      }
     }
   }
 }
@@ -202,9 +241,20 @@ void TipPathsWalk::Advance()
 
 void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
 {
+  HapticTrace::Rows& rows = this->Rows[runner.Path];
+  if (runner.Pipe)
+  {
+    for (vtkIdType i = 0; i < ticks; ++i)
+    {
+      runner.Walk.Tick(*runner.Model, runner.Pipe->GetNext());
+      runner.Pipe->Append(runner.Walk.GetTime());
+    }
+    rows.Count += ticks;
+    this->TicksDone += ticks;
+    return;
+  }
   const bool isRecording = this->Paths.GetRecording() != nullptr;
   const bool hasModes = !this->Trace.GetModeForces().empty();
-  HapticTrace::Rows& rows = this->Rows[runner.Path];
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
   const bool isPlain = runner.Walk.IsPlain(*runner.Model);
   for (vtkIdType i = 0; i < ticks; ++i)

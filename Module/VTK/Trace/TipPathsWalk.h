@@ -29,7 +29,8 @@ namespace VolumeHaptics
  *
  * The paths advance in rounds, between which the caller can report progress and stop. In a round,
  * threads take stretches of the paths, one by one, until it has had its ticks. If a model has to be
- * found for each tick, paths go on one after another, on the calling thread.
+ * found for each tick, paths go on one after another, on the calling thread. A single path is felt
+ * on the calling thread, too; another one writes its trace if there are more (TracePipe).
  */
 class TipPathsWalk
 {
@@ -46,12 +47,16 @@ public:
   /** A tick of a recording that gave numbers that are not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
 
+  /** To be called after the last round: waits for what another thread writes. */
+  void Finish();
   /** The rows of the trace that are written, of each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
 
 private:
   struct Runner;
   vtkIdType GetTicksLeft(std::size_t path) const;
+  /** Lets another thread write the trace of a path if that can be. */
+  void AddPipe(Runner& runner) const;
   ///@{
   /** Called with the mutex. Fill lets paths begin; Take returns null at the end of the round. */
   void Fill();
@@ -68,6 +73,7 @@ private:
   const ModelFinder Finder;
   vtkIdType Threads = 1;
   std::size_t MostRunning = 1;
+  bool HasPipe = false;
   vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };

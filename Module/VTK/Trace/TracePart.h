@@ -10,7 +10,7 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Core/Solvers/TickRecord.h"
-#include "VTK/Trace/TraceRow.h"
+#include "VTK/Trace/TraceRecords.h"
 
 #include "vtkType.h"
 
@@ -22,13 +22,10 @@ namespace VolumeHaptics
 {
 
 class HapticTrace;
-struct TraceMemory;
 
 /**
- * Collects records in device space, and writes them to the trace's memory, in the world of the
- * model's image, a block at a time, column by column: tuples of all columns at once would compete
- * for the same few lines of the cache, and each record would need all maps at once. Parts may be
- * written by several threads.
+ * Collects a few records, and writes them to the trace on the same thread. Parts may be written by
+ * several threads.
  */
 class TracePart
 {
@@ -51,7 +48,7 @@ public:
       this->WriteModeForces(*forces);
     }
     this->Times[this->Filled] = time;
-    if (++this->Filled == BlockSize)
+    if (++this->Filled == FewRecords)
     {
       this->Flush();
     }
@@ -63,20 +60,13 @@ private:
   /** Takes over the next record, which a tick on another model has made. */
   void Replace(const std::shared_ptr<const HapticModel>& model);
   void WriteModeForces(const ModeForces& forces);
-  void WriteColumn(const TraceMemory& column);
-  /** Writes a number, or three, of each record. */
-  template <int Components, typename Number, typename Function>
-  void Write(unsigned char* column, const Function& function) const;
-
-  /** Small enough to stay in the cache beside all that a tick reads. */
-  static constexpr std::size_t BlockSize = 32;
 
   const HapticTrace& Trace;
   vtkIdType Next;
   std::size_t Filled = 0;
   std::shared_ptr<const HapticModel> Model; ///< of the records
-  std::array<TickRecord, BlockSize> Records;
-  std::array<double, BlockSize> Times; ///< s
+  std::array<TickRecord, FewRecords> Records;
+  std::array<double, FewRecords> Times; ///< s
   WorkMeter& Work;
 };
 
