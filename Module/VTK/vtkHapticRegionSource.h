@@ -182,15 +182,17 @@ public:
   ///@{
   /**
    * Open a file that says itself what it holds: a VTKHDF image (.vtkhdf), of which the active array
-   * is read, or a folder (.zarr) of a Zarr array or an OME-Zarr image, of which the first time and
-   * channel are read. Sets extent, type, origin, spacing and direction, and a reader, as SetReader
-   * does; and the CoarseImage, if the file has coarser levels: the finest one of at most 2^22
-   * voxels, which is read at once.
+   * is read; a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd), whose samples are in it or in one
+   * file beside it; or a folder (.zarr) of a Zarr array or an OME-Zarr image, of which the first
+   * time and channel are read. Sets extent, type, origin, spacing and direction, and a reader, as
+   * SetReader does; and the CoarseImage, if the file has coarser levels: the finest one of at most
+   * 2^22 voxels, which is read at once.
    *
    * The samples may lie in one piece or in chunks; those of VTKHDF may be compressed by gzip, those
-   * of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib. False, with an error that names the
-   * cure, if it can't be read; nothing is changed then. If the file is written again, open it
-   * again.
+   * of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib, those of MetaImage and NRRD not. A NRRD
+   * file in the space right-anterior-superior is turned to left-posterior-superior, as ITK does.
+   * False, with an error that names the cure, if it can't be read; nothing is changed then. If the
+   * file is written again, open it again.
    */
   bool OpenFile(const char* fileName);
 #ifndef __VTK_WRAP__

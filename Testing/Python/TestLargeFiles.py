@@ -433,3 +433,16 @@ def test_a_coarse_image_is_made_of_means(hdf5, tmp_path):
     assert raw.MakeCoarseImage(15 * 10 * 13)
     values = vtk_to_numpy(raw.GetCoarseImage().GetPointData().GetScalars()).reshape(13, 10, 15)
     assert np.isclose(values[2, 3, 4], array[9, 13, 16:20].mean())
+
+
+def test_raw_samples_behind_a_header_are_large(tmp_path):
+    array = make_array()
+    array.astype(">i2").tofile(tmp_path / "a.raw")
+    (tmp_path / "a.mhd").write_text(f"NDims = 3\nDimSize = {' '.join(map(str, array.shape[::-1]))}\nElementSpacing = 1 2 3\n"
+                                    "ElementType = MET_SHORT\nElementByteOrderMSB = True\nElementDataFile = a.raw\n")
+    source = open_large(tmp_path / "a.mhd", origin=(4, 5, 6))
+    assert (source.GetSpacing(), source.GetOrigin()) == ((1, 2, 3), (4, 5, 6))
+    assert np.array_equal(region_of(source, source.GetWholeExtent()), array)
+    (tmp_path / "a.raw").unlink()
+    with pytest.raises(ValueError, match="a.raw, which can't be opened"):
+        open_large(tmp_path / "a.mhd")

@@ -59,10 +59,8 @@ set(Explore_SOURCES
   View/StereoModes.cxx
   View/ViewFrame.cxx
   Volume/DicomFolder.cxx
-  Volume/HeaderText.cxx
   Volume/LabelLoader.cxx
   Volume/LargeLoader.cxx
-  Volume/RawHeader.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeFields.cxx
   Volume/VolumeLoader.cxx

@@ -84,6 +84,7 @@ def _let_go(_source: _Source) -> None:
 
 _arrays: dict[int, _Array] = {}
 _numbers = itertools.count(1)
+_IN_CPP = (".vtkhdf", ".mhd", ".mha", ".nhdr", ".nrrd")  # read without Python
 _MOST_COARSE = 2**22  # voxels of a coarse level
 
 
@@ -286,12 +287,12 @@ def open_large(
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
-        OME-Zarr image, of a .npy file or of a VTKHDF image (.vtkhdf). Of an OME-Zarr image with times or channels, it
-        is the first of each.
+        OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr,
+        .nrrd) without compression. Of an OME-Zarr image with times or channels, it is the first of each.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in its own
-        units, or of VTKHDF; else 1.
+        units, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
-        VTKHDF; else 0.
+        the file; else 0.
     level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
     coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
         world. Live it stands in, with half of its force, where samples are late, and it is what a window shows. Default:
@@ -303,7 +304,7 @@ def open_large(
     does. What the array raises while it is read is an error of the filter or of the source.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
-    origin that is not three numbers; a level that there is not; a VTKHDF file that can't be read. ImportError: a path
+    origin that is not three numbers; a level that there is not; a file that can't be read. ImportError: a path
     that needs zarr.
 
     >>> import numpy as np
@@ -313,7 +314,7 @@ def open_large(
     """
     levels = [_Level(array_or_path)]
     if isinstance(array_or_path, (str, os.PathLike)):
-        if os.fspath(array_or_path).lower().endswith(".vtkhdf"):
+        if os.fspath(array_or_path).lower().endswith(_IN_CPP):
             return _open_in_cpp(os.fspath(array_or_path), spacing, origin, coarse)
         levels = _open_path(os.fspath(array_or_path), level)
     array, own_spacing, own_origin = levels[0]

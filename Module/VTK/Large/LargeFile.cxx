@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/LargeFile.h"
 
+#include "VTK/Large/RawHeader.h"
 #include "VTK/Large/VtkHdfFile.h"
 #include "VTK/Large/ZarrFile.h"
 
@@ -26,21 +27,32 @@ bool IsZarrName(const std::string& name)
   return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/");
 }
 
+bool IsHeaderName(const std::string& name)
+{
+  return HasEnding(name, ".mhd") || HasEnding(name, ".mha") || HasEnding(name, ".nhdr") ||
+    HasEnding(name, ".nrrd");
+}
+
 } // namespace
 
 bool IsLargeFileName(const std::string& name)
 {
-  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name);
+  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name) ||
+    IsHeaderName(name);
 }
 
 LargeFile OpenLargeFile(const std::string& name)
 {
   if (!IsLargeFileName(name))
   {
-    throw std::runtime_error("its ending is not known. Give a .vtkhdf file or a .zarr folder; or, "
-                             "if it is raw, SetFileName() with extent, type and spacing.");
+    throw std::runtime_error(
+      "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr or .nrrd file or "
+      "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
+      "and spacing.");
   }
-  return IsZarrName(name) ? OpenZarr(name) : OpenVtkHdf(name);
+  return IsZarrName(name) ? OpenZarr(name)
+    : IsHeaderName(name)  ? OpenRawHeader(name)
+                          : OpenVtkHdf(name);
 }
 
 int FindScalarType(bool isInteger, bool isSigned, std::size_t size)

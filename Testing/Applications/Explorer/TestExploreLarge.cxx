@@ -174,8 +174,8 @@ int TestExploreLarge(int argc, char* argv[])
 
   ExpectLargeError(folder + "/none.zarr", "no such file");
   ExpectLargeError(WriteLarge("bad.vtkhdf", "no HDF5"), "no HDF5 file");
-  ExpectLargeError(
-    WriteLarge("lost.mhd", meta + "ElementDataFile = lost.raw\n"), "lost.raw, which is not there");
+  ExpectLargeError(WriteLarge("lost.mhd", meta + "ElementDataFile = lost.raw\n"),
+    "lost.raw, which can't be opened");
   WriteLarge("short.raw", "short");
   ExpectLargeError(WriteLarge("short.mhd", meta + "ElementDataFile = short.raw\n"), "more samples");
   ExpectLargeError(

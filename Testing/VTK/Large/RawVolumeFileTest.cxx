@@ -166,6 +166,97 @@ TEST(RawVolumeFile, ThatIsNoneIsToldWithoutHanging)
   ExpectUnread(OpenFile("/nowhere/Bone.raw", VTK_SHORT), { "/nowhere/Bone.raw", "No such file" });
 }
 
+/// A source that has opened a header, which is written first; null if that fails.
+vtkSmartPointer<vtkHapticRegionSource> OpenHeader(
+  const std::string& name, const std::string& text, std::string& error)
+{
+  const std::string path = TemporaryPath(name);
+  std::ofstream(path, std::ios::binary) << text;
+  auto source = vtkSmartPointer<vtkHapticRegionSource>::New();
+  return source->OpenFile(path.c_str(), error) ? source : nullptr;
+}
+
+/// All samples, in the order of the file, and where the corner at (1, 2, 3) is.
+void ExpectOpened(vtkHapticRegionSource* source, int type, const Point& corner)
+{
+  ASSERT_TRUE(source);
+  const int whole[6] = { 0, 11, 0, 9, 0, 8 };
+  ASSERT_TRUE(std::equal(whole, whole + 6, source->GetWholeExtent()));
+  vtkNew<vtkImageData> image;
+  ASSERT_TRUE(source->ReadRegion(whole, image));
+  EXPECT_EQ(image->GetScalarType(), type);
+  for (int k = 0; k <= 8; ++k)
+  {
+    for (int j = 0; j <= 9; ++j)
+    {
+      for (int i = 0; i <= 11; ++i)
+      {
+        ASSERT_EQ(image->GetScalarComponentAsDouble(i, j, k, 0), ValueOf(i + 2, j - 3, k));
+      }
+    }
+  }
+  double x[3];
+  image->TransformIndexToPhysicalPoint(1, 2, 3, x);
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(x[c], corner[c], 1e-12);
+  }
+}
+
+// The places are worked out by hand from the formats' descriptions: MetaImage has the direction of
+// index axis c in row c of its matrix, NRRD the step along axis c in its vector c. Half a turn
+// about z takes right-anterior-superior to left-posterior-superior.
+TEST(RawVolumeFile, IsOpenedByTheHeaderOfAMetaImageOrANrrd)
+{
+  const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 12 10 9\n"
+                           "ElementSpacing = 0.5 2 4\nOffset = 10 20 30\n";
+  std::string error;
+  WriteFile(TemporaryPath("Opened.raw"), VTK_SHORT, false);
+  ExpectOpened(OpenHeader("Opened.mhd",
+                 meta + "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nElementType = MET_SHORT\n" +
+                   "HeaderSize = 37\nElementDataFile = Opened.raw\n",
+                 error),
+    VTK_SHORT, { 10 - 4, 20 + 0.5, 30 + 12 });
+  WriteFile(TemporaryPath("Opened.big"), VTK_FLOAT, true);
+  const std::string nrrd = "NRRD0004\n# a comment\ntype: float\ndimension: 3\nsizes: 12 10 9\n"
+                           "endian: big\nencoding: raw\nbyte skip: -1\ndata file: Opened.big\n";
+  ExpectOpened(OpenHeader("Opened.nhdr",
+                 nrrd + "space: right-anterior-superior\nspace origin: (10,20,30)\n" +
+                   "space directions: (0,0.5,0) (2,0,0) (0,0,4)\n\n",
+                 error),
+    VTK_FLOAT, { -14, -20.5, 42 });
+  ExpectOpened(
+    OpenHeader("Plain.nhdr", nrrd + "spacings: 0.5 2 4\n\n", error), VTK_FLOAT, { 0.5, 4, 12 });
+  EXPECT_TRUE(error.empty()) << error;
+}
+
+TEST(RawVolumeFile, WhoseHeaderIsNoneOrWrongIsTold)
+{
+  const std::string meta = "DimSize = 12 10 9\nElementType = MET_SHORT\nElementDataFile = ";
+  WriteFile(TemporaryPath("Told.raw"), VTK_SHORT, false);
+  const std::pair<std::string, std::string> cases[] = { { meta + "Lost.raw\n",
+                                                          "Lost.raw, which can't be opened" },
+    { "HeaderSize = 100\n" + meta + "Told.raw\n", "more samples than" },
+    { "CompressedData = True\n" + meta + "Told.raw\n", "compressed" },
+    { "ElementNumberOfChannels = 3\n" + meta + "Told.raw\n", "another type" },
+    { "DimSize = 12 1e300 9\nElementType = MET_SHORT\nElementDataFile = Told.raw\n", "mirrored" },
+    { "DimSize = 2147483647 2147483647 2147483647\n" + meta.substr(18) + "Told.raw\n",
+      "more samples than" },
+    { "DimSize = 12 nan 9\nElementType = MET_SHORT\nElementDataFile = Told.raw\n", "mirrored" },
+    { "\x01\x02 junk without a line", "can't be read region by region" }, { "", "can't be read" } };
+  for (const auto& [text, why] : cases)
+  {
+    std::string error;
+    EXPECT_FALSE(OpenHeader("Told.mhd", text, error)) << text;
+    EXPECT_NE(error.find("Told.mhd can't be opened: "), std::string::npos) << error;
+    EXPECT_NE(error.find(why), std::string::npos) << error;
+  }
+  vtkNew<vtkHapticRegionSource> source;
+  std::string error;
+  EXPECT_FALSE(source->OpenFile("/nowhere/Bone.nrrd", error));
+  EXPECT_NE(error.find("No such file"), std::string::npos) << error;
+}
+
 TEST(RawVolumeFile, OfFortyGigabytesIsFeltInALittleMemory)
 {
   constexpr int size = 2720;

@@ -4,9 +4,11 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
-#include "Applications/Explorer/Volume/RawHeader.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkNew.h"
 
 #include <vtksys/SystemInformation.hxx>
 #include <vtksys/SystemTools.hxx>
@@ -40,14 +42,42 @@ bool OpensItself(const std::string& path)
   return ending == ".vtkhdf" || ending == ".zarr";
 }
 
+/// Whether a name is that of a MetaImage or NRRD file, which may well fit into memory.
+bool HasRawHeader(const std::string& path)
+{
+  const std::string ending = EndingOf(path);
+  return ending == ".mhd" || ending == ".mha" || ending == ".nrrd" || ending == ".nhdr";
+}
+
 void OpenItself(const std::string& path, vtkHapticRegionSource* source)
 {
-  const Explore::MessageCapture capture;
-  if (!source->OpenFile(PlainName(path).c_str()))
+  std::string error;
+  if (!source->OpenFile(PlainName(path).c_str(), error))
   {
-    throw InputError(path, "can't be opened (" + capture.FirstError() + ")",
-      "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py read");
+    throw InputError(path, "can't be opened (" + error + ")",
+      HasRawHeader(path)
+        ? "do what stands there, or leave --large out"
+        : "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py "
+          "read");
   }
+}
+
+/// The size (bytes) of the samples of a file; 0 if it can't be read region by region.
+double FindSize(const std::string& path)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  std::string error; // who reads it as a whole tells
+  if (!source->OpenFile(PlainName(path).c_str(), error))
+  {
+    return 0.0;
+  }
+  const int* const whole = source->GetWholeExtent();
+  double size = vtkAbstractArray::GetDataTypeSize(source->GetScalarType());
+  for (int a = 0; a < 6; a += 2)
+  {
+    size *= whole[a + 1] - whole[a] + 1.0;
+  }
+  return size;
 }
 
 void MakeCoarse(const std::string& path, vtkHapticRegionSource* source)
@@ -82,7 +112,7 @@ bool IsLargeVolume(const std::string& path, bool isWanted)
   vtksys::SystemInformation system;
   system.RunMemoryCheck();
   const double free = mebibyte * static_cast<double>(system.GetAvailablePhysicalMemory());
-  return free > 0.0 && FindRawSize(path) > 0.5 * free;
+  return free > 0.0 && FindSize(path) > 0.5 * free;
 }
 
 Volume LoadLargeVolume(const std::string& path)
@@ -94,16 +124,12 @@ Volume LoadLargeVolume(const std::string& path)
   Volume volume;
   volume.Name = Files::GetFilenameName(PlainName(path));
   volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
-  if (OpensItself(path))
-  {
-    OpenItself(path, volume.Large);
-    volume.Format = EndingOf(path) == ".zarr" ? "Zarr" : "VTKHDF";
-  }
-  else
-  {
-    volume.Notes = OpenRawHeader(path, volume.Large);
-    volume.Format = "raw samples";
-  }
+  OpenItself(path, volume.Large);
+  volume.Format = !OpensItself(path) ? "raw samples"
+    : EndingOf(path) == ".zarr"      ? "Zarr"
+                                     : "VTKHDF";
+  const std::string turn = HasRawHeader(path) ? DescribeNrrdTurn(path) : std::string();
+  volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);
   if (!volume.Large->GetCoarseImage())
   {
     MakeCoarse(path, volume.Large);

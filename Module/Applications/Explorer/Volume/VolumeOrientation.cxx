@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
-#include "Applications/Explorer/Volume/HeaderText.h"
+#include "VTK/Large/HeaderText.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"
@@ -76,7 +76,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 
 void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
 {
-  const HeaderText header(path, '=');
+  const VolumeHaptics::HeaderText header(path, '=');
   std::vector<double> matrix = header.Numbers({ "TransformMatrix", "Orientation", "Rotation" });
   if (matrix.size() != 9)
   {
@@ -87,9 +87,20 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image)
   SetFrame(image, axes, image->GetOrigin());
 }
 
+std::string DescribeNrrdTurn(const std::string& path)
+{
+  const VolumeHaptics::HeaderText header(path, ':');
+  const std::string space = header.Value({ "space" });
+  const bool isTurned = space == "right-anterior-superior" || space == "RAS" ||
+    space == "left-anterior-superior" || space == "LAS";
+  return isTurned && header.Numbers({ "space directions" }).size() == 9
+    ? "orientation turned from " + space + " to left-posterior-superior"
+    : std::string();
+}
+
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
 {
-  const HeaderText header(path, ':');
+  const VolumeHaptics::HeaderText header(path, ':');
   const std::string space = header.Value({ "space" });
   std::vector<double> directions = header.Numbers({ "space directions" });
   if (directions.size() != 9)
@@ -117,11 +128,9 @@ std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
       axes[3 * row + 1] = -axes[3 * row + 1];
     }
   }
-  std::string note;
   if (space == "right-anterior-superior" || space == "RAS")
   {
     TurnAboutZ(axes, origin);
-    note = "orientation turned from " + space + " to left-posterior-superior";
   }
   else if (leftAnterior)
   {
@@ -130,10 +139,9 @@ std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
     {
       axes[3 + c] = -axes[3 + c];
     }
-    note = "orientation turned from " + space + " to left-posterior-superior";
   }
   SetFrame(image, axes, origin);
-  return note;
+  return DescribeNrrdTurn(path);
 }
 
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image)

@@ -23,6 +23,9 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 /// every anatomical space into left-posterior-superior. Returns a note if it turned something.
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
 
+/// The same note of a NRRD file, without an image.
+std::string DescribeNrrdTurn(const std::string& path);
+
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
 /// without one, and turns the result to left-posterior-superior.
 void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);

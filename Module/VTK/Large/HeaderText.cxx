@@ -1,42 +1,43 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Applications/Explorer/Volume/HeaderText.h"
-
-#include <vtksys/FStream.hxx>
+#include "VTK/Large/HeaderText.h"
 
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
+namespace VolumeHaptics
+{
 namespace
 {
-// The fields of both formats are near the top; after them there may be voxels.
-constexpr int LONGEST_HEADER = 200;
 
-std::string Trim(const std::string& text)
+/** The fields of both formats are near the top; after them there may be samples. */
+constexpr int LongestHeader = 200; // lines
+
+std::string TrimBlanks(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   const std::size_t end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }
+
 } // namespace
 
-namespace Explore
-{
 HeaderText::HeaderText(const std::string& path, char separator)
 {
-  vtksys::ifstream file(path.c_str(), std::ios::in | std::ios::binary);
+  std::ifstream file(path, std::ios::binary);
   std::string line;
-  for (int count = 0; count < LONGEST_HEADER && std::getline(file, line); ++count)
+  for (int count = 0; count < LongestHeader && std::getline(file, line); ++count)
   {
     const std::size_t middle = line.find(separator);
-    const std::string key = Trim(line.substr(0, middle));
+    const std::string key = TrimBlanks(line.substr(0, middle));
     if (key.empty())
     {
       break; // a blank line ends a NRRD header
     }
     if (middle != std::string::npos)
     {
-      this->Fields.emplace(key, Trim(line.substr(middle + 1)));
+      this->Fields.emplace(key, TrimBlanks(line.substr(middle + 1)));
     }
     if (key == "ElementDataFile")
     {
@@ -79,4 +80,5 @@ std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) co
   }
   return numbers;
 }
-} // namespace Explore
+
+} // namespace VolumeHaptics

@@ -1,29 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Explore_HeaderText_h
-#define Explore_HeaderText_h
+/**
+ * @file
+ * The text at the head of a MetaImage or NRRD file.
+ */
+#ifndef HeaderText_h
+#define HeaderText_h
 
 #include <map>
 #include <string>
 #include <vector>
 
-namespace Explore
+namespace VolumeHaptics
 {
-/// The `key = value` or `key: value` lines at the head of a MetaImage or NRRD file.
+
+/** Its lines `key = value` or `key: value`. */
 class HeaderText
 {
 public:
   HeaderText(const std::string& path, char separator);
 
-  /// The value of the first of these keys that exists, else empty.
+  /** The value of the first of these keys that exists, else empty. */
   std::string Value(const std::vector<std::string>& keys) const;
 
-  /// The same as numbers; brackets and commas count as blanks, words are left out.
+  /** The same as numbers; brackets and commas count as blanks, words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
 private:
   std::map<std::string, std::string> Fields;
 };
-} // namespace Explore
+
+} // namespace VolumeHaptics
 
 #endif
