@@ -213,8 +213,12 @@ void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
   {
     if (filter && !this->Report.HasProblem())
     {
-      this->Report.SetProblem(
-        "There is no image to touch: give the filter that Touch names an Input.");
+      this->Report.SetProblem("There is no image to touch, so there is no force: give the filter "
+                              "that Touch names an Input whose file is there, and arm again.");
+    }
+    if (this->Device->IsArmOrdered())
+    {
+      this->Device->FadeOut(); // else what was there before would be felt
     }
     return;
   }

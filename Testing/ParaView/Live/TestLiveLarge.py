@@ -72,8 +72,13 @@ def feel():
     if not IS_REMOTE:
         volume.FileName = os.path.join(live.FOLDER, "Missing.zarr")
         live.check(live.poll(device, lambda: "no image" in device.StatusText), "a missing file is told", device.StatusText)
+        live.check(live.poll(device, lambda: live.norm(device.Force) == 0.0 and not device.Armed), "and fades",
+                   list(device.Force), device.Armed)
         volume.FileName = folder
         live.check(live.poll(device, lambda: is_exact(device.ComputedForce)), "the file is felt again", device.StatusText)
+        live.check(live.norm(device.Force) == 0.0, "but not before it is armed", list(device.Force))
+        device.Armed = 1
+        live.check(live.poll(device, lambda: live.distance(device.Force, FORCE) < 1e-9), "again", list(device.Force))
     device.Running = 0
 
 
