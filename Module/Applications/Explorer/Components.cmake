@@ -9,6 +9,7 @@ set(Explore_VTK_COMPONENTS
   CommonMath
   CommonSystem
   FiltersCore
+  FiltersSources
   IOCore
   IOImage
   IOXML
@@ -55,6 +56,7 @@ set(Explore_SOURCES
   Sound/SoundStream.cxx
   Sound/WaveFile.cxx
   View/Display.cxx
+  View/LoadingScreen.cxx
   View/SceneCamera.cxx
   View/StereoModes.cxx
   View/ViewFrame.cxx

@@ -12,6 +12,8 @@
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Scene/ExplorerScene.h"
 #include "Applications/Explorer/View/Display.h"
+#include "Applications/Explorer/View/LoadingScreen.h"
+#include "Applications/Explorer/View/StereoModes.h"
 #include "Applications/Explorer/Volume/LabelLoader.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 
@@ -19,6 +21,7 @@
 
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -56,12 +59,17 @@ std::string Caption(const Explore::Exploration& exploration)
   return text.str();
 }
 
+int HeightOf(int width)
+{
+  return width * 7 / 9;
+}
+
 Explore::SceneOptions MakeLook(
   const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look;
   look.Width = options.Width;
-  look.Height = options.Width * 7 / 9;
+  look.Height = HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
   look.Anatomical = exploration.Values.Kind != Explore::VolumeKind::Other;
@@ -77,14 +85,29 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-void OpenWindow(const Explore::Exploration& exploration, const Explore::Options& options)
+/// A window that tells what is done until the scene is there. Null if there will be none.
+vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
+{
+  if (options.Pictures || options.Live || !Explore::HasDisplay())
+  {
+    return nullptr;
+  }
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  Explore::SetStereo(window, options.Stereo);
+  window->SetMultiSamples(0);
+  window->SetSize(options.Width, HeightOf(options.Width));
+  window->SetWindowName("VTK Volume Haptics");
+  return window;
+}
+
+void Touch(
+  vtkRenderWindow* window, const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look = MakeLook(exploration, options);
   look.OffScreen = false;
   look.Interactive = true;
   look.Caption.clear(); // its place belongs to the head-up display
-  Explore::RunTouchWindow(
-    exploration, look, options.Device, options.Setup, options.Stereo, options.Sound);
+  Explore::RunTouchWindow(window, exploration, look, options.Device, options.Setup, options.Sound);
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
@@ -108,7 +131,17 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
 
 int Run(const Explore::Options& options)
 {
+  const vtkSmartPointer<vtkRenderWindow> window = OpenWindow(options);
+  auto loading = window ? std::make_unique<Explore::LoadingScreen>(window) : nullptr;
+  const auto tell = [&](const std::string& step, double share)
+  {
+    if (loading)
+    {
+      loading->Tell(step, share);
+    }
+  };
   std::cout << "Reading " << options.VolumePath << std::endl;
+  tell("Reading " + vtksys::SystemTools::GetFilenameName(options.VolumePath), 0.0);
   std::vector<std::string> paths{ options.VolumePath };
   paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
   Explore::Volume volume = Explore::LoadVolumes(paths, options.Large);
@@ -121,14 +154,16 @@ int Run(const Explore::Options& options)
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);
   }
-  Explore::Exploration exploration = Explore::ExploreVolume(volume, options.How);
+  Explore::Exploration exploration = Explore::ExploreVolume(volume, options.How, tell);
   const std::string summary = Explore::Summarise(exploration);
   std::cout << "\n" << summary << std::endl;
 
-  if (!options.Pictures && !options.Live && Explore::HasDisplay())
+  if (window)
   {
     WriteSound(exploration, options);
-    OpenWindow(exploration, options);
+    tell("Drawing", 0.9);
+    loading.reset();
+    Touch(window, exploration, options);
     return DONE;
   }
   if (options.Sound)

@@ -38,9 +38,17 @@ std::string SetEstimator(vtkVolumeHapticsFilter* filter, Estimator estimator)
 
 namespace Explore
 {
-Exploration ExploreVolume(const Volume& volume, const Settings& settings)
+Exploration ExploreVolume(const Volume& volume, const Settings& settings, const Progress& progress)
 {
+  const auto tell = [&](const char* step, double share)
+  {
+    if (progress)
+    {
+      progress(step, share);
+    }
+  };
   Exploration result;
+  tell("Finding the body", 0.4);
   result.Input = volume;
   result.Values = AnalyseVolume(volume.Image);
   result.Body = IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
@@ -54,6 +62,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
   result.ServoRate = filter->GetServoRate();
   filter->SetMetersPerWorldUnit(result.Values.MetersPerWorldUnit);
 
+  tell("Planning a path over its surface", 0.6);
   const SurfaceMap map(result.Body, result.Values, result.View);
   if (map.IsEmpty())
   {
@@ -80,6 +89,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings)
     filter->SetInputConnection(0, volume.Large->GetOutputPort());
   }
   filter->SetInputData(1, result.Tip.Path);
+  tell("Feeling along the path", 0.8);
   const double start = vtkTimerLog::GetUniversalTime();
   {
     const MessageCapture capture;

@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,10 @@ struct Exploration
 };
 
 /// Analyses the values, plans a tip path and feels its way along it. Throws InputError.
-Exploration ExploreVolume(const Volume& volume, const Settings& settings);
+/// Tells `progress`, if there is one, what is done and the share of all work that is done before.
+using Progress = std::function<void(const std::string& step, double share)>;
+Exploration ExploreVolume(
+  const Volume& volume, const Settings& settings, const Progress& progress = nullptr);
 } // namespace Explore
 
 #endif

@@ -6,7 +6,6 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/WindowSound.h"
-#include "Applications/Explorer/View/StereoModes.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
@@ -113,11 +112,11 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
 }
 
-void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
-  const DeviceChoice& device, const std::string& setup, const std::string& stereo, bool sound)
+void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
+  const SceneOptions& options, const DeviceChoice& device, const std::string& setup, bool sound)
 {
   TouchScene touch;
-  SetStereo(touch.Scene.Window, stereo);
+  touch.Scene.Window = window;
   BuildTouchScene(touch, exploration, options, device);
   if (!setup.empty() && vtksys::SystemTools::FileExists(setup, true))
   {
@@ -127,7 +126,6 @@ void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
       throw InputError("--setup " + setup, capture.FirstError(), "correct it or name another file");
     }
   }
-  touch.Scene.Window->SetWindowName("VTK Volume Haptics");
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);

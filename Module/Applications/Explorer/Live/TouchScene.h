@@ -42,11 +42,11 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// Opens a window on the scene, with sound or without, and returns when it is closed. With a setup
+/// Shows the scene in a window, with sound or without, and returns when it is closed. With a setup
 /// file: loads it first, if there is one, and saves it at the end. Throws InputError if it can't be
 /// read.
-void RunTouchWindow(const Exploration& exploration, const SceneOptions& options,
-  const DeviceChoice& device, const std::string& setup, const std::string& stereo, bool sound);
+void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
+  const SceneOptions& options, const DeviceChoice& device, const std::string& setup, bool sound);
 } // namespace Explore
 
 #endif

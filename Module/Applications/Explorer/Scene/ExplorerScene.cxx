@@ -69,7 +69,10 @@ vtkSmartPointer<vtkVolumeMapper> MakeCPUMapper(double sampleDistance)
 
 bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageData* image)
 {
-  window->Render(); // only a window that has a context can tell
+  if (window->GetNeverRendered())
+  {
+    window->Render(); // only a window that has a context can tell
+  }
   auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
   const int* size = image->GetDimensions();
   const bool fits = !context ||

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
 #include <string>
@@ -39,7 +40,7 @@ struct SceneOptions
 /// which way is up.
 struct ExplorerScene
 {
-  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
   vtkNew<vtkRenderer> Renderer; // volume and trail
   vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner

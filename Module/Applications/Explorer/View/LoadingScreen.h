@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_LoadingScreen_h
+#define Explore_LoadingScreen_h
+
+#include "vtkActor2D.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Tells in a window how far the program is, until the scene is there.
+class LoadingScreen
+{
+public:
+  /// Opens the window at its size.
+  explicit LoadingScreen(vtkRenderWindow* window);
+  /// Leaves the window open and empty.
+  ~LoadingScreen();
+  LoadingScreen(const LoadingScreen&) = delete;
+  LoadingScreen& operator=(const LoadingScreen&) = delete;
+
+  /// What is done now, and the share of all work that is done before.
+  void Tell(const std::string& step, double share);
+
+private:
+  void AddBar(vtkPlaneSource* bar, double red, double green, double blue);
+
+  vtkRenderWindow* const Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkTextActor> Text;
+  vtkNew<vtkPlaneSource> Whole;
+  vtkNew<vtkPlaneSource> Done;
+};
+} // namespace Explore
+
+#endif
