@@ -180,21 +180,26 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
         noise, GradientKernel(GradientEstimator::Gaussian, radius), volume.IndexToWorld);
       return ramp.empty() ? 0.0 : ramp.front().X;
     };
-    proposal = ProposeMaterials(FindBoundaries(lines, axis), axis, facts);
+    const std::vector<Boundary> boundaries = FindBoundaries(lines, axis);
+    proposal = ProposeMaterials(boundaries, axis, facts);
     if (!proposal.Boundaries.empty())
     {
       return true;
     }
     message << "No edge between two materials stands out in the " << NameOf(scalars)
             << " of the input image";
-    if (noise > 0.0)
+    // Smoothing helps against noise alone: it makes edges that are too wide still wider.
+    const bool isNoisy =
+      !boundaries.empty() || thresholds.Least > LeastSlopeShare * (range[1] - range[0]);
+    if (isNoisy)
     {
       message << ", whose noise has a standard deviation of " << noise
               << ". Smooth it, for example with vtkImageGaussianSmooth, ";
     }
     else
     {
-      message << ". Resample it if its edges are many voxels wide, ";
+      message << ", which has little noise. If its edges are many voxels wide, make the voxels "
+                 "larger with vtkImageResample, ";
     }
     message << "or set the functions by hand.";
   }

@@ -105,6 +105,16 @@ const Useless UselessImages[] = {
     },
     { "\"Density\"", "noise", "vtkImageGaussianSmooth" } },
   { "NoEdge", [] { return apitest::MakeRamp(48); }, { "\"Density\"", "edge", "by hand" } },
+  // Rounded to float, it has a little noise.
+  { "WideEdge",
+    []
+    {
+      return apitest::MakeImage(64, VTK_FLOAT,
+        [](const Point& x) {
+          return Value({ { 16.0, 1000.0, 8.0 } }, x, 64);
+        });
+    },
+    { "\"Density\"", "edge", "little noise", "vtkImageResample" } },
 };
 
 class ProposalRefusal
