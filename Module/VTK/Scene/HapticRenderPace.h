@@ -13,10 +13,12 @@ namespace VolumeHaptics
 {
 
 /**
- * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. A scene
- * that has come to rest is drawn once, finely. After that only figures change: drawing them may
- * take a tenth of the time, so that a volume that takes a second to draw leaves the application
- * responsive.
+ * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. If a frame
+ * is slow even so, there is a gap after it: timers come due with each event, so that else a frame
+ * would be drawn between any two motions of a mouse that wait, and a key would be late by all of
+ * them. A scene that has come to rest is drawn once, finely. After that only figures change:
+ * drawing them may take a tenth of the time, so that a volume that takes a second to draw leaves
+ * the application responsive.
  */
 class HapticRenderPace
 {
@@ -29,6 +31,8 @@ public:
   };
   static constexpr double Pause = 0.3;     ///< s without movement that count as rest
   static constexpr double Shortest = 0.05; ///< s between frames at rest
+  static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer has a gap after it
+  static constexpr double LongestGap = 0.1; ///< s
 
   /**
    * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
@@ -38,7 +42,9 @@ public:
   {
     if (moves)
     {
-      return Frame::Quick;
+      const double gap =
+        this->QuickCost > Slow ? std::min(0.25 * this->QuickCost, LongestGap) : 0.0;
+      return now - this->LastDrawn >= gap ? Frame::Quick : Frame::None;
     }
     if (!this->IsStill)
     {
@@ -55,7 +61,7 @@ public:
   {
     this->LastDrawn = now;
     this->IsStill = !quickly;
-    this->Cost = quickly ? this->Cost : cost;
+    (quickly ? this->QuickCost : this->Cost) = cost;
   }
 
   /** Call it after a frame that was interrupted: it becomes due again. */
@@ -67,7 +73,8 @@ public:
 
 private:
   double LastDrawn = 0.0;
-  double Cost = 0.0; ///< of a still frame, s
+  double Cost = 0.0;      ///< of a still frame, s
+  double QuickCost = 0.0; ///< s
   bool IsStill = true;
 };
 

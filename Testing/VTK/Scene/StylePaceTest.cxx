@@ -8,6 +8,8 @@
 
 #include "StyleRig.h"
 
+#include "VTK/Scene/HapticRenderPace.h"
+
 #include <thread>
 
 using namespace scenetest;
@@ -89,4 +91,22 @@ TEST_F(StylePaceTest, DrawsWellOnceAtRestAndThenForTheFigures)
   EXPECT_GE(this->Still, 1);
   EXPECT_LE(this->Still, 4) << "frames that take 60 ms may come every 600 ms";
   EXPECT_EQ(this->Quick, 0);
+}
+
+// Else each of thirty motions of a mouse that wait would have a frame of its own, and a key that
+// was pressed after them would come 30 frames late.
+TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
+{
+  using VolumeHaptics::HapticRenderPace;
+  using Frame = HapticRenderPace::Frame;
+  HapticRenderPace pace;
+  const auto next = [&](double now) { return pace.Next(now, true, false); };
+  pace.Drawn(true, 1.0, 0.04);
+  EXPECT_EQ(next(1.0), Frame::Quick) << "25 frames a second have no gap";
+  pace.Drawn(true, 2.0, 0.2);
+  EXPECT_EQ(next(2.04), Frame::None);
+  EXPECT_EQ(next(2.06), Frame::Quick) << "a quarter of the frame is enough";
+  pace.Drawn(true, 3.0, 2.0);
+  EXPECT_EQ(next(3.09), Frame::None);
+  EXPECT_EQ(next(3.11), Frame::Quick) << "a tenth of a second is the most";
 }
