@@ -8,13 +8,6 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticShearMode.h"
-#include "vtkHapticSurfaceMode.h"
-#include "vtkHapticTensorFollowMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVectorFrontMode.h"
-#include "vtkHapticVortexMode.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVHapticLargeFile.h"
@@ -24,81 +17,6 @@
 #include <cmath>
 #include <iterator>
 #include <sstream>
-
-namespace
-{
-
-/** A kind of mode by its name in a row, and its second function. */
-struct ModeOfRow
-{
-  const char* Kind;
-  vtkSmartPointer<vtkHapticMode> (*Make)();
-  vtkPiecewiseFunction* (*GetSecond)(vtkHapticMode* mode); ///< null: it has none
-};
-
-template <typename Mode>
-vtkSmartPointer<vtkHapticMode> MakeModeOfRow()
-{
-  return vtkSmartPointer<Mode>::New();
-}
-
-vtkSmartPointer<vtkHapticMode> MakeTwoSidedFront()
-{
-  auto front = vtkSmartPointer<vtkHapticVectorFrontMode>::New();
-  front->TwoSidedOn();
-  return front;
-}
-
-vtkSmartPointer<vtkHapticMode> MakeDarkRidge()
-{
-  auto ridge = vtkSmartPointer<vtkHapticRidgeMode>::New();
-  ridge->SetPolarityToDark();
-  return ridge;
-}
-
-constexpr ModeOfRow ModesOfRows[] = {
-  { "VectorFollow", &MakeModeOfRow<vtkHapticVectorFollowMode>,
-    [](vtkHapticMode* mode) { return vtkHapticVectorFollowMode::SafeDownCast(mode)->GetPush(); } },
-  { "VectorFront", &MakeModeOfRow<vtkHapticVectorFrontMode>, nullptr },
-  { "VectorFrontTwoSided", &MakeTwoSidedFront, nullptr },
-  { "Vortex", &MakeModeOfRow<vtkHapticVortexMode>,
-    [](vtkHapticMode* mode)
-    { return vtkHapticVortexMode::SafeDownCast(mode)->GetAxisStrength(); } },
-  { "Shear", &MakeModeOfRow<vtkHapticShearMode>, nullptr },
-  { "TensorFollow", &MakeModeOfRow<vtkHapticTensorFollowMode>,
-    [](vtkHapticMode* mode)
-    { return vtkHapticTensorFollowMode::SafeDownCast(mode)->GetSheetStrength(); } },
-  { "Ridge", &MakeModeOfRow<vtkHapticRidgeMode>, nullptr },
-  { "RidgeDark", &MakeDarkRidge, nullptr },
-  { "Surface", &MakeModeOfRow<vtkHapticSurfaceMode>, nullptr },
-};
-
-/** Newtons, or pairs with newtons; false if a text is something else. Empty: nothing changes. */
-bool ReadFunction(std::string text, vtkPiecewiseFunction* function)
-{
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream words(text);
-  std::vector<double> numbers;
-  for (double number; words >> number;)
-  {
-    numbers.push_back(number);
-  }
-  if (!words.eof() || (numbers.size() > 1 && numbers.size() % 2 != 0))
-  {
-    return false;
-  }
-  if (numbers.size() == 1)
-  {
-    numbers.insert(numbers.begin(), 0.0);
-  }
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
-  {
-    function->AddPoint(numbers[i], numbers[i + 1]);
-  }
-  return true;
-}
-
-} // namespace
 
 vtkStandardNewMacro(vtkPVVolumeHapticsFilter);
 
@@ -385,18 +303,24 @@ void vtkPVVolumeHapticsFilter::AddModeRow(
   const char* kind, const char* array, const char* strength, const char* secondStrength)
 {
   const auto text = [](const char* given) { return std::string(given ? given : ""); };
-  this->ModeRows.push_back({ text(kind), text(array), text(strength), text(secondStrength) });
-  this->AreModesDirty = true;
+  this->Modes.Add({ text(kind), text(array), text(strength), text(secondStrength) });
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::RemoveAllModeRows()
 {
-  if (!this->ModeRows.empty())
+  if (this->Modes.Clear())
   {
-    this->ModeRows.clear();
-    this->AreModesDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetModePreset(const char* preset)
+{
+  if (this->Modes.SetPreset(preset && *preset ? preset : "None"))
+  {
     this->Modified();
   }
 }
@@ -404,54 +328,17 @@ void vtkPVVolumeHapticsFilter::RemoveAllModeRows()
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::FillModes()
 {
-  this->RemoveAllModes();
-  this->AreModesGood = true;
-  for (const auto& [kind, array, strength, second] : this->ModeRows)
+  const std::string error = this->Modes.Fill(this);
+  if (!error.empty())
   {
-    const auto* const found = std::find_if(std::begin(ModesOfRows), std::end(ModesOfRows),
-      [name = &kind](const ModeOfRow& known) { return *name == known.Kind; });
-    std::ostringstream flaw;
-    if (found == std::end(ModesOfRows))
-    {
-      flaw << "has no kind of mode. Give one of";
-      for (const ModeOfRow& known : ModesOfRows)
-      {
-        flaw << " " << known.Kind;
-      }
-    }
-    else if (!found->GetSecond && !second.empty())
-    {
-      flaw << "has a second strength, which this kind has none of. Leave it empty";
-    }
-    else
-    {
-      const vtkSmartPointer<vtkHapticMode> mode = found->Make();
-      mode->SetArrayName(array.c_str());
-      if (!ReadFunction(strength, mode->GetStrength()) ||
-        (found->GetSecond && !ReadFunction(second, found->GetSecond(mode))))
-      {
-        flaw << "has a strength that is no number of newtons. Give one, or pairs such as "
-                "\"0 0, 0.5 2\"";
-      }
-      this->AddMode(mode);
-    }
-    if (!flaw.str().empty())
-    {
-      vtkErrorMacro(<< "The row \"" << kind << "\", \"" << array << "\", \"" << strength << "\", \""
-                    << second << "\" of Modes " << flaw.str() << ".");
-      this->AreModesGood = false;
-    }
+    vtkErrorMacro(<< error);
   }
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 {
-  if (this->AreModesDirty)
-  {
-    this->AreModesDirty = false; // what follows calls this again
-    this->FillModes();
-  }
+  this->FillModes();
   if (this->IsTableDirty)
   {
     this->IsTableDirty = false; // what follows calls this again
@@ -470,7 +357,7 @@ int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   // The property has reported the wrong name, table and modes what they can't read.
-  return this->IsPresetKnown && this->IsTableGood && this->AreModesGood
+  return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;
 }
@@ -493,5 +380,6 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "LabelMaterials: " << this->LabelMaterials.size() << "\n";
   os << indent << "StandOff: " << this->StandOff << "\n";
-  os << indent << "ModeRows: " << this->ModeRows.size() << "\n";
+  os << indent << "ModePreset: " << this->Modes.GetPreset() << "\n";
+  os << indent << "ModeRows: " << this->Modes.GetNumberOfRows() << "\n";
 }

@@ -12,6 +12,7 @@
 #ifndef vtkPVVolumeHapticsFilter_h
 #define vtkPVVolumeHapticsFilter_h
 
+#include "HapticModeRows.h"             // for ivars
 #include "VolumeHapticsFiltersModule.h" // for export macro
 #include "vtkSmartPointer.h"            // for ivars
 #include "vtkVolumeHapticsFilter.h"
@@ -92,16 +93,22 @@ public:
   ///@{
   /**
    * Rows of texts, a vtkHapticMode each: its kind (VectorFollow, VectorFront, VectorFrontTwoSided,
-   * Vortex, Shear, TensorFollow, Ridge, RidgeDark or Surface), the point array (empty: the active
-   * vectors or tensors), its Strength, and the second function of kinds that have one (Push,
-   * AxisStrength, SheetStrength). A function is a number of newtons, pairs such as "0 0, 0.5 2" of
-   * what it depends on and newtons, or empty for the mode's default. A row that can't be read is an
-   * error, and the output is empty.
+   * Vortex, Shear, TensorFollow, Ridge, RidgeDark, Surface, and the polygons of port 2 as Guide,
+   * GuideOutside or GuideInside), the point array (empty: the active vectors or tensors), its
+   * Strength, and the second function of kinds that have one (Push, AxisStrength, SheetStrength). A
+   * function is a number of newtons, pairs such as "0 0, 0.5 2" of what it depends on and newtons,
+   * or empty for the mode's default. A row that can't be read is an error, and the output is empty.
    */
   void AddModeRow(
     const char* kind, const char* array, const char* strength, const char* secondStrength);
   void RemoveAllModeRows();
   ///@}
+
+  /**
+   * "None" (default), or one of GetModePresetNames(): its modes come before those of the rows. They
+   * are about the active vectors or tensors or, if there are none, about the first ones.
+   */
+  void SetModePreset(const char* preset);
 
   using vtkVolumeHapticsFilter::SetInputConnection;
   /** A vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it shows. */
@@ -158,9 +165,7 @@ private:
   double StandOff = 0.0;
   bool IsTableDirty = false;
   bool IsTableGood = true;
-  std::vector<std::array<std::string, 4>> ModeRows;
-  bool AreModesDirty = false;
-  bool AreModesGood = true;
+  HapticModeRows Modes;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

@@ -68,6 +68,11 @@ bool HapticFrameLink::IsMoving(
     return false;
   }
   vtkPVDataInformation* const data = output->GetDataInformation();
+  // Data of other kinds are resampled, each time step by itself.
+  if (data->IsCompositeDataSet() || !data->DataSetTypeIsA("vtkImageData"))
+  {
+    return false;
+  }
   const double* const range = data->GetTimeRange();
   return data->GetNumberOfTimeSteps() > 1 || range[0] < range[1];
 }

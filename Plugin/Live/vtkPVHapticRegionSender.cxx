@@ -7,17 +7,22 @@
 #include "vtkPVHapticRegionFilter.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSession.h"
+#include "vtkPointData.h"
 #include "vtkProcessModule.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <exception>
@@ -34,6 +39,27 @@ struct vtkPVHapticRegionSender::Instant
   bool IsThere = false;
   int Whole[6] = { 0, -1, 0, -1, 0, -1 };
   std::string Array;
+  ///@{
+  /** Of data that are no image: the piece of this process, and what resamples all of them. */
+  vtkSmartPointer<vtkDataObject> Piece; ///< a shallow copy
+  vtkWeakPointer<vtkDataObject> Seen;
+  vtkMTimeType SeenTime = 0;
+  bool IsNew = false;                             ///< since it was opened
+  vtkSmartPointer<vtkHapticRegionSource> Regions; ///< on the first process; null if it failed
+  std::string Problem;                            ///< why it failed
+  ///@}
+
+  void TakeGrid(vtkDataObject* data)
+  {
+    if (data != this->Seen || data->GetMTime() != this->SeenTime || !this->Piece)
+    {
+      this->Seen = data;
+      this->SeenTime = data->GetMTime();
+      this->Piece.TakeReference(data->NewInstance());
+      this->Piece->ShallowCopy(data);
+      this->IsNew = true;
+    }
+  }
 };
 
 namespace
@@ -56,6 +82,24 @@ void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
   }
 }
 
+/** On the first process, the pieces of all of them; each process has one. */
+vtkSmartPointer<vtkDataObject> GatherPieces(
+  vtkDataObject* piece, vtkMultiProcessController* controller)
+{
+  if (controller->GetNumberOfProcesses() == 1)
+  {
+    return piece;
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+  controller->Gather(piece, pieces, 0);
+  const auto whole = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const vtkSmartPointer<vtkDataObject>& one : pieces)
+  {
+    whole->SetBlock(whole->GetNumberOfBlocks(), one);
+  }
+  return whole;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -75,7 +119,7 @@ vtkPVHapticRegionSender::~vtkPVHapticRegionSender() = default;
 //------------------------------------------------------------------------------
 int vtkPVHapticRegionSender::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -104,7 +148,14 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
     vtkProcessModule::GetNumberOfGhostLevelsToRequest(info));
   const bool isGood = pipeline->Update(port) != 0;
-  auto* const piece = vtkImageData::SafeDownCast(source->GetOutputDataObject(port));
+  vtkDataObject* const data = source->GetOutputDataObject(port);
+  auto* const piece = vtkImageData::SafeDownCast(data);
+  if (isGood && data && !piece)
+  {
+    instant.TakeGrid(data);
+    return true;
+  }
+  instant.Piece = nullptr;
   if (!isGood || !piece || !info->Has(Pipeline::WHOLE_EXTENT()))
   {
     return false;
@@ -140,8 +191,74 @@ vtkPVHapticRegionSender::Instant* vtkPVHapticRegionSender::Find(double time, boo
 }
 
 //------------------------------------------------------------------------------
+bool vtkPVHapticRegionSender::IsGrid(const Instant& instant)
+{
+  const int here = instant.Piece ? 1 : 0;
+  int isGrid = here;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &here, &isGrid, 1, vtkCommunicator::MAX_OP);
+  return isGrid != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVHapticRegionSender::Resample(Instant& instant, bool hasPiece, const char* array,
+  const int region[6], vtkImageData* image, std::string& error)
+{
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  const std::string name = array ? array : "";
+  const int here[2] = { hasPiece && instant.Piece ? 0 : 1,
+    instant.IsNew || name != instant.Array ? 1 : 0 };
+  int all[2] = { 1, 1 };
+  controller->AllReduce(here, all, 2, vtkCommunicator::MAX_OP);
+  if (all[0])
+  {
+    error = "The server could not bring the data up to date. Its messages say why.";
+    return false;
+  }
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  if (all[1])
+  {
+    instant.IsNew = false;
+    instant.Array = name;
+    instant.Regions = nullptr;
+    const vtkSmartPointer<vtkDataObject> whole = GatherPieces(instant.Piece, controller);
+    if (isFirst)
+    {
+      const auto regions = vtkSmartPointer<vtkHapticRegionSource>::New();
+      const std::vector<std::string> wanted(name.empty() ? 0 : 1, name);
+      instant.Problem.clear();
+      if (regions->OpenDataSet(whole, 0.0, wanted, instant.Problem))
+      {
+        instant.Regions = regions;
+      }
+    }
+  }
+  if (!isFirst)
+  {
+    return true;
+  }
+  if (!instant.Regions)
+  {
+    error = instant.Problem;
+    return false;
+  }
+  int box[6];
+  ChooseRegion(instant.Regions->GetWholeExtent(), region, box);
+  if (!instant.Regions->ReadRegion(box, image, error))
+  {
+    return false;
+  }
+  vtkPointData* const points = image->GetPointData();
+  if (vtkDataArray* const found = name.empty() ? nullptr : points->GetArray(name.c_str()))
+  {
+    points->SetScalars(found); // what is sent
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPVHapticRegionSender::Assemble(
-  Instant& instant, bool isPresent, const char* array, const int region[6], std::string& error)
+  Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error)
 {
   vtkPVHapticRegionFilter* const filter = instant.Filter;
   filter->SetController(vtkMultiProcessController::GetGlobalController());
@@ -153,7 +270,6 @@ bool vtkPVHapticRegionSender::Assemble(
     name.empty() ? filter->SetInputArrayToProcess(0, 0, 0, points, vtkDataSetAttributes::SCALARS)
                  : filter->SetInputArrayToProcess(0, 0, 0, points, name.c_str());
   }
-  const bool hasPiece = !isPresent || this->UpdatePiece(instant);
   if (!filter->CanExecute(hasPiece, error))
   {
     return false;
@@ -210,9 +326,19 @@ void vtkPVHapticRegionSender::Send(
     else
     {
       Instant* const instant = this->Find(time, isPresent != 0);
-      const bool isThere =
-        instant && this->Assemble(*instant, isPresent != 0, array, region, error);
-      if (!instant)
+      const bool hasPiece = instant && (!isPresent || this->UpdatePiece(*instant));
+      const bool isGrid = instant && IsGrid(*instant);
+      vtkNew<vtkImageData> resampled;
+      bool isThere = false;
+      if (isGrid)
+      {
+        isThere = Resample(*instant, hasPiece, array, region, resampled, error);
+      }
+      else if (instant)
+      {
+        isThere = this->Assemble(*instant, hasPiece, array, region, error);
+      }
+      else
       {
         error = "The server no longer has the volume at the time that was asked for.";
       }
@@ -220,7 +346,9 @@ void vtkPVHapticRegionSender::Send(
       {
         return;
       }
-      message = isThere ? PackRegion(instant->Filter->GetOutput()) : PackError(error);
+      vtkImageData* const image = isGrid ? resampled.Get() : nullptr;
+      message =
+        isThere ? PackRegion(image ? image : instant->Filter->GetOutput()) : PackError(error);
     }
   }
   catch (const std::exception& exception)

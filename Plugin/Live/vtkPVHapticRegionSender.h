@@ -9,6 +9,9 @@
  * several times, the pieces of the last two that were sent stay here, so that regions of both can
  * be had. See vtkSMHapticRegionProxy for the other side.
  *
+ * Data that are no image, and composite data, are gathered on the first process, which resamples
+ * the regions (vtkHapticRegionSource::OpenDataSet).
+ *
  * Of a vtkPVHapticLargeFile, the first process reads regions from the file itself.
  */
 #ifndef vtkPVHapticRegionSender_h
@@ -54,8 +57,13 @@ private:
   Instant* Find(double time, bool isPresent);
   bool UpdatePiece(Instant& instant);
   bool ReadLargeFile(const int region[6], vtkImageData* image, std::string& error);
+  /** Whether the data on any process are no image; collective. */
+  static bool IsGrid(const Instant& instant);
   bool Assemble(
-    Instant& instant, bool isPresent, const char* array, const int region[6], std::string& error);
+    Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);
+  /** Collective; on the first process there is the image. */
+  static bool Resample(Instant& instant, bool hasPiece, const char* array, const int region[6],
+    vtkImageData* image, std::string& error);
 #endif
 
   std::unique_ptr<Instant> Instants[2];

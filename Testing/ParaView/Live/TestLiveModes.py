@@ -75,10 +75,49 @@ def check_error(modes, *words):
     live.check(touch.GetDataInformation().GetNumberOfPoints() == 0, "and gives nothing")
 
 
-def press():
+def check_presets():
+    """Each name in the menu is a preset, and each preset is in the menu; the rows come on top of it."""
+    from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+    menu = touch.SMProxy.GetProperty("ModePreset").GetDomain("list")
+    names = [menu.GetString(i) for i in range(menu.GetNumberOfStrings())]
+    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(log)
+    touch.Modes = []
+    touch.SMProxy.GetProperty("ModePreset").SetElement(0, "Something")
+    touch.SMProxy.UpdateVTKObjects()
+    touch.UpdatePipeline()
+    vtkOutputWindow.SetInstance(console)
+    known = log.GetOutput().split("Use one of:")[1].split("\n")[0].split('"')[1::2]
+    live.check(known == names and len(names) > 9, "the menu has all presets", known, names)
+    touch.ModePreset = "Follow the flow"
+    touch.Path = simple.Line(Point1=list(START), Point2=list(START + 1.0 * across(flow_at(START))), Resolution=100)
+    touch.UpdatePipeline()
+    trace = servermanager.Fetch(touch)
+    force = vtk_to_numpy(trace.GetPointData().GetArray("Force"))[-1]
+    place = numpy.array(trace.GetPoint(100))
+    live.check(numpy.linalg.norm(force) > 0.1 and cosine(force, place) < MOST_OFF, "a preset holds across the flow", force)
+    touch.ModePreset = "None"
+
+
+def check_guides():
+    """A sphere of 5 mm as a guide; the hand goes from inside of it to 1 mm outside of it, against 0.5 N/mm."""
+    touch.Surface = simple.Sphere(Radius=5.0, ThetaResolution=64, PhiResolution=64)
+    touch.Path = simple.Line(Point1=[3.0, 0.1, 0.2], Point2=[6.0, 0.1, 0.2], Resolution=300)
+    for kind, first, last in (("Guide", 1.0, -0.5), ("GuideOutside", 1.0, 0.0), ("GuideInside", 0.0, -0.5)):
+        touch.Modes = [kind, "", "9", ""]
+        touch.UpdatePipeline()
+        force = vtk_to_numpy(servermanager.Fetch(touch).GetPointData().GetArray("Force"))[:, 0]
+        live.check(abs(force[0] - first) < 0.02 and abs(force[-1] - last) < 0.02, kind, force[0], force[-1])
+    touch.Surface = None
+
+
+def press(data=None, voxels=21**3):
     """Until the device's hand is held."""
     touch.Modes = ["VectorFollow", "flow", str(STRENGTH), ""]
-    device = simple.HapticDevice(Touch=touch, MaximumRegionVoxels=21**3)
+    if data:
+        touch.Input = data
+    device = simple.HapticDevice(Touch=touch, MaximumRegionVoxels=voxels)
     end = START + across(flow_at(START))
     live.press(device, list(START), list(end))
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.4), "the device's hand is held across the flow",
@@ -89,21 +128,37 @@ def press():
                force, cosine(force, proxy))
     live.check("rror" not in device.StatusText, "nothing is wrong", device.StatusText)
     device.Running = 0
+    simple.Delete(device)
+
+
+def press_grids():
+    """The same flow as data of other kinds, which are resampled around the tip: linearly, so a little otherwise."""
+    global MOST_OFF
+    MOST_OFF = 0.05
+    cells = simple.AppendDatasets(Input=touch.Input)
+    press(cells, 32**3)
+    press(simple.GroupDatasets(Input=[cells]), 32**3)
+
+
+def make_flow():
+    flow = simple.Gradient(Input=simple.Wavelet(), ScalarArray=["POINTS", "RTData"], ResultArrayName="flow")
+    flow.UpdatePipeline()
+    return flow
 
 
 def make(scalars):
-    global touch, flow_at
-    flow = simple.Gradient(Input=simple.Wavelet(), ScalarArray=["POINTS", "RTData"], ResultArrayName="flow")
-    flow.UpdatePipeline()
-    flow_at = read_flow(flow)
+    global touch
+    flow = make_flow()
     touch = simple.VolumeHaptics(Input=flow, Scalars=["POINTS", scalars], Method="Primitives")
 
 
+flow_at = read_flow(make_flow())  # before the server, of which each process has a part
 if REMOTE:
-    with live.Server(1):
+    with live.Server(2):
         live.load_plugin(remote=True)
         make("flow")  # the array that is sent
         press()
+        press_grids()
         simple.Disconnect()
 else:
     live.load_plugin()
@@ -116,4 +171,7 @@ else:
     check_error(["Followw", "flow", "1", ""], "Followw", "VectorFollow", "Surface")
     check_error(["Shear", "flow", "1", "2"], "Shear", "second strength")
     check_error(["Shear", "flow", "1 N", ""], "Shear", "number of newtons")
+    check_presets()
+    check_guides()
     press()
+    press_grids()

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The modes of a filter as rows of texts, and as the name of a preset.
+ */
+#ifndef HapticModeRows_h
+#define HapticModeRows_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkHapticMode;
+class vtkVolumeHapticsFilter;
+
+/**
+ * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the surface of the
+ * filter's port 2, and an empty array of a preset is found in the data of port 0, so that modes are
+ * made anew if these change.
+ */
+class HapticModeRows
+{
+public:
+  /** Kind, array, strength, second strength. */
+  using Row = std::array<std::string, 4>;
+
+  void Add(const Row& row);
+  ///@{
+  /** Return whether something has changed. */
+  bool Clear();
+  bool SetPreset(const std::string& preset);
+  ///@}
+
+  /** Makes the filter's modes if it has to; returns the flaws of those that can't be made. */
+  std::string Fill(vtkVolumeHapticsFilter* filter);
+  /** Whether all could be made. */
+  bool IsGood() const { return this->AreGood; }
+
+  std::size_t GetNumberOfRows() const { return this->Rows.size(); }
+  const std::string& GetPreset() const { return this->Preset; }
+
+private:
+  struct Seen
+  {
+    vtkWeakPointer<vtkDataObject> Data;
+    vtkMTimeType Time = 0;
+
+    /** Whether other data are there than before. */
+    bool Note(vtkDataObject* data);
+  };
+
+  bool HasGuide() const;
+  void AddPreset(vtkVolumeHapticsFilter* filter, std::string& error) const;
+  void AddRow(const Row& row, vtkVolumeHapticsFilter* filter, std::string& error) const;
+
+  std::vector<Row> Rows;
+  std::string Preset = "None";
+  Seen Input;
+  Seen Guide;
+  bool IsDirty = false;
+  bool AreGood = true;
+};
+
+#endif
