@@ -61,6 +61,8 @@ set(Explore_SOURCES
   View/StereoModes.cxx
   View/ViewFrame.cxx
   Volume/DicomFolder.cxx
+  Volume/DicomHeader.cxx
+  Volume/DicomSeries.cxx
   Volume/LabelLoader.cxx
   Volume/LargeLoader.cxx
   Volume/VolumeChecks.cxx

@@ -144,7 +144,7 @@ int Run(const Explore::Options& options)
   tell("Reading " + vtksys::SystemTools::GetFilenameName(options.VolumePath), 0.0);
   std::vector<std::string> paths{ options.VolumePath };
   paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
-  Explore::Volume volume = Explore::LoadVolumes(paths, options.Large);
+  Explore::Volume volume = Explore::LoadVolumes(paths, options.Large, options.Series);
   if (volume.Large && options.Live)
   {
     throw Explore::InputError(options.VolumePath,

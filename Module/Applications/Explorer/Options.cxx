@@ -107,6 +107,18 @@ int ParseWidth(const std::string& text)
   return static_cast<int>(width);
 }
 
+int ParseSeries(const std::string& text)
+{
+  const double number = ParseNumber(text);
+  constexpr double most = 1e6;
+  if (!(number >= 1.0) || number > most || number != std::floor(number))
+  {
+    throw InputError("--series '" + text + "'", "is not a number of the list of series",
+      "take 1 or more; without --series, the largest is taken and all are listed");
+  }
+  return static_cast<int>(number);
+}
+
 bool IsSoundFile(const std::string& name)
 {
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) ==
@@ -145,6 +157,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--labels")
   {
     options.Labels = value;
+  }
+  else if (name == "--series")
+  {
+    options.Series = ParseSeries(value);
   }
   else if (name == "--materials")
   {
@@ -290,7 +306,8 @@ dense inside, drags it there, and says what a hand would feel. Then, if there is
 window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
 pictures, the trace and a summary.
 
-VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; or one that may be larger than memory:
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series; a folder of DICOM slices or of
+         folders of them, or its DICOMDIR; or one that may be larger than memory:
          .vtkhdf, a folder .zarr (of a Zarr array or an OME-Zarr image), or raw samples behind .mhd .mha .nrrd
          .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
          files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
@@ -313,6 +330,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr, or a folder of DICOM slices; o
   --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
                     (what the volume's own edges suggest), histogram)" +
     presets + R"(
+  --series N        which series of a DICOM folder with several (default: that with most pixels; the
+                    summary lists them)
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
                     have names in the window, and materials of their own
   --materials FILE  a table of what the labels feel like, such as a CSV with the columns label, name,

@@ -108,7 +108,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
   ExpectRefusal(Text("notes.txt", "hello"), "ending that is not known");
-  ExpectRefusal(Text("slice.dcm", "hello"), "one DICOM slice");
+  ExpectRefusal(Text("slice.dcm", "hello"), "is not a DICOM slice");
   ExpectRefusal(Text("nothing.nrrd", ""), "is empty");
   for (const char* name : { "text.vti", "text.mha", "text.nii", "text.nii.gz", "text.nrrd" })
   {

@@ -3,187 +3,289 @@
 #include "Applications/Explorer/Volume/DicomFolder.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
-#include "vtkDICOMImageReader.h"
-#include "vtkDirectory.h"
-#include "vtkMath.h"
-#include "vtkNew.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 
+#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <vector>
 
 namespace
 {
+using Explore::DicomHeader;
+using Explore::DicomSeries;
 using Explore::InputError;
 using Explore::Volume;
 
-struct Slice
+std::string NameOf(const DicomHeader& slice)
 {
-  std::string File;
-  int Width, Height, Bits;
-  double Position[3], Row[3], Column[3], Normal[3];
-  double Along; // position along the normal, mm
-};
-
-// Uncompressed little endian, implicit and explicit, and explicit big endian: the reader supports
-// no others.
-bool IsReadable(const std::string& transferSyntax)
-{
-  return transferSyntax.empty() || transferSyntax == "1.2.840.10008.1.2" ||
-    transferSyntax == "1.2.840.10008.1.2.1" || transferSyntax == "1.2.840.10008.1.2.2";
+  return vtksys::SystemTools::GetFilenameName(slice.File);
 }
 
-Slice ReadHeader(const std::string& folder, const std::string& name)
+/// Each series on a line.
+std::string ListSeries(const std::vector<DicomSeries>& all)
 {
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetFileName((folder + "/" + name).c_str());
-  reader->UpdateInformation();
-  if (!IsReadable(reader->GetTransferSyntaxUID()))
+  std::string list;
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    throw InputError(folder, "holds compressed DICOM slices (" + name + "), which VTK cannot read",
-      "unpack them, e.g. with gdcmconv --raw (package libgdcm-tools) or dcmdjpeg (dcmtk)");
+    list += "\n    " + all[i].Describe(i + 1);
   }
-  Slice slice{ name, reader->GetWidth(), reader->GetHeight(), reader->GetBitsAllocated(), {}, {},
-    {}, {}, 0.0 };
-  const auto pixels = static_cast<unsigned long>(slice.Width) * slice.Height * slice.Bits / 8;
-  if (pixels == 0 || vtksys::SystemTools::FileLength(folder + "/" + name) < pixels)
-  {
-    throw InputError(folder, "holds a damaged or cut-off slice (" + name + ")",
-      "copy or export the series again, or take that file away");
-  }
-  const float* orientation = reader->GetImageOrientationPatient();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    slice.Position[axis] = reader->GetImagePositionPatient()[axis];
-    slice.Row[axis] = orientation[axis];
-    slice.Column[axis] = orientation[3 + axis];
-  }
-  vtkMath::Cross(slice.Row, slice.Column, slice.Normal);
-  if (vtkMath::Normalize(slice.Normal) < 0.5)
-  {
-    // No orientation in the header: an axial slice, as scanners make them by default.
-    const double plain[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-    std::copy_n(plain[0], 3, slice.Row);
-    std::copy_n(plain[1], 3, slice.Column);
-    std::copy_n(plain[2], 3, slice.Normal);
-  }
-  slice.Along = vtkMath::Dot(slice.Position, slice.Normal);
-  return slice;
+  return list;
 }
 
-std::vector<Slice> ReadHeaders(const std::string& folder)
+void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices)
 {
-  vtkNew<vtkDirectory> directory;
-  directory->Open(folder.c_str());
-  std::vector<Slice> slices;
-  bool folders = false;
-  for (vtkIdType i = 0; i < directory->GetNumberOfFiles(); ++i)
+  for (const DicomHeader& slice : slices)
   {
-    const std::string name = directory->GetFile(i);
-    if (directory->FileIsDirectory(name.c_str()))
+    if (!slice.IsReadable())
     {
-      folders = folders || (name != "." && name != "..");
-      continue;
+      throw InputError(path,
+        "holds compressed DICOM slices (" + NameOf(slice) + "), which are not unpacked here",
+        "unpack them, e.g. with gdcmconv --raw (package libgdcm-tools) or dcmdjpeg (dcmtk)");
     }
-    vtkNew<vtkDICOMImageReader> reader;
-    if (reader->CanReadFile((folder + "/" + name).c_str()))
+    if (slice.Frames > 1)
     {
-      slices.push_back(ReadHeader(folder, name));
+      throw InputError(path,
+        "holds a DICOM file with " + std::to_string(slice.Frames) + " frames (" + NameOf(slice) +
+          "), which are not read here",
+        "turn it into NIfTI, e.g. with dcm2niix (package dcm2niix)");
+    }
+    if (!slice.IsWhole)
+    {
+      throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
+        "copy or export the series again, or take that file away");
     }
   }
-  if (slices.empty())
-  {
-    throw InputError(folder, "is a folder without a single DICOM slice",
-      folders ? "name the one of its sub-folders that holds the slices of one series"
-              : "name a folder of DICOM slices, or a volume file");
-  }
-  return slices;
 }
 
-/// The reader trusts that all slices are alike and copies them into one block of memory.
-void CheckSeries(const std::string& folder, std::vector<Slice>& slices, Volume& volume)
+/// The distance from slice to slice (mm); 0 if there is one.
+double FindSpacing(const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
-  for (const Slice& slice : slices)
+  if (slices.size() < 2)
   {
-    const bool alike = slice.Width == slices[0].Width && slice.Height == slices[0].Height &&
-      slice.Bits == slices[0].Bits && vtkMath::Dot(slice.Normal, slices[0].Normal) > 0.999;
-    if (!alike)
-    {
-      throw InputError(folder,
-        "mixes slices of different size or orientation (" + slices[0].File + ", " + slice.File +
-          ")",
-        "put the slices of one series into a folder of their own");
-    }
+    return 0.0;
   }
-  std::sort(
-    slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.Along < b.Along; });
   double smallest = VTK_DOUBLE_MAX, largest = 0.0;
   for (std::size_t i = 1; i < slices.size(); ++i)
   {
     smallest = std::min(smallest, slices[i].Along - slices[i - 1].Along);
     largest = std::max(largest, slices[i].Along - slices[i - 1].Along);
   }
-  if (slices.size() > 1 && smallest < 1e-4)
+  if (smallest < 1e-4)
   {
-    throw InputError(folder, "has two slices at the same place: several series or time steps",
-      "put the slices of one series into a folder of their own");
+    throw InputError(path, "has two slices at the same place: several volumes in one series",
+      "put the slices of one volume into a folder of their own; if it moves, each phase");
   }
-  if (slices.size() > 1 && largest > 1.05 * smallest)
+  if (largest > 1.05 * smallest)
   {
     std::ostringstream note;
     note << "slices are unevenly spaced (" << smallest << " to " << largest
          << " mm): the picture and the feel are stretched there";
     volume.Notes.push_back(note.str());
   }
+  return (slices.back().Along - slices.front().Along) / static_cast<double>(slices.size() - 1);
 }
 
-/// The reader puts the slice farthest along the normal first and the last row of each first.
-void Place(const std::vector<Slice>& slices, vtkImageData* image)
+struct ValueRange
 {
-  const Slice& slice = slices.back();
-  const double rows = (image->GetDimensions()[1] - 1) * image->GetSpacing()[1];
-  double axes[9], origin[3];
+  double Low = 0.0;
+  double High = 0.0;
+  bool AreWhole = true;
+};
+
+/// The values that the samples of all slices may mean.
+ValueRange FindValues(const std::vector<DicomHeader>& slices)
+{
+  ValueRange range;
+  for (const DicomHeader& slice : slices)
+  {
+    const double count = std::pow(2.0, slice.Stored);
+    for (const double sample :
+      { slice.IsSigned ? -0.5 * count : 0.0, (slice.IsSigned ? 0.5 * count : count) - 1.0 })
+    {
+      const double value = slice.Slope * sample + slice.Intercept;
+      range.Low = std::min(range.Low, value);
+      range.High = std::max(range.High, value);
+    }
+    range.AreWhole = range.AreWhole && slice.Slope == std::round(slice.Slope) &&
+      slice.Intercept == std::round(slice.Intercept);
+  }
+  return range;
+}
+
+/// The smallest type that has room for all of them.
+int ChooseType(const ValueRange& range)
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
+  {
+    if (range.AreWhole && range.Low >= vtkDataArray::GetDataTypeMin(type) &&
+      range.High <= vtkDataArray::GetDataTypeMax(type))
+    {
+      return type;
+    }
+  }
+  return VTK_FLOAT;
+}
+
+/// Number `at` among the samples of a slice. Bits beyond those that are stored may belong to an
+/// overlay.
+double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
+{
+  const auto size = static_cast<std::size_t>(slice.Bits / 8);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const std::size_t byte = at * size + (slice.IsBig ? i : size - 1 - i);
+    bits = bits << 8 | static_cast<unsigned char>(bytes[byte]);
+  }
+  const std::uint64_t count = std::uint64_t{ 1 } << slice.Stored;
+  bits &= count - 1;
+  const bool isNegative = slice.IsSigned && bits >= count / 2;
+  return static_cast<double>(bits) - (isNegative ? static_cast<double>(count) : 0.0);
+}
+
+template <typename Value>
+void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
+{
+  const auto samples = static_cast<std::size_t>(slice.Samples);
+  const std::size_t pixels = static_cast<std::size_t>(slice.Width) * slice.Height;
+  for (std::size_t i = 0; i < samples * pixels; ++i)
+  {
+    const std::size_t at = slice.ArePlanes ? i % samples * pixels + i / samples : i;
+    values[i] = static_cast<Value>(slice.Slope * Sample(bytes, at, slice) + slice.Intercept);
+  }
+}
+
+/// Rows and slices in the order of their places.
+vtkSmartPointer<vtkImageData> ReadSlices(
+  const std::string& path, const std::vector<DicomHeader>& slices)
+{
+  const DicomHeader& first = slices.front();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));
+  image->AllocateScalars(ChooseType(FindValues(slices)), first.Samples);
+  image->GetPointData()->GetScalars()->SetName("DICOM");
+  std::string bytes(
+    static_cast<std::size_t>(first.Width) * first.Height * first.Samples * first.Bits / 8, '\0');
+  for (std::size_t k = 0; k < slices.size(); ++k)
+  {
+    vtksys::ifstream file(slices[k].File.c_str(), std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(slices[k].Pixels));
+    if (!file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
+    {
+      throw InputError(path, "has a slice that cannot be read (" + NameOf(slices[k]) + ")",
+        "make it readable, or copy or export the series again");
+    }
+    void* const values = image->GetScalarPointer(0, 0, static_cast<int>(k));
+    switch (image->GetScalarType())
+    {
+      vtkTemplateMacro(Fill(bytes, slices[k], static_cast<VTK_TT*>(values)));
+    }
+  }
+  return image;
+}
+
+void PlaceSlices(const DicomHeader& first, double spacing, vtkImageData* image)
+{
+  const auto known = [](double length) { return length > 0.0 ? length : 1.0; };
+  image->SetSpacing(known(first.Spacing[0]), known(first.Spacing[1]), known(spacing));
+  double axes[9];
   for (int axis = 0; axis < 3; ++axis)
   {
-    axes[3 * axis] = slice.Row[axis];
-    axes[3 * axis + 1] = -slice.Column[axis];
-    axes[3 * axis + 2] = -slice.Normal[axis];
-    origin[axis] = slice.Position[axis] + rows * slice.Column[axis];
+    axes[3 * axis] = first.Row[axis];
+    axes[3 * axis + 1] = first.Column[axis];
+    axes[3 * axis + 2] = first.Normal[axis];
   }
-  Explore::SetFrame(image, axes, origin);
+  Explore::SetFrame(image, axes, first.Position);
+}
+
+/// Throws if there is no such series.
+std::size_t ChooseSeries(
+  const std::string& path, const std::vector<DicomSeries>& all, int wanted, bool hasFolders)
+{
+  if (all.empty())
+  {
+    throw InputError(path, "is a folder without a single DICOM slice",
+      hasFolders ? "name a folder that holds DICOM slices, or folders of them"
+                 : "name a folder of DICOM slices, or a volume file");
+  }
+  if (wanted > static_cast<int>(all.size()))
+  {
+    throw InputError(path,
+      "has no series " + std::to_string(wanted) + ", but" + ListSeries(all) + "\n    and no other",
+      "take --series 1 to " + std::to_string(all.size()));
+  }
+  return wanted > 0 ? static_cast<std::size_t>(wanted - 1) : Explore::FindLargest(all);
+}
+
+Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
+{
+  const std::vector<DicomHeader>& slices = all[chosen].Slices;
+  Volume volume;
+  volume.Format = "DICOM";
+  CheckSlices(path, slices);
+  const double spacing = FindSpacing(path, slices, volume);
+  volume.Image = ReadSlices(path, slices);
+  PlaceSlices(slices.front(), spacing, volume.Image);
+  if (all.size() == 1)
+  {
+    volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
+  }
+  else
+  {
+    volume.Notes.push_back("series " + all[chosen].Describe(chosen + 1) + ", of " +
+      std::to_string(all.size()) + " series; --series N takes another one:" + ListSeries(all));
+  }
+  return volume;
 }
 } // namespace
 
 namespace Explore
 {
-Volume ReadDicomFolder(const std::string& path)
+Volume ReadDicomFolder(const std::string& path, int series)
 {
-  const MessageCapture capture; // the reader warns about every file that is not DICOM
-  Volume volume;
-  volume.Format = "DICOM";
-  std::vector<Slice> slices = ReadHeaders(path);
-  CheckSeries(path, slices, volume);
+  bool hasFolders = false;
+  const std::vector<DicomSeries> all = ListDicomSeries(path, hasFolders);
+  return LoadSeries(path, all, ChooseSeries(path, all, series, hasFolders));
+}
 
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(path.c_str());
-  reader->Update();
-  const int* size = reader->GetOutput()->GetDimensions();
-  if (reader->GetErrorCode() != 0 || size[2] != static_cast<int>(slices.size()))
+Volume ReadDicomFile(const std::string& path, int series)
+{
+  const std::string whole = vtksys::SystemTools::CollapseFullPath(path);
+  const std::string folder = vtksys::SystemTools::GetFilenamePath(whole);
+  DicomHeader header;
+  if (series > 0 || !ReadDicomHeader(whole, header))
   {
-    throw InputError(path, "cannot be read as a DICOM series (" + capture.FirstError() + ")",
-      "export the series again, uncompressed, and check that the copy is complete");
+    return ReadDicomFolder(folder, series);
   }
-  vtkNew<vtkImageData> image;
-  image->ShallowCopy(reader->GetOutput());
-  Place(slices, image);
-  volume.Image = image;
-  volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");
-  return volume;
+  bool hasFolders = false;
+  const std::vector<DicomSeries> all = ListDicomSeries(folder, hasFolders);
+  const auto holds = [&](const DicomSeries& one)
+  {
+    return std::any_of(one.Slices.begin(), one.Slices.end(),
+      [&](const DicomHeader& slice) { return slice.File == whole; });
+  };
+  const auto found = std::find_if(all.begin(), all.end(), holds);
+  if (found == all.end())
+  {
+    throw InputError(path, "is not there any more", "name the folder of its series");
+  }
+  return LoadSeries(path, all, static_cast<std::size_t>(found - all.begin()));
+}
+
+bool IsDicomFile(const std::string& path)
+{
+  DicomHeader header;
+  return vtksys::SystemTools::UpperCase(vtksys::SystemTools::GetFilenameName(path)) == "DICOMDIR" ||
+    ReadDicomHeader(path, header);
 }
 } // namespace Explore

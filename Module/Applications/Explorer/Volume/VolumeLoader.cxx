@@ -32,7 +32,7 @@ using Explore::InputError;
 using Explore::Volume;
 
 constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd .nhdr .vtkhdf .pvd, a folder "
-                              ".zarr, or a folder of DICOM slices";
+                              ".zarr, DICOM slices, or a folder of them";
 
 bool EndsWith(const std::string& text, const std::string& ending)
 {
@@ -163,7 +163,7 @@ bool IsNifti(const std::string& lower)
   return EndsWith(lower, ".nii") || EndsWith(lower, ".nii.gz");
 }
 
-Volume ReadFile(const std::string& path, bool timesAreComponents)
+Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
   if (EndsWith(lower, ".vti"))
@@ -182,10 +182,14 @@ Volume ReadFile(const std::string& path, bool timesAreComponents)
   {
     return ReadNrrd(path);
   }
+  if (Explore::IsDicomFile(path))
+  {
+    return Explore::ReadDicomFile(path, series);
+  }
   if (EndsWith(lower, ".dcm") || EndsWith(lower, ".ima"))
   {
-    throw InputError(path, "is one DICOM slice, not a volume",
-      "name the folder that holds all slices of the series");
+    throw InputError(path, "is not a DICOM slice, whatever its name says",
+      "check what the file really is; name a DICOM slice, or the folder of its series");
   }
   throw InputError(path, "has an ending that is not known here",
     std::string("convert it to one of the known: ") + KNOWN);
@@ -194,7 +198,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents)
 
 namespace Explore
 {
-Volume ReadVolume(const std::string& path, bool timesAreComponents)
+Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 {
   if (!vtksys::SystemTools::PathExists(path))
   {
@@ -204,7 +208,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents)
   Volume volume;
   if (vtksys::SystemTools::FileIsDirectory(path))
   {
-    volume = ReadDicomFolder(path);
+    volume = ReadDicomFolder(path, series);
   }
   else
   {
@@ -216,7 +220,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents)
     {
       throw InputError(path, "is empty (0 bytes)", "copy or download it again");
     }
-    volume = ReadFile(path, timesAreComponents);
+    volume = ReadFile(path, timesAreComponents, series);
   }
   std::string folder = path;
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
@@ -246,9 +250,9 @@ double FindNiftiSpacing(const std::string& path, double unknown)
   return isKnown && std::isfinite(spacing) ? spacing : unknown;
 }
 
-Volume LoadVolume(const std::string& path)
+Volume LoadVolume(const std::string& path, int series)
 {
-  Volume volume = ReadVolume(path);
+  Volume volume = ReadVolume(path, false, series);
   VolumeFields fields;
   if (fields.Take(volume.Image))
   {

@@ -36,16 +36,16 @@ struct Volume
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
 /// axes of any direction. The times of a NIfTI file are its components if wanted, else the first
-/// one is read.
-Volume ReadVolume(const std::string& path, bool timesAreComponents = false);
+/// one is read. Of a DICOM folder, the series of a number is read, or for 0 the largest one.
+Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
 /// The time (s) from one volume to the next of a NIfTI file that has several; `unknown` if it does
 /// not tell. 0 for any other file.
 double FindNiftiSpacing(const std::string& path, double unknown);
 
-/// Reads .vti .mhd .mha .nii .nii.gz .nrrd or a folder of DICOM slices. Throws InputError for
-/// anything else, with the fault and the cure.
-Volume LoadVolume(const std::string& path);
+/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a folder of DICOM slices or one of them. Throws
+/// InputError for anything else, with the fault and the cure.
+Volume LoadVolume(const std::string& path, int series = 0);
 } // namespace Explore
 
 #endif

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/LargeLoader.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
@@ -98,7 +99,8 @@ std::vector<FramePath> MakeFrames(const std::vector<std::string>& paths)
   return frames;
 }
 
-/// The volumes in a folder, or the folders in it if it has no files; none if it has less than two.
+/// The volumes in a folder, or the folders in it if it has no files and they hold the slices of
+/// phases; none if it has less than two.
 std::vector<FramePath> ListFolder(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -127,7 +129,8 @@ std::vector<FramePath> ListFolder(const std::string& folder)
   }
   std::vector<std::string>& found = hasFiles ? volumes : folders;
   std::sort(found.begin(), found.end(), IsBefore);
-  return found.size() > 1 ? MakeFrames(found) : std::vector<FramePath>();
+  const bool areFrames = found.size() > 1 && (hasFiles || Explore::ArePhases(found));
+  return areFrames ? MakeFrames(found) : std::vector<FramePath>();
 }
 
 /// The files and times of ParaView's collections.
@@ -287,7 +290,7 @@ Volume LoadNiftiSeries(const std::string& path, double spacing)
 
 namespace Explore
 {
-Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge)
+Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge, int dicomSeries)
 {
   const std::string& path = paths.front();
   if (paths.size() > 1)
@@ -300,8 +303,8 @@ Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge)
   }
   if (Files::FileIsDirectory(path))
   {
-    const std::vector<FramePath> frames = ListFolder(path);
-    return frames.empty() ? LoadVolume(path) : LoadFrames(path, frames);
+    const auto frames = dicomSeries > 0 ? std::vector<FramePath>() : ListFolder(path);
+    return frames.empty() ? LoadVolume(path, dicomSeries) : LoadFrames(path, frames);
   }
   const bool isThere = Files::FileExists(path, true);
   if (isThere && Files::StringEndsWith(Files::LowerCase(path), ".pvd"))
@@ -310,6 +313,6 @@ Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge)
     return frames.size() > 1 ? LoadFrames(path, frames) : LoadVolume(frames.front().Path);
   }
   const double spacing = isThere ? FindNiftiSpacing(path, 1.0 / FRAMES_PER_SECOND) : 0.0;
-  return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path);
+  return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path, dicomSeries);
 }
 } // namespace Explore

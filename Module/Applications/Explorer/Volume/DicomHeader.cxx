@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/DicomHeader.h"
+
+#include "vtkMath.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using Explore::DicomHeader;
+
+constexpr std::uint32_t UNKNOWN_LENGTH = 0xffffffff;
+constexpr std::uint32_t PIXELS = 0x7fe00010;
+constexpr std::uint32_t ITEM = 0xfffee000;
+constexpr std::uint32_t ITEM_END = 0xfffee00d;
+constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
+constexpr int DEEPEST = 16; // sequences in sequences
+constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
+constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
+constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
+constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
+
+/// The parts of a file one after the other: tag, type of the value, length and value.
+class DicomStream
+{
+public:
+  explicit DicomStream(const std::string& path)
+    : File(path.c_str(), std::ios::binary)
+    , Length(vtksys::SystemTools::FileLength(path))
+  {
+  }
+
+  bool IsExplicit = true;
+  bool IsBig = false;
+
+  struct Element
+  {
+    std::uint32_t Tag = 0;
+    std::uint32_t Length = 0;
+    bool IsSequence = false;
+  };
+
+  std::uint64_t Place() { return static_cast<std::uint64_t>(this->File.tellg()); }
+  std::uint64_t Left()
+  {
+    return this->Length - std::min<std::uint64_t>(this->Length, this->Place());
+  }
+
+  void GoTo(std::uint64_t place)
+  {
+    this->File.clear();
+    this->File.seekg(static_cast<std::streamoff>(place));
+  }
+
+  std::string Read(std::size_t count)
+  {
+    std::string bytes(count, '\0');
+    this->File.read(&bytes[0], static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(this->File.gcount()));
+    return bytes;
+  }
+
+  std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const
+  {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < count && first + i < bytes.size(); ++i)
+    {
+      const std::size_t at = first + (this->IsBig ? i : count - 1 - i);
+      number = number << 8 | static_cast<unsigned char>(bytes[at]);
+    }
+    return number;
+  }
+
+  bool Next(Element& element)
+  {
+    const std::string head = this->Read(8);
+    if (head.size() < 8)
+    {
+      return false;
+    }
+    element.Tag = this->Number(head, 0, 2) << 16 | this->Number(head, 2, 2);
+    element.Length = this->Number(head, 4, 4);
+    const bool isItem = element.Tag >> 16 == 0xfffe;
+    element.IsSequence = !isItem && element.Length == UNKNOWN_LENGTH;
+    // The part of a file before its data set is always explicit.
+    if (isItem || !this->IsExplicit)
+    {
+      return true;
+    }
+    const std::string type = head.substr(4, 2);
+    static const char* const longTypes[] = { "OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC",
+      "UN", "UR", "UT", "UV" };
+    const bool isLong =
+      std::find(std::begin(longTypes), std::end(longTypes), type) != std::end(longTypes);
+    element.Length = this->Number(head, 6, 2);
+    element.IsSequence = false;
+    if (isLong)
+    {
+      const std::string length = this->Read(4);
+      if (length.size() < 4)
+      {
+        return false;
+      }
+      element.Length = this->Number(length, 0, 4);
+      element.IsSequence = element.Length == UNKNOWN_LENGTH;
+    }
+    return true;
+  }
+
+  /// Over the value of an element, whose items may have any length.
+  bool Skip(const Element& element, int depth = 0)
+  {
+    if (element.Length != UNKNOWN_LENGTH)
+    {
+      if (element.Length > this->Left())
+      {
+        return false;
+      }
+      this->GoTo(this->Place() + element.Length);
+      return true;
+    }
+    Element part;
+    while (depth < DEEPEST && this->Next(part))
+    {
+      if (part.Tag == SEQUENCE_END || part.Tag == ITEM_END)
+      {
+        return true;
+      }
+      if (!this->Skip(part, depth + 1))
+      {
+        return false;
+      }
+    }
+    return false;
+  }
+
+private:
+  vtksys::ifstream File;
+  std::uint64_t Length;
+};
+
+/// Without the blank or zero that makes lengths even.
+std::string TrimValue(std::string text)
+{
+  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  const std::size_t last = text.find_last_not_of(' ');
+  text.erase(last == std::string::npos ? 0 : last + 1);
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+/// Decimal numbers between backslashes; false if there are fewer.
+bool ReadDecimals(const std::string& text, double* numbers, int count)
+{
+  std::string plain = text;
+  std::replace(plain.begin(), plain.end(), '\\', ' ');
+  std::istringstream stream(plain);
+  stream.imbue(std::locale::classic());
+  std::vector<double> read(static_cast<std::size_t>(count));
+  for (double& number : read)
+  {
+    if (!(stream >> number) || !std::isfinite(number))
+    {
+      return false;
+    }
+  }
+  std::copy(read.begin(), read.end(), numbers);
+  return true;
+}
+
+int ReadWhole(const std::string& text, int unknown)
+{
+  double number = 0.0;
+  return ReadDecimals(text, &number, 1) && std::abs(number) < 1e9 ? static_cast<int>(number)
+                                                                  : unknown;
+}
+
+void TakeValue(const DicomStream& stream, std::uint32_t tag, const std::string& value,
+  DicomHeader& header, double orientation[6])
+{
+  const auto number = [&] { return static_cast<int>(stream.Number(value, 0, 2)); };
+  switch (tag)
+  {
+    case 0x00080060:
+      header.Modality = TrimValue(value);
+      break;
+    case 0x0008103e:
+      header.Description = TrimValue(value);
+      break;
+    case 0x0020000e:
+      header.Series = TrimValue(value);
+      break;
+    case 0x00200011:
+      header.SeriesNumber = ReadWhole(value, 0);
+      break;
+    case 0x00200032:
+      ReadDecimals(value, header.Position, 3);
+      break;
+    case 0x00200037:
+      ReadDecimals(value, orientation, 6);
+      break;
+    case 0x00280002:
+      header.Samples = number();
+      break;
+    case 0x00280008:
+      header.Frames = ReadWhole(value, 1);
+      break;
+    case 0x00280010:
+      header.Height = number();
+      break;
+    case 0x00280011:
+      header.Width = number();
+      break;
+    case 0x00280030:
+    {
+      double spacing[2]; // from row to row first
+      if (ReadDecimals(value, spacing, 2))
+      {
+        header.Spacing[0] = spacing[1];
+        header.Spacing[1] = spacing[0];
+      }
+      break;
+    }
+    case 0x00280006:
+      header.ArePlanes = number() == 1;
+      break;
+    case 0x00280100:
+      header.Bits = number();
+      break;
+    case 0x00280101:
+      header.Stored = number();
+      break;
+    case 0x00280103:
+      header.IsSigned = number() == 1;
+      break;
+    case 0x00281052:
+      ReadDecimals(value, &header.Intercept, 1);
+      break;
+    case 0x00281053:
+      ReadDecimals(value, &header.Slope, 1);
+      break;
+    default:
+      break;
+  }
+}
+
+void OrientSlice(const double orientation[6], DicomHeader& header)
+{
+  double normal[3];
+  vtkMath::Cross(orientation, orientation + 3, normal);
+  // Else there is no orientation in the header: an axial slice, as scanners make them by default.
+  if (vtkMath::Normalize(normal) > 0.5)
+  {
+    std::copy_n(orientation, 3, header.Row);
+    std::copy_n(orientation + 3, 3, header.Column);
+    std::copy_n(normal, 3, header.Normal);
+  }
+  header.Along = vtkMath::Dot(header.Position, header.Normal);
+}
+
+/// The transfer syntax, which says how the data set is written, from the part before it. False if
+/// this is not a DICOM file.
+bool ReadMeta(DicomStream& stream, DicomHeader& header)
+{
+  constexpr std::uint64_t preamble = 128;
+  stream.GoTo(preamble);
+  if (stream.Read(4) != "DICM")
+  {
+    // Of before the standard: at once with the data set, which begins with group 2 or 8.
+    stream.GoTo(0);
+    const std::string first = stream.Read(6);
+    stream.GoTo(0);
+    const auto isLetter = [&](std::size_t i) { return first[i] >= 'A' && first[i] <= 'Z'; };
+    if (first.size() < 6 || (first[0] != 8 && first[0] != 2) || first[1] != 0 || first[3] != 0)
+    {
+      return false;
+    }
+    stream.IsExplicit = isLetter(4) && isLetter(5);
+  }
+  std::uint64_t place = stream.Place();
+  DicomStream::Element element;
+  while (stream.Next(element) && element.Tag >> 16 == 2)
+  {
+    if (element.Length > stream.Left())
+    {
+      return false;
+    }
+    const std::string value = element.Tag == 0x00020010 ? stream.Read(element.Length) : "";
+    header.TransferSyntax = value.empty() ? header.TransferSyntax : TrimValue(value);
+    stream.GoTo(value.empty() ? stream.Place() + element.Length : stream.Place());
+    place = stream.Place();
+  }
+  stream.GoTo(place);
+  if (!header.TransferSyntax.empty())
+  {
+    stream.IsExplicit = header.TransferSyntax != IMPLICIT_LITTLE;
+    stream.IsBig = header.TransferSyntax == EXPLICIT_BIG;
+  }
+  return true;
+}
+} // namespace
+
+namespace Explore
+{
+bool DicomHeader::IsReadable() const
+{
+  const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
+    this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
+  return isPlain && (this->Bits == 8 || this->Bits == 16 || this->Bits == 32);
+}
+
+bool ReadDicomHeader(const std::string& path, DicomHeader& header)
+{
+  header = {};
+  header.File = path;
+  DicomStream stream(path);
+  if (!ReadMeta(stream, header))
+  {
+    return false;
+  }
+  if (header.TransferSyntax == DEFLATED)
+  {
+    return true; // and not readable
+  }
+  constexpr std::uint32_t longest = 1024; // of the values that are wanted
+  double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  DicomStream::Element element;
+  while (stream.Next(element) && element.Tag != PIXELS)
+  {
+    const std::uint64_t begin = stream.Place();
+    if (element.Length <= longest && element.Length <= stream.Left())
+    {
+      const std::string value = stream.Read(element.Length);
+      TakeValue(stream, element.Tag, value, header, orientation);
+      stream.GoTo(begin);
+    }
+    if (!stream.Skip(element))
+    {
+      return false;
+    }
+  }
+  if (element.Tag != PIXELS || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0)
+  {
+    return false;
+  }
+  const std::uint64_t pixels = static_cast<std::uint64_t>(header.Width) * header.Height;
+  header.IsBig = stream.IsBig;
+  header.Pixels = stream.Place();
+  header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
+  header.IsWhole = stream.Left() >= pixels * header.Samples * header.Bits / 8;
+  OrientSlice(orientation, header);
+  return true;
+}
+} // namespace Explore

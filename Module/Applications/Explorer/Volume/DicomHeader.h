@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomHeader_h
+#define Explore_DicomHeader_h
+
+#include <cstdint>
+#include <string>
+
+namespace Explore
+{
+/// What the head of a DICOM file tells about its slice: where it belongs, and what its samples mean.
+/// VTK's reader knows neither series nor sequences: it takes the preview in front of a slice for the
+/// slice.
+struct DicomHeader
+{
+  std::string File; // whole path
+  std::string TransferSyntax;
+  std::string Series; // its unique identifier
+  int SeriesNumber = 0;
+  std::string Description; // of the series
+  std::string Modality;
+  int Width = 0, Height = 0;
+  int Samples = 1;          // of a pixel: 3 in RGB
+  bool ArePlanes = false;   // all samples of a colour together
+  int Bits = 0, Stored = 0; // of a sample: its size in the file, and how many of them count
+  bool IsSigned = false;
+  bool IsBig = false; // the byte of the highest bits comes first
+  int Frames = 1;     // in the file
+  ///@{
+  /// The value, such as Hounsfield units, is slope times sample plus intercept.
+  double Slope = 1.0, Intercept = 0.0;
+  ///@}
+  // Of the first pixel, and along rows and columns; axial at 0 if the file does not tell.
+  double Position[3] = { 0.0, 0.0, 0.0 };
+  double Row[3] = { 1.0, 0.0, 0.0 };
+  double Column[3] = { 0.0, 1.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  double Along = 0.0;               // position along the normal, mm
+  double Spacing[2] = { 0.0, 0.0 }; // of pixels along a row and along a column, mm; 0: not told
+  std::uint64_t Pixels = 0;         // where they begin in the file
+  bool IsWhole = false;             // the file is long enough for its pixels
+
+  /// Uncompressed little endian, implicit and explicit, and explicit big endian, with samples of
+  /// 8, 16 or 32 bits.
+  bool IsReadable() const;
+};
+
+/// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and A.
+bool ReadDicomHeader(const std::string& path, DicomHeader& header);
+} // namespace Explore
+
+#endif

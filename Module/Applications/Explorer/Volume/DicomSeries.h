@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomSeries_h
+#define Explore_DicomSeries_h
+
+#include "Applications/Explorer/Volume/DicomHeader.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// The slices of one size and orientation that a scanner has made as one series.
+struct DicomSeries
+{
+  std::vector<DicomHeader> Slices; // in the order of their positions along the normal
+
+  /// Such as `4 "Thorax", CT, 133 slices of 512 x 512`, with its number in a list.
+  std::string Describe(std::size_t number) const;
+};
+
+/// All series in a folder and the folders below it, in the order of the numbers that the scanner
+/// has given them. `hasFolders` tells whether there were folders.
+std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders);
+
+/// The one with most pixels.
+std::size_t FindLargest(const std::vector<DicomSeries>& series);
+
+/// Whether each of the folders holds one series, and these have slices of the same size at the same
+/// places: the phases of a volume that moves.
+bool ArePhases(const std::vector<std::string>& folders);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// DICOM files as they come from a medium: several series in folders of folders, in any order, with
+// a rescale and a direction of their own; and files that cannot be read. They are written here, as
+// parts 5 and 10 of the standard say, and their values are a function of the place in the patient.
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Options.h"
+#include "Applications/Explorer/Volume/DicomHeader.h"
+#include "Applications/Explorer/Volume/VolumeSeries.h"
+#include "Expectations.h"
+#include "HeadExploration.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <cmath>
+#include <cstdint>
+
+namespace
+{
+constexpr int DICOM_COLUMNS = 7, DICOM_ROWS = 5;
+constexpr double COLUMN_STEP = 0.75, ROW_STEP = 0.5, SLICE_STEP = 2.5; // mm
+const char* const IMPLICIT = "1.2.840.10008.1.2";
+const char* const EXPLICIT = "1.2.840.10008.1.2.1";
+const char* const JPEG_LOSSLESS = "1.2.840.10008.1.2.4.70";
+
+/// A slice of a series: number k along the normal.
+struct SliceFile
+{
+  std::string Series = "1.2.3";
+  int SeriesNumber = 1;
+  std::string Description = "Thorax";
+  int Slice = 0;
+  bool IsSagittal = false;
+  std::string Syntax = EXPLICIT;
+  int Frames = 1;
+};
+
+std::string Bytes(std::uint32_t number, int count)
+{
+  std::string bytes;
+  for (int i = 0; i < count; ++i)
+  {
+    bytes += static_cast<char>(number >> 8 * i & 0xff);
+  }
+  return bytes;
+}
+
+std::string Part(std::uint32_t tag, const std::string& type, std::string value, bool isExplicit)
+{
+  const bool isBinary = type == "OW" || type == "SQ";
+  value += value.size() % 2 == 0 ? "" : type == "UI" || isBinary ? std::string(1, '\0') : " ";
+  const auto length = static_cast<std::uint32_t>(value.size());
+  const std::string head = Bytes(tag >> 16, 2) + Bytes(tag & 0xffff, 2);
+  if (!isExplicit)
+  {
+    return head + Bytes(length, 4) + value;
+  }
+  return head + type + (isBinary ? Bytes(0, 2) + Bytes(length, 4) : Bytes(length, 2)) + value;
+}
+
+/// Hounsfield units where column i, row j and slice k meet; even, for slopes of 2.
+double UnitsAt(int i, int j, int k)
+{
+  return 2.0 * (i + 10 * j + 60 * k) - 500.0;
+}
+
+std::string Encode(const SliceFile& slice)
+{
+  const bool isExplicit = slice.Syntax != IMPLICIT;
+  const auto part = [&](std::uint32_t tag, const std::string& type, const std::string& value)
+  { return Part(tag, type, value, isExplicit); };
+  const auto number = [&](std::uint32_t tag, int value)
+  { return part(tag, "US", Bytes(static_cast<std::uint32_t>(value), 2)); };
+  const std::string along = std::to_string(SLICE_STEP * slice.Slice);
+  const int slope = slice.Slice % 2 == 0 ? 1 : 2;
+  std::string pixels;
+  for (int j = 0; j < DICOM_ROWS; ++j)
+  {
+    for (int i = 0; i < DICOM_COLUMNS; ++i)
+    {
+      const double stored = (UnitsAt(i, j, slice.Slice) + 1024.0) / slope;
+      pixels += Bytes(static_cast<std::uint32_t>(stored), 2);
+    }
+  }
+  // The preview in front of the pixels is in an item of unknown length in a sequence of one.
+  const std::string unknown(4, '\xff');
+  const std::string item = Bytes(0xfffe, 2) + Bytes(0xe000, 2) + unknown + number(0x00280010, 64) +
+    part(0x7fe00010, "OW", "abcdefgh") + Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4) +
+    Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
+  const std::string preview = Bytes(0x0088, 2) + Bytes(0x0200, 2) +
+    (isExplicit ? "SQ" + Bytes(0, 2) : std::string()) + unknown + item;
+  const std::string meta = Part(0x00020010, "UI", slice.Syntax, true);
+  return std::string(128, '\0') + "DICM" +
+    Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta +
+    part(0x00080060, "CS", "CT") + part(0x0008103e, "LO", slice.Description) +
+    part(0x0020000e, "UI", slice.Series) +
+    part(0x00200011, "IS", std::to_string(slice.SeriesNumber)) +
+    part(0x00200032, "DS", slice.IsSagittal ? along + "\\-20\\30" : "-10\\-20\\" + along) +
+    part(0x00200037, "DS", slice.IsSagittal ? "0\\1\\0\\0\\0\\-1" : "1\\0\\0\\0\\1\\0") +
+    number(0x00280002, 1) + part(0x00280004, "CS", "MONOCHROME2") +
+    part(0x00280008, "IS", std::to_string(slice.Frames)) + number(0x00280010, DICOM_ROWS) +
+    number(0x00280011, DICOM_COLUMNS) + part(0x00280030, "DS", "0.5\\0.75") +
+    number(0x00280100, 16) + number(0x00280101, 16) + number(0x00280102, 15) +
+    number(0x00280103, 0) + part(0x00281052, "DS", "-1024") +
+    part(0x00281053, "DS", std::to_string(slope)) + preview + part(0x7fe00010, "OW", pixels);
+}
+
+std::string WriteDicom(const std::string& name, const std::string& bytes)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetFilenamePath(path));
+  vtksys::ofstream file(path.c_str(), std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return path;
+}
+
+/// Names run against the order of the slices.
+void WriteSlices(const std::string& where, SliceFile slice, int count)
+{
+  for (slice.Slice = 0; slice.Slice < count; ++slice.Slice)
+  {
+    WriteDicom(where + "/I" + std::to_string(900 - slice.Slice), Encode(slice));
+  }
+}
+
+/// Every sample is where it was in the patient.
+void ExpectSlices(
+  const std::string& what, const Explore::Volume& volume, int count, bool isSagittal)
+{
+  vtkImageData* const image = volume.Image;
+  const vtkIdType points = static_cast<vtkIdType>(count) * DICOM_ROWS * DICOM_COLUMNS;
+  Expect(image->GetNumberOfPoints() == points, what + " has another number of samples");
+  int wrong = 0;
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    const double* const x = image->GetPoint(p);
+    const double across = isSagittal ? x[1] + 20.0 : x[0] + 10.0;
+    const double down = isSagittal ? 30.0 - x[2] : x[1] + 20.0;
+    const double along = isSagittal ? x[0] : x[2];
+    const double place[3] = { across / COLUMN_STEP, down / ROW_STEP, along / SLICE_STEP };
+    bool isOnSample = true;
+    int index[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = static_cast<int>(std::lround(place[axis]));
+      isOnSample = isOnSample && std::abs(place[axis] - index[axis]) < 1e-4;
+    }
+    const double value = image->GetPointData()->GetScalars()->GetComponent(p, 0);
+    wrong += isOnSample && value == UnitsAt(index[0], index[1], index[2]) ? 0 : 1;
+  }
+  Expect(wrong == 0, what + " has " + std::to_string(wrong) + " samples elsewhere");
+}
+
+void ExpectNote(const Explore::Volume& volume, const std::string& text)
+{
+  std::string all;
+  for (const std::string& note : volume.Notes)
+  {
+    all += note + "\n";
+  }
+  Expect(all.find(text) != std::string::npos, "'" + text + "' is not among the notes: " + all);
+}
+
+void ExpectFault(const std::string& path, int series, const std::string& fault)
+{
+  std::string message = "nothing";
+  try
+  {
+    Explore::LoadVolumes({ path }, false, series);
+  }
+  catch (const Explore::InputError& error)
+  {
+    message = error.what();
+  }
+  Expect(message.find(fault) != std::string::npos && message.find("Cure: ") != std::string::npos,
+    "should say '" + fault + "', but said: " + message);
+}
+
+void ExpectSeriesOption()
+{
+  std::string words[] = { "explore", "folder", "--series", "3" };
+  char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
+  Expect(Explore::ParseOptions(4, arguments).Series == 3, "--series 3 is another one");
+  for (const char* const wrong : { "0", "-1", "1.5", "two", "" })
+  {
+    words[3] = wrong;
+    arguments[3] = &words[3][0];
+    bool isRefused = false;
+    try
+    {
+      Explore::ParseOptions(4, arguments);
+    }
+    catch (const Explore::InputError&)
+    {
+      isRefused = true;
+    }
+    Expect(isRefused, std::string("--series takes '") + wrong + "'");
+  }
+}
+
+/// However a file ends too early, its header is refused, or the slice is known not to be whole.
+void ExpectCutFiles()
+{
+  for (const char* const syntax : { EXPLICIT, IMPLICIT })
+  {
+    SliceFile slice;
+    slice.Syntax = syntax;
+    const std::string bytes = Encode(slice);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+    {
+      Explore::DicomHeader header;
+      const std::string path = WriteDicom("cut", bytes.substr(0, length));
+      Expect(!Explore::ReadDicomHeader(path, header) || !header.IsWhole,
+        "a slice cut to " + std::to_string(length) + " bytes is whole");
+    }
+    Explore::DicomHeader header;
+    const std::string path = WriteDicom("cut", bytes);
+    Expect(Explore::ReadDicomHeader(path, header) && header.IsWhole, "a slice is not whole");
+  }
+}
+} // namespace
+
+int TestExploreDicom(int argc, char* argv[])
+{
+  folder = MakeTestFolder(argc, argv, "TestExploreDicom");
+  vtksys::SystemTools::RemoveADirectory(folder);
+  SliceFile thorax;
+  thorax.Series = "1.2.30";
+  thorax.SeriesNumber = 4;
+  SliceFile scout;
+  scout.Series = "1.2.31";
+  scout.SeriesNumber = 2;
+  scout.Description = "Scout";
+  scout.Syntax = IMPLICIT;
+  scout.IsSagittal = true;
+  WriteSlices("disk/PAT0/SE0", thorax, 7);
+  WriteSlices("disk/PAT0/SE1", scout, 5);
+  const std::string disk = folder + "/disk";
+  const std::string content = WriteDicom("disk/DICOMDIR",
+    std::string(128, '\0') + "DICM" + Part(0x00020010, "UI", EXPLICIT, true) +
+      Part(0x00041130, "CS", "DISK", true));
+
+  const Explore::Volume largest = Explore::LoadVolumes({ disk });
+  ExpectSlices("the largest series", largest, 7, false);
+  ExpectNote(largest, "series 2 \"Thorax\", CT, 7 slices of 7 x 5");
+  ExpectNote(largest, "1 \"Scout\", CT, 5 slices of 7 x 5");
+  ExpectSlices("a series by its number", Explore::LoadVolumes({ disk }, false, 1), 5, true);
+  ExpectSlices("a medium", Explore::LoadVolumes({ content }), 7, false);
+  ExpectSlices("a medium's series", Explore::LoadVolumes({ content }, false, 1), 5, true);
+  ExpectFault(disk, 3, "has no series 3");
+  ExpectSlices("the folders of two series", Explore::LoadVolumes({ disk + "/PAT0" }), 7, false);
+
+  // Both in one folder: a slice tells its series.
+  WriteSlices("mixed", thorax, 7);
+  for (scout.Slice = 0; scout.Slice < 5; ++scout.Slice)
+  {
+    WriteDicom("mixed/S" + std::to_string(scout.Slice) + ".dcm", Encode(scout));
+  }
+  const auto oneOf = [](const std::string& name)
+  { return Explore::LoadVolumes({ folder + "/mixed/" + name }); };
+  ExpectSlices("the series of a slice", oneOf("S1.dcm"), 5, true);
+  ExpectSlices("the series of a slice without an ending", oneOf("I900"), 7, false);
+
+  // The phases of a volume that moves are of the same size at the same places.
+  WriteSlices("beat/at2", thorax, 5);
+  thorax.Series = "1.2.32";
+  WriteSlices("beat/at10", thorax, 5);
+  const Explore::Volume beat = Explore::LoadVolumes({ folder + "/beat" });
+  Expect(beat.Frames && beat.Frames->GetNumberOfFrames() == 2, "phases are not frames");
+  ExpectSlices("a phase", Explore::LoadVolumes({ folder + "/beat" }, false, 2), 5, false);
+
+  thorax.Syntax = JPEG_LOSSLESS;
+  WriteSlices("packed", thorax, 3);
+  ExpectFault(folder + "/packed", 0, "compressed DICOM slices");
+  thorax.Syntax = EXPLICIT;
+  thorax.Frames = 3;
+  WriteSlices("many", thorax, 2);
+  ExpectFault(folder + "/many", 0, "with 3 frames");
+  thorax.Frames = 1;
+  WriteSlices("twice", thorax, 2);
+  WriteDicom("twice/again", Encode(thorax));
+  ExpectFault(folder + "/twice", 0, "two slices at the same place");
+  WriteSlices("short", thorax, 3);
+  const std::string bytes = Encode(thorax);
+  WriteDicom("short/I900", bytes.substr(0, bytes.size() - 2));
+  ExpectFault(folder + "/short", 0, "cut-off slice");
+  ExpectCutFiles();
+  ExpectSeriesOption();
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
