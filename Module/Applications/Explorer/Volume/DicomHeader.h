@@ -8,9 +8,9 @@
 
 namespace Explore
 {
-/// What the head of a DICOM file tells about its slice: where it belongs, and what its samples mean.
-/// VTK's reader knows neither series nor sequences: it takes the preview in front of a slice for the
-/// slice.
+/// What the head of a DICOM file tells about its slice: where it belongs, and what its samples
+/// mean. VTK's reader knows neither series nor sequences: it takes the preview in front of a slice
+/// for the slice.
 struct DicomHeader
 {
   std::string File; // whole path
@@ -45,7 +45,8 @@ struct DicomHeader
   bool IsReadable() const;
 };
 
-/// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and A.
+/// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and
+/// A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
 } // namespace Explore
 
