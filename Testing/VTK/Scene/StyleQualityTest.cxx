@@ -25,17 +25,26 @@ namespace
 constexpr double InMotion = 15.0;
 constexpr double AtRest = 0.001;
 
-/// By X11's XWarpPointer. Its header defines macros that other tests must not see.
-void MovePointer(vtkRenderWindow* window)
+/// A motion of the mouse comes to the window, by X11's XSendEvent: the pointer itself may be over a
+/// window of another test. The header of X11 defines macros that other tests must not see.
+void SendMotion(vtkRenderWindow* window)
 {
-  using Warp =
-    int (*)(void*, unsigned long, unsigned long, int, int, unsigned int, unsigned int, int, int);
-  static const auto warp =
-    reinterpret_cast<Warp>(dlsym(dlopen("libX11.so.6", RTLD_LAZY), "XWarpPointer"));
-  static int x = 10;
-  x = x == 10 ? 100 : 10;
-  warp(window->GetGenericDisplayId(), 0,
-    reinterpret_cast<unsigned long>(window->GetGenericWindowId()), 0, 0, 0, 0, x, 60);
+  using Send = int (*)(void* display, unsigned long window, int, long, void* event);
+  static const auto send =
+    reinterpret_cast<Send>(dlsym(dlopen("libX11.so.6", RTLD_LAZY), "XSendEvent"));
+  constexpr int motionNotify = 6;
+  struct // XMotionEvent, as far as it matters, in an XEvent
+  {
+    int Type;
+    unsigned long Serial;
+    int IsSent;
+    void* Display;
+    unsigned long Window;
+    long Rest[24];
+  } event = {};
+  event.Type = motionNotify;
+  event.Window = reinterpret_cast<unsigned long>(window->GetGenericWindowId());
+  send(window->GetGenericDisplayId(), event.Window, 0, 0, &event);
 }
 
 class StyleQualityTest : public StyleTest
@@ -178,13 +187,13 @@ TEST_F(StyleQualityTest, InputInterruptsAFrameAtRest)
     GTEST_SKIP() << "only the queue of X11 tells of motions";
   }
   ASSERT_EQ(this->Window->GetAbortRender(), 0);
-  // A real motion of the mouse, within the frame.
+  // A motion of the mouse within the frame.
   vtkNew<vtkCallbackCommand> move;
   move->SetClientData(this->Window);
   move->SetCallback(
     [](vtkObject*, unsigned long, void* window, void*)
     {
-      MovePointer(static_cast<vtkRenderWindow*>(window));
+      SendMotion(static_cast<vtkRenderWindow*>(window));
       std::this_thread::sleep_for(std::chrono::milliseconds(2)); // the X server's
     });
   mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, move, 1.0f);
