@@ -181,7 +181,17 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
     next.AutoAdjust = false;
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
-  if (moves || (armed && !isInterruptible))
+  const bool isLimited = moves || (armed && !isInterruptible);
+  if (!moves && !this->AtRest.IsKnown)
+  {
+    // By the rays of frames in motion, which take half of the samples.
+    this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
+  }
+  if (!isLimited)
+  {
+    this->AtRest.Steps = 0.0; // the frame's time will be that of all rays
+  }
+  else
   {
     const double rate = std::max(LeastRate, this->Window->GetDesiredUpdateRate());
     const double distance =
@@ -261,7 +271,9 @@ void FrameQuality::End()
     return;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Start;
-  (this->Moves ? this->InMotion : this->AtRest).Time = time.count();
+  Pace& pace = this->Moves ? this->InMotion : this->AtRest;
+  pace.Time = time.count();
+  pace.IsKnown = true;
 }
 
 //------------------------------------------------------------------------------

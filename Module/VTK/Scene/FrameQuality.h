@@ -91,6 +91,7 @@ private:
     double Next(double longest);
     double Time = 0.05; ///< that the last one took, s
     double Steps = 2.0;
+    bool IsKnown = false; ///< the time was measured
   };
 
   void Begin();
