@@ -40,7 +40,7 @@ const std::map<std::string, int> SampleTypes = { { "met_char", VTK_SIGNED_CHAR }
   { "int64_t", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
   { "uint64_t", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "double", VTK_DOUBLE } };
 
-/** What a header says. */
+/** The fields of a header of either format. */
 struct RawHeader
 {
   std::vector<double> Size; ///< samples along each axis

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/FrameQuality.h"
 
+#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Scene/PendingInput.h"
 #include "VTK/Scene/SoftwareOpenGL.h"
 
@@ -31,14 +32,7 @@ constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far b
 constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
-constexpr double MostSteps =
-  5.0; // each makes the distance between rays larger by a half power of two
-
-double SmallestSpacing(vtkImageData* image)
-{
-  const double* const spacing = image->GetSpacing();
-  return std::min({ spacing[0], spacing[1], spacing[2] });
-}
+constexpr double MostSteps = 5.0;    // of a factor of the square root of two between rays
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
 double AutomaticDistance(vtkImageData* image)
@@ -115,6 +109,7 @@ void FrameQuality::SetWindow(vtkRenderWindow* window)
   this->Window = window;
   this->InMotion = Pace();
   this->AtRest = Pace();
+  this->OnProcessor.reset();
   if (window)
   {
     window->AddObserver(vtkCommand::StartEvent, this->Observer);
@@ -163,7 +158,7 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
     // VTK's interrupted mapper tells its progress more often than the window asks.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
-  // What the application has set meanwhile counts.
+  // What the application has set since the last frame becomes its own setting.
   Settings& own = caster->Own;
   own.ImageDistance =
     now.ImageDistance == caster->Set.ImageDistance ? own.ImageDistance : now.ImageDistance;
@@ -220,11 +215,21 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
   vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
   if (touched && known == this->SmartMappers.end() &&
     mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
-    values->GetNumberOfComponents() == 1 && IsSoftwareOpenGL(this->Window))
+    values->GetNumberOfComponents() == 1 && this->IsOnProcessor())
   {
     this->SmartMappers.push_back({ mapper, mode });
     mapper->SetRequestedRenderModeToRayCast();
   }
+}
+
+//------------------------------------------------------------------------------
+bool FrameQuality::IsOnProcessor()
+{
+  if (!this->OnProcessor && !this->Window->GetNeverRendered())
+  {
+    this->OnProcessor = IsSoftwareOpenGL(this->Window);
+  }
+  return this->OnProcessor.value_or(false);
 }
 
 //------------------------------------------------------------------------------

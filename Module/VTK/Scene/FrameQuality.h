@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <vector>
 
 class vtkCallbackCommand;
@@ -36,7 +37,7 @@ namespace VolumeHaptics
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched, if OpenGL runs
  *   there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
- * A window off the screen makes pictures for nobody who waits: it is left alone.
+ * A window off the screen is left alone, because nobody waits for its pictures.
  */
 class FrameQuality
 {
@@ -54,8 +55,10 @@ public:
   FrameQuality(const FrameQuality&) = delete;
   FrameQuality& operator=(const FrameQuality&) = delete;
 
-  /** Follows this window, nullptr for none, and gives the mappers of the last one their own
-   * settings back. */
+  /**
+   * Follows this window, nullptr for none, and gives the mappers of the last one their own settings
+   * back.
+   */
   void SetWindow(vtkRenderWindow* window);
 
   /** Whether input has interrupted a frame since the last call: it is to be drawn again. */
@@ -101,6 +104,8 @@ private:
   template <typename Mapper>
   void Adjust(Mapper* mapper, bool moves, bool armed);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
+  /** Whether OpenGL runs on the processor. Asks the window once, because its answer takes long. */
+  bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;
   vtkWeakPointer<vtkRenderWindow> Window;
@@ -108,6 +113,7 @@ private:
   std::vector<Caster> Casters;
   std::vector<Smart> SmartMappers;
   std::chrono::steady_clock::time_point Start;
+  std::optional<bool> OnProcessor; ///< empty: not known yet
   Pace InMotion;
   Pace AtRest;
   bool Moves = false;

@@ -118,7 +118,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
   return line;
 }
 
-/** What to walk with; nothing if there is nothing to be felt. */
+/** The probe for this filter; null if there is nothing to be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
   const char* const awaited = HapticBaker(filter).Prepare();
@@ -136,7 +136,7 @@ bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal)
 {
   // In coarse steps, and again in fine ones shortly before the contact.
   constexpr int fineness = 16;
-  constexpr int before = 2; // coarse steps
+  constexpr int before = 2; // coarse steps, from where the fine ones begin
   Probe again = probe;
   const auto steps = static_cast<int>(line.Length / line.Step);
   for (int i = 0; i <= steps; ++i)
@@ -171,6 +171,13 @@ Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3&
   return FromArray(world);
 }
 
+double PixelSize(vtkRenderer* renderer, const Vector3& position)
+{
+  const int here[2] = { 0, 0 };
+  const int beside[2] = { 1, 0 };
+  return Norm(UnderPointer(renderer, beside, position) - UnderPointer(renderer, here, position));
+}
+
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
 {
   vtkCamera* const camera = renderer->GetActiveCamera();
@@ -196,7 +203,7 @@ bool FindFirstContact(
   {
     return false;
   }
-  position = contact - (2.0 * line.Step) * line.Sight;
+  position = contact - (0.5 * SmallestSpacing(filter->GetTouchedImage())) * line.Sight;
   return true;
 }
 

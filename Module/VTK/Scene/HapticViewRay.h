@@ -18,6 +18,9 @@ namespace VolumeHaptics
 /** A pixel of the renderer at the depth of a world position. */
 Vector3 UnderPointer(vtkRenderer* renderer, const int pointer[2], const Vector3& depth);
 
+/** The size of a pixel at the depth of a world position, world units. */
+double PixelSize(vtkRenderer* renderer, const Vector3& position);
+
 /** The unit direction of sight at a world position, away from the viewer. */
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 

@@ -87,12 +87,8 @@ void LandingRing::Update(
     renderer->WorldToDisplay();
     double display[3];
     renderer->GetDisplayPoint(display);
-    const int here[2] = { 0, 0 };
-    const int beside[2] = { 1, 0 };
-    const double pixel =
-      Norm(UnderPointer(renderer, beside, contact) - UnderPointer(renderer, here, contact));
     this->Distance->SetInput(DescribeDistance(distance, unit).c_str());
-    this->Distance->SetPosition(display[0] + ring / pixel + Gap, display[1]);
+    this->Distance->SetPosition(display[0] + ring / PixelSize(renderer, contact) + Gap, display[1]);
     this->Distance->VisibilityOn();
   }
 }

@@ -93,10 +93,7 @@ bool SceneFrames::HasMoved() const
     return this->HasHappened;
   }
   const Vector3 tip = this->Scene.GetTip();
-  const int here[2] = { 0, 0 };
-  const int beside[2] = { 1, 0 };
-  const double pixel =
-    Norm(UnderPointer(renderer, beside, tip) - UnderPointer(renderer, here, tip));
+  const double pixel = PixelSize(renderer, tip);
   // A hand is never completely still: a motion of less than half a pixel is not drawn.
   return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
     Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;

@@ -56,7 +56,7 @@ struct Exploration
 };
 
 /// Analyses the values, plans a tip path and feels its way along it. Throws InputError.
-/// Tells `progress`, if there is one, what is done and the share of all work that is done before.
+/// Tells `progress`, if there is one, each step that begins and the share of the work that is done.
 using Progress = std::function<void(const std::string& step, double share)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);

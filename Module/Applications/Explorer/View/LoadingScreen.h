@@ -25,7 +25,7 @@ public:
   LoadingScreen(const LoadingScreen&) = delete;
   LoadingScreen& operator=(const LoadingScreen&) = delete;
 
-  /// What is done now, and the share of all work that is done before.
+  /// Shows a step that begins, and the share of the work that is done (0 to 1).
   void Tell(const std::string& step, double share);
 
 private:

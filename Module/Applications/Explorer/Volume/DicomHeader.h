@@ -8,9 +8,8 @@
 
 namespace Explore
 {
-/// What the head of a DICOM file tells about its slice: where it belongs, and what its samples
-/// mean. VTK's reader knows neither series nor sequences: it takes the preview in front of a slice
-/// for the slice.
+/// The header of a DICOM slice: its series, its place, and the meaning of its samples. VTK's reader
+/// knows neither series nor sequences: it takes the preview in front of a slice for the slice.
 struct DicomHeader
 {
   std::string File; // whole path
