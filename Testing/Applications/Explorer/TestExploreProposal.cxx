@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -54,6 +55,65 @@ void ExpectProposal(const std::string& what, const Explore::Volume& volume, doub
   }
   Expect(largest > 0.5 && largest < 20.0, what + ": the path feels it");
 }
+/// The force on the outer surface, as the path feels it.
+double LargestOutside(const Explore::Exploration& e)
+{
+  vtkDataArray* const force = e.Trace->GetPointData()->GetArray("NormalForce");
+  double largest = 0.0;
+  for (const Explore::Phase& phase : e.Tip.Phases)
+  {
+    for (vtkIdType i = phase.First; phase.Name == "slide outside" && i < phase.Last; ++i)
+    {
+      largest = std::max(largest, force->GetComponent(i, 0));
+    }
+  }
+  return largest;
+}
+
+/// A ball of 40 voxels of 3 mm; values by the distance from its middle (mm).
+Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
+{
+  constexpr int size = 40;
+  constexpr double spacing = 3.0;
+  Explore::Volume ball;
+  ball.Name = "ball";
+  ball.Image = vtkSmartPointer<vtkImageData>::New();
+  ball.Image->SetDimensions(size, size, size);
+  ball.Image->SetSpacing(spacing, spacing, spacing);
+  ball.Image->AllocateScalars(VTK_FLOAT, 1);
+  for (vtkIdType i = 0; i < ball.Image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    ball.Image->GetPoint(i, point);
+    const double middle = 0.5 * spacing * (size - 1);
+    const double r = std::hypot(point[0] - middle, point[1] - middle, point[2] - middle);
+    ball.Image->GetPointData()->GetScalars()->SetComponent(i, 0, valueAt(r));
+  }
+  return ball;
+}
+
+/// What a hand presses is what it feels, also if edges are several voxels wide, run into each other
+/// or are none. The hand presses 2.5 mm deep: 500 N/m give at most 1.25 N, and less since a kernel
+/// of scale s sees the edge of a ball of radius R about s^2/R (1.4 mm) inside.
+void ExpectSoftSurfaces()
+{
+  const auto edge = [](double r, double radius, double width)
+  { return 0.5 * std::erfc((r - radius) / (std::sqrt(2.0) * width)); };
+  const Explore::Exploration soft =
+    Explore::ExploreVolume(MakeSoftBall([&](double r) { return 100.0 * edge(r, 40.0, 9.0); }), {});
+  Expect(soft.Materials == "propose", "a soft ball has an edge");
+  Expect(std::abs(soft.Values.OuterThreshold - 50.0) < 2.0, "its surface is where it is steepest");
+  const double felt = LargestOutside(soft);
+  Expect(felt > 0.4 && felt < 1.25, "a soft ball is felt where it is pressed");
+  const Explore::Exploration shells = Explore::ExploreVolume(
+    MakeSoftBall([&](double r) { return 40.0 * edge(r, 45.0, 4.5) + 100.0 * edge(r, 33.0, 4.5); }),
+    {});
+  Expect(LargestOutside(shells) > 0.5, "shells whose edges run into each other are felt");
+  const Explore::Exploration ramp = Explore::ExploreVolume(
+    MakeSoftBall([](double r) { return std::max(0.0, 1.0 - r * r / 2025.0); }), {});
+  Expect(ramp.Materials == "histogram", "a ramp has no edge");
+  Expect(LargestOutside(ramp) > 0.5, "a body without an edge is felt where it begins");
+}
 } // namespace
 
 int TestExploreProposal(int argc, char* argv[])
@@ -64,6 +124,8 @@ int TestExploreProposal(int argc, char* argv[])
 
   const Explore::Exploration ct = Explore::ExploreVolume(head, Explore::Settings());
   Expect(ct.Materials == "CT contrast", "Hounsfield units have a preset");
+
+  ExpectSoftSurfaces();
 
   // A ramp has no edges.
   vtkNew<vtkImageData> ramp;

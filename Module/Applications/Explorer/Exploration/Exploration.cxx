@@ -10,6 +10,7 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
 
+#include "vtkHapticProperty.h"
 #include "vtkNew.h"
 #include "vtkTimerLog.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -51,12 +52,13 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   tell("Finding the body", 0.4);
   result.Input = volume;
   result.Values = AnalyseVolume(volume.Image);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
+  FitThresholds(filter->GetProperty(), result.Values);
   result.Body = IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   MeasureBody(result.Values, result.Body);
   result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
 
-  vtkNew<vtkVolumeHapticsFilter> filter;
-  result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
   result.Estimator = SetEstimator(filter, settings.Gradient);
   result.KernelRadius = filter->GetKernelRadius();
   result.ServoRate = filter->GetServoRate();

@@ -5,12 +5,15 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 
+#include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -113,6 +116,8 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
       throw InputError("--preset propose", reason, "take another preset");
     }
     name = "histogram";
+    // Where a surface is steepest tells nothing: it is felt where the body begins.
+    filter->SetContactAlignmentToDistinctness();
   }
   if (name == "histogram")
   {
@@ -131,5 +136,35 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
   }
   filter->GetProperty()->ApplyPreset(name.c_str());
   return name;
+}
+
+void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
+{
+  vtkTable* const boundaries = property->GetProposedBoundaries();
+  if (analysis.Kind == VolumeKind::CT || !boundaries)
+  {
+    return; // the numbers have a meaning of their own
+  }
+  const auto column = [&](const char* name)
+  { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name)); };
+  vtkDataArray* const low = column("Low");
+  vtkDataArray* const high = column("High");
+  vtkDataArray* const area = column("Share");
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < boundaries->GetNumberOfRows(); ++i)
+  {
+    const double from = low->GetComponent(i, 0);
+    const bool isOutside = property->GetSurfaceStrength()->GetValue(from) == 0.0;
+    if (isOutside && area->GetComponent(i, 0) > largest)
+    {
+      largest = area->GetComponent(i, 0);
+      analysis.OuterThreshold = 0.5 * (from + high->GetComponent(i, 0));
+    }
+  }
+  const double dense = 0.5 * (analysis.OuterThreshold + analysis.High);
+  if (largest > 0.0 && analysis.DeepThreshold <= analysis.OuterThreshold)
+  {
+    analysis.DeepThreshold = std::max(analysis.OuterThreshold, dense);
+  }
 }
 } // namespace Explore

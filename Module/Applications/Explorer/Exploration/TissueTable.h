@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+class vtkHapticProperty;
 class vtkImageData;
 class vtkVolumeHapticsFilter;
 
@@ -34,6 +35,10 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 /// InputError. Returns the name of the materials.
 std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, vtkImageData* image,
   vtkVolumeHapticsFilter* filter);
+
+/// Puts the outer threshold to the middle of the boundary with what is outside, if the property was
+/// proposed from an image: where a hand feels a soft edge, there it is drawn and pressed.
+void FitThresholds(vtkHapticProperty* property, Analysis& analysis);
 } // namespace Explore
 
 #endif

@@ -17,6 +17,7 @@ namespace
 {
 using Explore::Exploration;
 
+constexpr double LEAST_FELT = 0.01; // N
 constexpr const char* CONTACTS[] = { "free", "sticking", "sliding", "penetrating" };
 
 /// The trace's columns, by their meaning.
@@ -125,6 +126,7 @@ void WriteSettings(std::ostream& out, const Exploration& e, const Columns& colum
 void WritePhases(std::ostream& out, const Exploration& e, const Columns& columns)
 {
   WriteHeader(out, "What the hand did");
+  double outside = 0.0;
   for (const Explore::Phase& phase : e.Tip.Phases)
   {
     Share share;
@@ -133,6 +135,16 @@ void WritePhases(std::ostream& out, const Exploration& e, const Columns& columns
       share.Add(columns.Newtons(i));
     }
     WriteRow(out, phase.Name, share, 1.0 / e.ServoRate, columns.Count);
+    outside = phase.Name == "press" || phase.Name == "slide outside"
+      ? std::max(outside, share.Largest)
+      : outside;
+  }
+  if (outside < LEAST_FELT)
+  {
+    out << "  Nothing is felt on the outer surface, where values reach " << std::defaultfloat
+        << e.Values.OuterThreshold
+        << ": it has no edge there, or no strength.\n  Cure: take another --preset, or press e in "
+           "the window and set the functions.\n";
   }
 }
 
