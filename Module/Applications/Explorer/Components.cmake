@@ -11,7 +11,10 @@ set(Explore_VTK_COMPONENTS
   FiltersCore
   FiltersSources
   IOCore
+  IOEnSight
+  IOGeometry
   IOImage
+  IOLegacy
   IOXML
   IOXMLParser
   ImagingCore
@@ -63,6 +66,7 @@ set(Explore_SOURCES
   Volume/DicomFolder.cxx
   Volume/DicomHeader.cxx
   Volume/DicomSeries.cxx
+  Volume/GridLoader.cxx
   Volume/LabelLoader.cxx
   Volume/LargeLoader.cxx
   Volume/VolumeChecks.cxx

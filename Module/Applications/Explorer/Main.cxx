@@ -144,7 +144,8 @@ int Run(const Explore::Options& options)
   tell("Reading " + vtksys::SystemTools::GetFilenameName(options.VolumePath), 0.0);
   std::vector<std::string> paths{ options.VolumePath };
   paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
-  Explore::Volume volume = Explore::LoadVolumes(paths, options.Large, options.Series);
+  Explore::Volume volume =
+    Explore::LoadVolumes(paths, options.Large, options.Series, options.Array);
   if (volume.Large && options.Live)
   {
     throw Explore::InputError(options.VolumePath,

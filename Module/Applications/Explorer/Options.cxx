@@ -162,6 +162,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   {
     options.Series = ParseSeries(value);
   }
+  else if (name == "--array")
+  {
+    options.Array = value;
+  }
   else if (name == "--materials")
   {
     options.Materials.push_back(value);
@@ -312,7 +316,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
          .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
          files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
          names; a .pvd file with times (s); or a NIfTI file with several times. The window plays it: space holds,
-         arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart
+         arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart.
+         Grids, .vtu .vtr .vts .vtm .vtmb .vtk, OpenFOAM's .foam and EnSight's .case, are resampled; if they
+         have vectors, the flow is followed
 
   --pictures DIR    no window, and where the results go (default explore-pictures):
                     explore.png force.png trace.vtp trace.csv summary.txt
@@ -330,6 +336,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
                     (what the volume's own edges suggest), histogram)" +
     presets + R"(
+  --array NAME      of several point arrays, the one that is shown and felt: its values, or the magnitude of
+                    its vectors (default: the active scalars, or else the first array)
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
                     summary lists them)
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
@@ -338,7 +346,7 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     stiffness, friction, viscosity, strength; several of these options add up
   --method NAME     of the path, and the first of the window: )" +
     methods + R"(
-                    (default proxy, the others for comparison; primitives feels the modes)
+                    (default proxy, or primitives for the vectors of a grid; the others for comparison; primitives feels the modes)
   --mode NAME[:ARRAY]
                     a mode of the method primitives, which this chooses, too: )" +
     ListModes() + R"(;

@@ -20,6 +20,7 @@ struct Options
   bool Large = false;        // read it where the hand is, whatever its size
   std::string VolumePath;
   int Series = 0;                     // of a DICOM folder; 0: the largest
+  std::string Array;                  // that is shown and felt
   std::vector<std::string> MorePaths; // further frames of a volume that moves
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it

@@ -80,11 +80,16 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     filter->SetLabelTable(volume.LabelTable);
   }
   ScaleMethods(filter, result.Values, result.Body);
-  if (settings.Method == "primitives")
+  const bool isFlow = settings.Method == "auto" && !volume.Flow.empty();
+  const std::string method = isFlow ? "primitives"
+    : settings.Method == "auto"     ? "proxy"
+                                    : settings.Method;
+  if (method == "primitives")
   {
-    AddModes(settings.Modes, volume.Image, filter);
+    AddModes(isFlow ? std::vector<std::string>{ "vector-follow:" + volume.Flow } : settings.Modes,
+      volume.Image, filter);
   }
-  filter->SetMethodByName(settings.Method.c_str());
+  filter->SetMethodByName(method.c_str());
   result.Method = filter->GetMethodText();
   if (volume.Large)
   {

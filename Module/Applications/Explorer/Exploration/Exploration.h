@@ -32,7 +32,9 @@ struct Settings
   std::string Front = "-y"; // world axis along which a face looks
   std::string Up = "+z";    // world axis to the top
   Estimator Gradient = Estimator::Gaussian;
-  std::string Method = "proxy";   // see vtkVolumeHapticsFilter::GetMethodNames
+  // See vtkVolumeHapticsFilter::GetMethodNames; "auto" is primitives if the volume is a grid with
+  // vectors, which are followed, else proxy.
+  std::string Method = "auto";
   std::vector<std::string> Modes; // of the method primitives: see ModeChoice.h
 };
 

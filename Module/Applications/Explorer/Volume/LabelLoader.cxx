@@ -49,7 +49,12 @@ void LoadLabels(
   }
   else
   {
-    volume.Labels = ReadVolume(segmentation).Image;
+    const Volume labels = ReadVolume(segmentation);
+    if (labels.IsGrid)
+    {
+      throw InputError(segmentation, "has no voxels, but cells", "write the labels as an image");
+    }
+    volume.Labels = labels.Image;
     const MessageCapture capture; // without names there are numbers
     volume.LabelTable->ReadFile(segmentation.c_str());
   }

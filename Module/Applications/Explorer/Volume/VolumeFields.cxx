@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/VolumeFields.h"
 
+#include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "vtkFloatArray.h"
@@ -38,7 +39,7 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* field)
 
 namespace Explore
 {
-bool VolumeFields::Take(vtkImageData* image)
+void VolumeFields::Collect(vtkImageData* image)
 {
   this->Source = vtkSmartPointer<vtkImageData>::New();
   this->Source->CopyStructure(image);
@@ -51,6 +52,12 @@ bool VolumeFields::Take(vtkImageData* image)
       this->Arrays.emplace_back(array);
     }
   }
+}
+
+bool VolumeFields::Take(vtkImageData* image)
+{
+  this->Collect(image);
+  vtkPointData* const points = image->GetPointData();
   const bool isScalar = points->GetScalars() || points->GetNumberOfArrays() == 0 ||
     !IsField(points->GetArray(0)) || this->Arrays.empty();
   if (!isScalar)
@@ -58,6 +65,42 @@ bool VolumeFields::Take(vtkImageData* image)
     points->SetScalars(MakeMagnitude(this->Arrays.front()));
   }
   return !isScalar;
+}
+
+void VolumeFields::TakeWith(const std::string& name, const std::string& path, vtkImageData* image)
+{
+  this->Collect(image);
+  vtkPointData* const points = image->GetPointData();
+  vtkDataArray* const array = points->GetArray(name.c_str());
+  if (!array)
+  {
+    std::string known;
+    for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+    {
+      const char* const other = points->GetArray(i) ? points->GetArray(i)->GetName() : nullptr;
+      known += other ? (known.empty() ? "'" : ", '") + std::string(other) + "'" : "";
+    }
+    throw InputError("--array '" + name + "'", "is not an array of the points of " + path,
+      known.empty() ? "leave it out: there is none with a name" : "take one of " + known);
+  }
+  const vtkSmartPointer<vtkDataArray> shown =
+    IsField(array) ? MakeMagnitude(array) : vtkSmartPointer<vtkDataArray>(array);
+  points->SetScalars(shown);
+}
+
+std::string VolumeFields::FindFlow(vtkImageData* image, const std::string& name)
+{
+  vtkPointData* const points = image->GetPointData();
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = points->GetArray(i);
+    const bool isFlow = array && array->GetName() && array->GetNumberOfComponents() == 3;
+    if (isFlow && (name.empty() || name == array->GetName()))
+    {
+      return array->GetName();
+    }
+  }
+  return {};
 }
 
 void VolumeFields::GiveTo(vtkImageData* aligned) const

@@ -7,6 +7,7 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
 #include <vector>
 
 namespace Explore
@@ -19,11 +20,18 @@ public:
   /// An image that has no active scalars, but a field, gets the magnitude of its first field as
   /// scalars, so that there is something to be seen. Returns whether it did.
   bool Take(vtkImageData* image);
+  /// The same, with the values of a point array, or the magnitude of a field, as scalars. Throws
+  /// InputError, with the arrays that there are, if it is not there.
+  void TakeWith(const std::string& name, const std::string& path, vtkImageData* image);
+  /// The first vectors, or those of a name if there is one; empty if there are none.
+  static std::string FindFlow(vtkImageData* image, const std::string& name);
   /// Gives the fields to the image that was made of the other one, along the axes of the world.
   /// Vectors stay as they are: their components are along the axes of the world.
   void GiveTo(vtkImageData* aligned) const;
 
 private:
+  void Collect(vtkImageData* image);
+
   vtkSmartPointer<vtkImageData> Source; // the geometry
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };

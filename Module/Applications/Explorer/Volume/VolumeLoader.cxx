@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Volume/DicomFolder.h"
+#include "Applications/Explorer/Volume/GridLoader.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
@@ -31,8 +32,11 @@ namespace
 using Explore::InputError;
 using Explore::Volume;
 
-constexpr const char* KNOWN = ".vti .mhd .mha .nii .nii.gz .nrrd .nhdr .vtkhdf .pvd, a folder "
-                              ".zarr, DICOM slices, or a folder of them";
+std::string ListKnown()
+{
+  return std::string(".vti .mhd .mha .nii .nii.gz .nrrd .nhdr .vtkhdf .pvd, a grid (") +
+    Explore::GRID_ENDINGS + "), a folder .zarr, DICOM slices, or a folder of them";
+}
 
 bool EndsWith(const std::string& text, const std::string& ending)
 {
@@ -182,6 +186,10 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   {
     return ReadNrrd(path);
   }
+  if (Explore::IsGrid(path))
+  {
+    return Explore::ReadGrid(path);
+  }
   if (Explore::IsDicomFile(path))
   {
     return Explore::ReadDicomFile(path, series);
@@ -191,8 +199,8 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
     throw InputError(path, "is not a DICOM slice, whatever its name says",
       "check what the file really is; name a DICOM slice, or the folder of its series");
   }
-  throw InputError(path, "has an ending that is not known here",
-    std::string("convert it to one of the known: ") + KNOWN);
+  throw InputError(
+    path, "has an ending that is not known here", "convert it to one of the known: " + ListKnown());
 }
 } // namespace
 
@@ -203,7 +211,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   if (!vtksys::SystemTools::PathExists(path))
   {
     throw InputError(path, "there is no such file or folder",
-      std::string("check the spelling; what can be read is ") + KNOWN);
+      "check the spelling; what can be read is " + ListKnown());
   }
   Volume volume;
   if (vtksys::SystemTools::FileIsDirectory(path))
@@ -216,7 +224,9 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
     }
-    if (vtksys::SystemTools::FileLength(path) == 0)
+    // That of an OpenFOAM case is, and only tells its folder.
+    const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
+    if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
     {
       throw InputError(path, "is empty (0 bytes)", "copy or download it again");
     }
@@ -250,11 +260,17 @@ double FindNiftiSpacing(const std::string& path, double unknown)
   return isKnown && std::isfinite(spacing) ? spacing : unknown;
 }
 
-Volume LoadVolume(const std::string& path, int series)
+Volume LoadVolume(const std::string& path, int series, const std::string& array)
 {
   Volume volume = ReadVolume(path, false, series);
   VolumeFields fields;
-  if (fields.Take(volume.Image))
+  volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
+  if (!array.empty() || !volume.Flow.empty())
+  {
+    // What is felt is seen.
+    fields.TakeWith(array.empty() ? volume.Flow : array, path, volume.Image);
+  }
+  else if (fields.Take(volume.Image))
   {
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }

@@ -32,6 +32,8 @@ struct Volume
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
+  bool IsGrid = false; // resampled from cells
+  std::string Flow;    // the vectors of a grid, which are followed without another wish
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
@@ -43,9 +45,10 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int 
 /// not tell. 0 for any other file.
 double FindNiftiSpacing(const std::string& path, double unknown);
 
-/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a folder of DICOM slices or one of them. Throws
-/// InputError for anything else, with the fault and the cure.
-Volume LoadVolume(const std::string& path, int series = 0);
+/// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or one
+/// of them. Of several arrays, the values of one, or the magnitude of its vectors, are shown and
+/// felt if it is named. Throws InputError for anything else, with the fault and the cure.
+Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 } // namespace Explore
 
 #endif

@@ -242,15 +242,17 @@ void Finish(Volume& volume)
   volume.Notes.push_back(note.str());
 }
 
-Volume LoadFrames(const std::string& path, const std::vector<FramePath>& frames)
+Volume LoadFrames(
+  const std::string& path, const std::vector<FramePath>& frames, const std::string& array)
 {
-  Volume volume = Explore::LoadVolume(frames.front().Path);
+  Volume volume = Explore::LoadVolume(frames.front().Path, 0, array);
   CheckMemory(path, volume.Image, frames.size());
   volume.Frames = vtkSmartPointer<vtkHapticFrameSource>::New();
   AddFrame(volume, frames.front().Path, volume.Image, frames.front().Time);
   for (std::size_t i = 1; i < frames.size(); ++i)
   {
-    AddFrame(volume, frames[i].Path, Explore::LoadVolume(frames[i].Path).Image, frames[i].Time);
+    AddFrame(
+      volume, frames[i].Path, Explore::LoadVolume(frames[i].Path, 0, array).Image, frames[i].Time);
   }
   Finish(volume);
   return volume;
@@ -290,29 +292,35 @@ Volume LoadNiftiSeries(const std::string& path, double spacing)
 
 namespace Explore
 {
-Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge, int dicomSeries)
+Volume LoadVolumes(
+  const std::vector<std::string>& paths, bool isLarge, int dicomSeries, const std::string& array)
 {
   const std::string& path = paths.front();
   if (paths.size() > 1)
   {
-    return LoadFrames(path, MakeFrames(paths));
+    return LoadFrames(path, MakeFrames(paths), array);
   }
   if (IsLargeVolume(path, isLarge))
   {
+    if (!array.empty())
+    {
+      throw InputError("--array " + array, "is for volumes in memory", "leave it out");
+    }
     return LoadLargeVolume(path);
   }
   if (Files::FileIsDirectory(path))
   {
     const auto frames = dicomSeries > 0 ? std::vector<FramePath>() : ListFolder(path);
-    return frames.empty() ? LoadVolume(path, dicomSeries) : LoadFrames(path, frames);
+    return frames.empty() ? LoadVolume(path, dicomSeries, array) : LoadFrames(path, frames, array);
   }
   const bool isThere = Files::FileExists(path, true);
   if (isThere && Files::StringEndsWith(Files::LowerCase(path), ".pvd"))
   {
     const std::vector<FramePath> frames = ReadCollection(path);
-    return frames.size() > 1 ? LoadFrames(path, frames) : LoadVolume(frames.front().Path);
+    return frames.size() > 1 ? LoadFrames(path, frames, array)
+                             : LoadVolume(frames.front().Path, 0, array);
   }
   const double spacing = isThere ? FindNiftiSpacing(path, 1.0 / FRAMES_PER_SECOND) : 0.0;
-  return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path, dicomSeries);
+  return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path, dicomSeries, array);
 }
 } // namespace Explore

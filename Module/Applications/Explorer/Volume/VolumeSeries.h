@@ -14,9 +14,9 @@ namespace Explore
 /// folders of DICOM slices, in the order of their names and the numbers in them; a .pvd file; or a
 /// NIfTI file with several times. All frames are in memory. Its image is the first frame. One that
 /// is large, or wanted to be read as such, is read as LoadLargeVolume does. With a number of a
-/// DICOM series, a folder holds no frames. Throws InputError.
-Volume LoadVolumes(
-  const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0);
+/// DICOM series, a folder holds no frames. The array is that of LoadVolume. Throws InputError.
+Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
+  const std::string& array = "");
 } // namespace Explore
 
 #endif

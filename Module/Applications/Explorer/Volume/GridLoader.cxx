@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Volume/GridLoader.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGenericEnSightReader.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkOpenFOAMReader.h"
+#include "vtkPointData.h"
+#include "vtkResampleToImage.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLGenericDataObjectReader.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+using Explore::InputError;
+using Explore::Volume;
+using Files = vtksys::SystemTools;
+
+/// Samples of the image: more would take minutes.
+constexpr double MOST_SAMPLES = 1 << 25;
+
+struct Format
+{
+  const char* Ending;
+  const char* Name;
+  vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+/// It takes folder and name apart by itself only if it is asked to.
+vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
+  reader->SetFilePath(Files::GetFilenamePath(Files::CollapseFullPath(path)).c_str());
+  reader->SetCaseFileName(Files::GetFilenameName(path).c_str());
+  return reader;
+}
+
+const Format FORMATS[] = {
+  { ".vtu", "VTK unstructured grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtr", "VTK rectilinear grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vts", "VTK structured grid", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
+  { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader> },
+  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader> },
+  { ".case", "EnSight case", MakeEnSightReader },
+};
+
+const Format* FindFormat(const std::string& path)
+{
+  const std::string ending = Files::LowerCase(Files::GetFilenameLastExtension(path));
+  const Format* const found = std::find_if(std::begin(FORMATS), std::end(FORMATS),
+    [&](const Format& format) { return ending == format.Ending; });
+  return found == std::end(FORMATS) ? nullptr : found;
+}
+
+/// Reads the last time, if there are several. Empty if nothing could be read.
+vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
+  const Explore::MessageCapture capture;
+  reader->UpdateInformation();
+  vtkInformation* const information = reader->GetOutputInformation(0);
+  vtkInformationDoubleVectorKey* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  const int times = information && information->Has(key) ? information->Length(key) : 0;
+  if (times > 1)
+  {
+    const double last = information->Get(key)[times - 1];
+    std::ostringstream note;
+    note << "the last of " << times << " times, " << last << ", is felt";
+    volume.Notes.push_back(note.str());
+    reader->UpdateTimeStep(last);
+  }
+  else
+  {
+    reader->Update();
+  }
+  if (capture.HasErrors() || reader->GetErrorCode() != 0 || !reader->GetOutputDataObject(0))
+  {
+    const std::string detail = capture.FirstError();
+    throw InputError(path,
+      std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),
+      "check what the file really is, export it again, and check that the copy is complete");
+  }
+  return reader->GetOutputDataObject(0);
+}
+
+std::vector<vtkDataSet*> FindParts(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> parts;
+  const auto add = [&](vtkDataObject* part)
+  {
+    auto* const set = vtkDataSet::SafeDownCast(part);
+    if (set && set->GetNumberOfCells() > 0)
+    {
+      parts.push_back(set);
+    }
+  };
+  add(data);
+  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      add(iterator->GetCurrentDataObject());
+    }
+  }
+  return parts;
+}
+
+/// The image over the bounds of all parts, without arrays. Its cubes are as large as a cell is on
+/// average, but at least 24 go along the shortest edge.
+vtkSmartPointer<vtkImageData> MakeFrame(
+  const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
+{
+  constexpr double leastAlongEdge = 24.0;
+  vtkBoundingBox box;
+  double cells = 0.0;
+  for (vtkDataSet* const part : parts)
+  {
+    box.AddBounds(part->GetBounds());
+    cells += static_cast<double>(part->GetNumberOfCells());
+  }
+  double edges[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetLengths(edges);
+  }
+  const double shortest = std::min({ edges[0], edges[1], edges[2] });
+  const double content = edges[0] * edges[1] * edges[2];
+  if (!(shortest > 0.0) || !std::isfinite(content))
+  {
+    throw InputError(path, "has no cells, or they have no volume",
+      "write grids of cells in space, such as hexahedra and tetrahedra");
+  }
+  const double average = std::min(std::cbrt(content / cells), shortest / leastAlongEdge);
+  const double finest = std::cbrt(content / MOST_SAMPLES);
+  const double spacing = std::max(average, finest);
+  int size[3];
+  double origin[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    size[a] = static_cast<int>(std::floor(edges[a] / spacing * (1.0 + 1e-12))) + 1;
+    origin[a] = box.GetMinPoint()[a] + 0.5 * (edges[a] - (size[a] - 1) * spacing);
+  }
+  auto frame = vtkSmartPointer<vtkImageData>::New();
+  frame->SetDimensions(size);
+  frame->SetOrigin(origin);
+  frame->SetSpacing(spacing, spacing, spacing);
+  std::ostringstream note;
+  note << static_cast<vtkIdType>(cells) << " cells, resampled to cubes of " << spacing
+       << (finest > average ? ", which are larger than the cells: crop the data to feel more" : "");
+  volume.Notes.push_back(note.str());
+  return frame;
+}
+
+vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
+{
+  vtkNew<vtkCellDataToPointData> average;
+  average->SetInputDataObject(data);
+  average->PassCellDataOff();
+  vtkNew<vtkResampleToImage> resample;
+  resample->SetInputConnection(average->GetOutputPort());
+  resample->UseInputBoundsOff();
+  resample->SetSamplingBounds(frame->GetBounds());
+  resample->SetSamplingDimensions(frame->GetDimensions());
+  resample->Update();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(frame);
+  image->GetPointData()->ShallowCopy(resample->GetOutput()->GetPointData());
+  return image;
+}
+
+/// Outside of all cells, scalars are the least value inside; vectors and tensors are 0 there.
+void FillOutside(vtkImageData* image)
+{
+  constexpr const char* maskName = "vtkValidPointMask";
+  vtkPointData* const points = image->GetPointData();
+  const vtkSmartPointer<vtkDataArray> mask = points->GetArray(maskName);
+  for (int i = 0; mask && i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = points->GetArray(i);
+    if (!array || array == mask || array->GetNumberOfComponents() != 1)
+    {
+      continue;
+    }
+    double least = VTK_DOUBLE_MAX;
+    for (vtkIdType k = 0; k < mask->GetNumberOfTuples(); ++k)
+    {
+      const double value = array->GetComponent(k, 0);
+      least = mask->GetComponent(k, 0) != 0.0 && value < least ? value : least;
+    }
+    for (vtkIdType k = 0; k < mask->GetNumberOfTuples() && least < VTK_DOUBLE_MAX; ++k)
+    {
+      if (mask->GetComponent(k, 0) == 0.0)
+      {
+        array->SetComponent(k, 0, least);
+      }
+    }
+  }
+  for (const char* const name : { maskName, vtkDataSetAttributes::GhostArrayName() })
+  {
+    points->RemoveArray(name);
+  }
+}
+
+/// The active array of a kind, by the part that has one.
+std::string FindActive(const std::vector<vtkDataSet*>& parts)
+{
+  for (vtkDataSet* const part : parts)
+  {
+    for (vtkDataSetAttributes* const arrays :
+      std::initializer_list<vtkDataSetAttributes*>{ part->GetPointData(), part->GetCellData() })
+    {
+      vtkDataArray* const scalars = arrays->GetScalars();
+      if (scalars && scalars->GetName() && scalars->GetNumberOfComponents() == 1)
+      {
+        return scalars->GetName();
+      }
+    }
+  }
+  return {};
+}
+} // namespace
+
+namespace Explore
+{
+const char* const GRID_ENDINGS = ".vtu .vtr .vts .vtm .vtmb .vtk .foam .case";
+
+bool IsGrid(const std::string& path)
+{
+  return FindFormat(path) != nullptr;
+}
+
+Volume ReadGrid(const std::string& path)
+{
+  const Format& format = *FindFormat(path);
+  Volume volume;
+  volume.Format = format.Name;
+  const vtkSmartPointer<vtkDataObject> data = Read(path, format, volume);
+  if (auto* const image = vtkImageData::SafeDownCast(data))
+  {
+    volume.Image = image;
+    return volume;
+  }
+  const std::vector<vtkDataSet*> parts = FindParts(data);
+  volume.Image = Resample(data, MakeFrame(path, parts, volume));
+  FillOutside(volume.Image);
+  const std::string active = FindActive(parts);
+  volume.Image->GetPointData()->SetActiveScalars(active.empty() ? nullptr : active.c_str());
+  volume.IsGrid = true;
+  return volume;
+}
+} // namespace Explore

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_GridLoader_h
+#define Explore_GridLoader_h
+
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+
+#include <string>
+
+namespace Explore
+{
+/// The endings of the files with grids, for messages.
+extern const char* const GRID_ENDINGS;
+
+/// Whether a file is, by its name, one with a data set that is no image: a rectilinear, structured
+/// or unstructured grid, or several of them.
+bool IsGrid(const std::string& path);
+
+/// Reads such a file and resamples it to an image with cubes as large as a cell is on average, as
+/// the filter does with data that are no image. Cell arrays are averaged to the points; outside of
+/// all cells, scalars are the least value and vectors and tensors 0. Of several times, the last one
+/// is taken. Throws InputError.
+Volume ReadGrid(const std::string& path);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Grids of all kinds are opened. The flow of a rotating block, (-y, x, 0), and the pressure x + 2 y
+// are linear, so that every way of resampling gives the same numbers as the formulas; and what a
+// hand feels of them is the flow, without being asked for it.
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/VolumeSeries.h"
+#include "Expectations.h"
+#include "HeadExploration.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkHapticMode.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataObjectWriter.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+
+#include <vtksys/FStream.hxx>
+
+#include <cmath>
+
+namespace
+{
+constexpr int EDGE = 21; // points along an edge of a block of 20 mm
+
+/// A block of hexahedra from x = `left` on, of which the flow may be left out.
+vtkSmartPointer<vtkStructuredGrid> MakeBlock(double left, bool flows)
+{
+  auto block = vtkSmartPointer<vtkStructuredGrid>::New();
+  block->SetDimensions(EDGE, EDGE, EDGE);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> flow;
+  flow->SetName("U");
+  flow->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> pressure;
+  pressure->SetName("p");
+  for (int i = 0; i < EDGE * EDGE * EDGE; ++i)
+  {
+    const double x = left + i % EDGE;
+    const double y = i / EDGE % EDGE - 10.0;
+    points->InsertNextPoint(x, y, i / (EDGE * EDGE) - 10.0);
+    flow->InsertNextTuple3(-y, x, 0.0);
+    pressure->InsertNextValue(static_cast<float>(x + 2.0 * y));
+  }
+  block->SetPoints(points);
+  if (flows)
+  {
+    block->GetPointData()->AddArray(flow);
+  }
+  block->GetPointData()->AddArray(pressure);
+  return block;
+}
+
+std::string WriteGrid(const std::string& name, vtkDataObject* data)
+{
+  const std::string path = folder + "/" + name;
+  vtkSmartPointer<vtkXMLWriter> writer = vtkSmartPointer<vtkXMLMultiBlockDataWriter>::New();
+  if (data->IsA("vtkDataSet"))
+  {
+    writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
+  }
+  writer->SetFileName(path.c_str());
+  writer->SetInputDataObject(data);
+  writer->Write();
+  return path;
+}
+
+/// The arrays at all samples, against the formulas.
+void ExpectFormulas(const std::string& path)
+{
+  const Explore::Volume volume = Explore::LoadVolumes({ path });
+  vtkDataArray* const flow = volume.Image->GetPointData()->GetArray("U");
+  vtkDataArray* const speed = volume.Image->GetPointData()->GetScalars();
+  Expect(volume.IsGrid && volume.Flow == "U" && flow, path + " has a flow");
+  double worst = flow && speed ? 0.0 : 1.0;
+  for (vtkIdType i = 0; worst < 1.0 && i < volume.Image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    volume.Image->GetPoint(i, x);
+    worst = std::max({ worst, std::abs(flow->GetComponent(i, 0) + x[1]),
+      std::abs(flow->GetComponent(i, 1) - x[0]), std::abs(flow->GetComponent(i, 2)),
+      std::abs(speed->GetComponent(i, 0) - std::hypot(x[0], x[1])) });
+  }
+  Expect(worst < 1e-4 && volume.Image->GetNumberOfPoints() > 20 * 20 * 20,
+    path + " is resampled as it is, but for " + std::to_string(worst));
+  const Explore::Volume chosen = Explore::LoadVolumes({ path }, false, 0, "p");
+  double x[3];
+  chosen.Image->GetPoint(1000, x);
+  const double there = chosen.Image->GetPointData()->GetScalars()->GetComponent(1000, 0);
+  Expect(std::abs(there - x[0] - 2.0 * x[1]) < 1e-4, path + " has pressures");
+  Expect(chosen.Flow.empty(), "whoever wants pressures does not follow the flow");
+}
+
+void ExpectGridError(
+  const std::string& path, const std::string& fault, const std::string& array = "")
+{
+  std::string message = "nothing";
+  try
+  {
+    Explore::LoadVolumes({ path }, false, 0, array);
+  }
+  catch (const Explore::InputError& error)
+  {
+    message = error.what();
+  }
+  Expect(message.find(fault) != std::string::npos && message.find("Cure: ") != std::string::npos,
+    path + " should say '" + fault + "', but said: " + message);
+}
+
+std::string WriteWords(const std::string& name, const char* words = "this is no grid\n")
+{
+  const std::string path = folder + "/" + name;
+  vtksys::ofstream(path.c_str()) << words;
+  return path;
+}
+} // namespace
+
+int TestExploreGrids(int argc, char* argv[])
+{
+  folder = MakeTestFolder(argc, argv, "TestExploreGrids");
+  const vtkSmartPointer<vtkStructuredGrid> whole = MakeBlock(-10.0, true);
+  vtkNew<vtkAppendFilter> append;
+  append->SetInputData(whole);
+  append->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeBlock(-10.0, true));
+  blocks->SetBlock(1, MakeBlock(10.0, true));
+  const std::string cells = WriteGrid("block.vtu", append->GetOutput());
+  ExpectFormulas(cells);
+  ExpectFormulas(WriteGrid("block.vts", whole));
+  ExpectFormulas(WriteGrid("blocks.vtm", blocks));
+
+  const Explore::Exploration e =
+    Explore::ExploreVolume(Explore::LoadVolumes({ cells }), Explore::Settings());
+  Expect(e.Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
+      e.Filter->GetNumberOfModes() == 1 && e.Filter->GetMode(0)->GetArrayName() == std::string("U"),
+    "the flow is followed");
+  vtkDataArray* const force = e.Trace->GetPointData()->GetArray("ModeForce_0");
+  Expect(force && force->GetMaxNorm() > 0.01, "the flow is felt");
+
+  // What has no flow is felt as an image is.
+  const std::string still = WriteGrid("still.vts", MakeBlock(-10.0, false));
+  const Explore::Exploration plain =
+    Explore::ExploreVolume(Explore::LoadVolumes({ still }), Explore::Settings());
+  Expect(plain.Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY, "a grid has surfaces, too");
+
+  ExpectGridError(cells, "take one of 'U'", "T");
+  for (const char* const name : { "words.vtu", "words.vtm", "words.vtk", "words.case" })
+  {
+    ExpectGridError(WriteWords(name), "cannot be read as");
+  }
+  vtkNew<vtkUnstructuredGrid> flat;
+  vtkNew<vtkPoints> corners;
+  const vtkIdType triangle[3] = { corners->InsertNextPoint(0.0, 0.0, 0.0),
+    corners->InsertNextPoint(1.0, 0.0, 0.0), corners->InsertNextPoint(0.0, 1.0, 0.0) };
+  flat->SetPoints(corners);
+  flat->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+  ExpectGridError(WriteGrid("flat.vtu", flat), "no volume");
+  ExpectGridError(WriteWords("nothing.vtu", ""), "is empty");
+  ExpectGridError(WriteWords("alone.foam", ""), "cannot be read as OpenFOAM case");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
