@@ -67,25 +67,45 @@ std::array<BlockAxis, 3> AxesOf(const NoiseSamples& samples)
   return { BlockAxis(n[0], most), BlockAxis(n[1], most), BlockAxis(n[2], most) };
 }
 
+/** The values of all terms at each sample of a block. */
+struct TermTable
+{
+  constexpr TermTable()
+  {
+    for (int i = 0; i < BlockSamples; ++i)
+    {
+      for (int t = 0; t < Quadratic; ++t)
+      {
+        this->Value[i][t] = Basis[Terms[t][0]][i % BlockSide] *
+          Basis[Terms[t][1]][i / BlockSide % BlockSide] *
+          Basis[Terms[t][2]][i / (BlockSide * BlockSide)];
+      }
+    }
+  }
+  double Value[BlockSamples][Quadratic] = {};
+};
+constexpr TermTable TermValues;
+
 /** The sum of squares of a block after the best quadratic is subtracted. */
 double Remainder(const double* block)
 {
   // Around the middle, so that no digits are lost.
   const double middle = block[BlockSamples / 2];
   double left = 0.0;
+  double sums[Quadratic] = {};
   for (int i = 0; i < BlockSamples; ++i)
   {
-    left += (block[i] - middle) * (block[i] - middle);
-  }
-  for (const int* term : Terms)
-  {
-    double sum = 0.0;
-    for (int i = 0; i < BlockSamples; ++i)
+    const double value = block[i] - middle;
+    left += value * value;
+    for (int t = 0; t < Quadratic; ++t)
     {
-      sum += (block[i] - middle) * Basis[term[0]][i % BlockSide] *
-        Basis[term[1]][i / BlockSide % BlockSide] * Basis[term[2]][i / (BlockSide * BlockSide)];
+      sums[t] += value * TermValues.Value[i][t];
     }
-    left -= sum * sum / (Squares[term[0]] * Squares[term[1]] * Squares[term[2]]);
+  }
+  for (int t = 0; t < Quadratic; ++t)
+  {
+    const int* const term = Terms[t];
+    left -= sums[t] * sums[t] / (Squares[term[0]] * Squares[term[1]] * Squares[term[2]]);
   }
   return std::max(0.0, left);
 }
@@ -200,7 +220,13 @@ void CollectNoiseSamples(
 {
   std::int64_t n[3];    // of the piece
   std::int64_t from[3]; // of its first sample, in the whole
-  std::vector<std::int64_t> wanted[3];
+  struct Wanted
+  {
+    std::int64_t Index; // in the piece
+    bool IsInBlock;
+    bool IsEnd;
+  };
+  std::vector<Wanted> wanted[3];
   for (int a = 0; a < 3; ++a)
   {
     n[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
@@ -213,31 +239,39 @@ void CollectNoiseSamples(
   {
     for (std::int64_t i = 0; i < n[a]; ++i)
     {
-      if (axes[a].Find(from[a] + i) != BlockAxis::None || axes[a].IsEnd(from[a] + i))
+      const bool isInBlock = axes[a].Find(from[a] + i) != BlockAxis::None;
+      const bool isEnd = axes[a].IsEnd(from[a] + i);
+      if (isInBlock || isEnd)
       {
-        wanted[a].push_back(i);
+        wanted[a].push_back({ i, isInBlock, isEnd });
       }
     }
   }
-  for (const std::int64_t k : wanted[2])
+  if (samples.Indices.empty())
   {
-    for (const std::int64_t j : wanted[1])
+    // Megabytes, which would be moved again and again.
+    std::size_t most = 1;
+    for (const std::vector<Wanted>& along : wanted)
     {
-      for (const std::int64_t i : wanted[0])
+      most *= along.size();
+    }
+    samples.Indices.reserve(most);
+    samples.Values.reserve(most);
+  }
+  for (const Wanted& k : wanted[2])
+  {
+    for (const Wanted& j : wanted[1])
+    {
+      const std::int64_t row =
+        samples.Dimensions[0] * (from[1] + j.Index + samples.Dimensions[1] * (from[2] + k.Index));
+      for (const Wanted& i : wanted[0])
       {
-        const std::int64_t at[3] = { from[0] + i, from[1] + j, from[2] + k };
-        bool isInBlock = true;
-        bool isCorner = true;
-        for (int a = 0; a < 3; ++a)
-        {
-          isInBlock = isInBlock && axes[a].Find(at[a]) != BlockAxis::None;
-          isCorner = isCorner && axes[a].IsEnd(at[a]);
-        }
+        const bool isInBlock = i.IsInBlock && j.IsInBlock && k.IsInBlock;
+        const bool isCorner = i.IsEnd && j.IsEnd && k.IsEnd;
         if (isInBlock || isCorner)
         {
-          samples.Indices.push_back(
-            at[0] + samples.Dimensions[0] * (at[1] + samples.Dimensions[1] * at[2]));
-          samples.Values.push_back(read(i + n[0] * (j + n[1] * k)));
+          samples.Indices.push_back(from[0] + i.Index + row);
+          samples.Values.push_back(read(i.Index + n[0] * (j.Index + n[1] * k.Index)));
           const double value = samples.Values.back();
           if (isLarge && std::isfinite(value))
           {
@@ -280,12 +314,22 @@ double EstimateNoise(const NoiseSamples& samples)
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
+  // The row along x of the last sample: the next one is mostly in the same one.
+  std::array<std::int64_t, 3> at{};
+  std::int64_t row = -samples.Dimensions[0];
+  std::int64_t y = BlockAxis::None;
+  std::int64_t z = BlockAxis::None;
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::array<std::int64_t, 3> at = samples.FindPlace(s);
+    at[0] = samples.Indices[s] - row;
+    if (at[0] < 0 || at[0] >= samples.Dimensions[0])
+    {
+      at = samples.FindPlace(s);
+      row = samples.Indices[s] - at[0];
+      y = axes[1].Find(at[1]);
+      z = axes[2].Find(at[2]);
+    }
     const std::int64_t x = axes[0].Find(at[0]);
-    const std::int64_t y = axes[1].Find(at[1]);
-    const std::int64_t z = axes[2].Find(at[2]);
     if (x != BlockAxis::None && y != BlockAxis::None && z != BlockAxis::None)
     {
       const std::int64_t block = x + axes[0].Blocks * (y + axes[1].Blocks * z);

@@ -5,14 +5,17 @@
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkDataArray.h"
+#include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -21,6 +24,8 @@ namespace
 
 /** Samples that are compared at once, by the processor's wide instructions. */
 constexpr std::int64_t Lanes = 32;
+/** Samples that one thread scans at a time, some tenths of a millisecond; a multiple of Lanes. */
+constexpr std::int64_t PieceSize = std::int64_t{ 1 } << 20;
 
 /** The range so far in each lane; before the first value, the lower end is the larger. */
 template <typename T>
@@ -49,12 +54,22 @@ struct LaneRanges
     this->High[lane] = isFinite && value > this->High[lane] ? value : this->High[lane];
   }
 
+  /** Adds the ranges of a later piece. */
+  void Merge(const LaneRanges& later)
+  {
+    for (std::int64_t lane = 0; lane < Lanes; ++lane)
+    {
+      this->Low[lane] = std::min(this->Low[lane], later.Low[lane]);
+      this->High[lane] = std::max(this->High[lane], later.High[lane]);
+    }
+  }
+
   T Low[Lanes];
   T High[Lanes];
 };
 
 template <bool OnlyFinite, typename T>
-void ScanRange(const T* data, std::int64_t count, std::int64_t stride, double range[2])
+LaneRanges<T> ScanPiece(const T* data, std::int64_t count, std::int64_t stride)
 {
   LaneRanges<T> lanes;
   const auto add = [&lanes](T value, std::int64_t lane)
@@ -82,6 +97,29 @@ void ScanRange(const T* data, std::int64_t count, std::int64_t stride, double ra
   for (; at < count; ++at)
   {
     add(data[at * stride], at % Lanes);
+  }
+  return lanes;
+}
+
+template <bool OnlyFinite, typename T>
+void ScanRange(const T* data, std::int64_t count, std::int64_t stride, double range[2])
+{
+  // On all cores: of a volume that is mapped from a file, most of the time goes into its pages.
+  std::vector<LaneRanges<T>> pieces(static_cast<std::size_t>((count + PieceSize - 1) / PieceSize));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(pieces.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType piece = begin; piece < end; ++piece)
+      {
+        const std::int64_t first = PieceSize * piece;
+        pieces[static_cast<std::size_t>(piece)] =
+          ScanPiece<OnlyFinite>(data + first * stride, std::min(PieceSize, count - first), stride);
+      }
+    });
+  LaneRanges<T> lanes;
+  for (const LaneRanges<T>& piece : pieces)
+  {
+    lanes.Merge(piece);
   }
   const T low = *std::min_element(std::begin(lanes.Low), std::end(lanes.Low));
   const T high = *std::max_element(std::begin(lanes.High), std::end(lanes.High));

@@ -27,24 +27,51 @@ inline bool IsQuicklySwept(vtkDataArray* array)
   return array->GetNumberOfTuples() <= most;
 }
 
-/** Visits the values of 2048 tuples at most, which are 8 MiB of a file mapped into memory. */
+/**
+ * Visits the values of 2048 tuples at most, in 128 pages of memory: of a file that is mapped into
+ * memory, the time goes into its pages, the more so the larger the file is.
+ */
 template <typename Function>
 void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 {
-  constexpr vtkIdType most = 1 << 11;
+  constexpr vtkIdType pages = 1 << 7;
+  constexpr vtkIdType looksInPage = 1 << 4;
+  constexpr vtkIdType pageSize = 4096; // bytes
   const vtkIdType all = array->GetNumberOfTuples();
-  const vtkIdType looks = std::min(all, most);
-  // One in each of as many stretches, at a place that moves by the golden section: even steps could
-  // fall into the same column of every row.
-  constexpr double section = 0.6180339887498949;
-  double place = 0.0;
-  for (vtkIdType look = 0; look < looks; ++look)
+  if (all <= pages * looksInPage)
   {
+    for (vtkIdType tuple = 0; tuple < all; ++tuple)
+    {
+      visit(array->GetComponent(tuple, component));
+    }
+    return;
+  }
+  const vtkIdType size =
+    std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
+  const vtkIdType step =
+    std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
+  // One page in each of as many stretches, and one look in each of as many parts of a page, at
+  // places that move by the golden section: even steps could fall into the same column of every
+  // row.
+  double place = 0.0;
+  const auto next = [&place](double stretch)
+  {
+    constexpr double section = 0.6180339887498949;
     place += section;
     place -= std::floor(place);
-    const double at = (static_cast<double>(look) + place) / static_cast<double>(looks);
+    return stretch + place;
+  };
+  for (vtkIdType page = 0; page < pages; ++page)
+  {
+    const double at = next(static_cast<double>(page)) / static_cast<double>(pages);
     const auto tuple = static_cast<vtkIdType>(at * static_cast<double>(all));
-    visit(array->GetComponent(std::min(tuple, all - 1), component));
+    const vtkIdType first =
+      std::min(tuple - tuple % (looksInPage * step), all - looksInPage * step);
+    for (vtkIdType look = 0; look < looksInPage; ++look)
+    {
+      const double within = next(static_cast<double>(look)) * static_cast<double>(step);
+      visit(array->GetComponent(first + static_cast<vtkIdType>(within), component));
+    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkSOADataArrayTemplate.h>
+#include <vtkShortArray.h>
 
 #include <cmath>
 #include <limits>
@@ -99,6 +100,33 @@ TEST(SampleRange, IsThatOfVTK)
   bits->Fill(0.0);
   bits->SetValue(17, 1);
   ExpectVTKsRanges(bits, "bit");
+}
+
+TEST(SampleRange, OfManySamplesIsFoundInPieces)
+{
+  // Ends in the first piece of 2^20 samples, in the last one, which is not whole, and between.
+  constexpr vtkIdType count = (5 << 19) + 7;
+  vtkNew<vtkShortArray> array;
+  array->SetNumberOfValues(count);
+  array->FillValue(3);
+  const vtkIdType places[] = { 0, (1 << 20) - 1, 1 << 20, (1 << 21) + 5, count - 1 };
+  for (const vtkIdType low : places)
+  {
+    for (const vtkIdType high : places)
+    {
+      if (low != high)
+      {
+        array->SetValue(low, -70);
+        array->SetValue(high, 900);
+        double range[2];
+        FindRange(array, 0, range);
+        EXPECT_EQ(range[0], -70.0) << low;
+        EXPECT_EQ(range[1], 900.0) << high;
+        array->SetValue(low, 3);
+        array->SetValue(high, 3);
+      }
+    }
+  }
 }
 
 TEST(SampleRange, LeavesOutWhatIsNoNumber)

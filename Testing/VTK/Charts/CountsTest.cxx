@@ -6,6 +6,7 @@
  * large array in pieces, or spread samples of it.
  */
 
+#include "VTK/Charts/ArraySweep.h"
 #include "VTK/Charts/HapticHistogram.h"
 #include "VTK/Charts/HapticPresentLabels.h"
 
@@ -140,6 +141,31 @@ TEST(Counts, OfSpreadSamplesHaveTheSameShares)
   EXPECT_EQ(Sum(spread), 1 << 11);
   EXPECT_NEAR(static_cast<double>(spread.Counts[0]) / (1 << 11), 0.5, 0.04);
   EXPECT_NEAR(static_cast<double>(spread.Counts[100]) / (1 << 11), 0.5, 0.04);
+}
+
+TEST(Counts, OfSpreadSamplesSeeAllColumnsInFewPages)
+{
+  // The numbers of the values: 2048 looks at random would miss 512 exp(-4), 9 of 512 columns. A
+  // page of 4 KiB holds 1024 values.
+  constexpr vtkIdType columns = 512;
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetNumberOfValues(1 << 23);
+  for (vtkIdType i = 0; i < numbers->GetNumberOfValues(); ++i)
+  {
+    numbers->SetValue(i, static_cast<int>(i));
+  }
+  std::set<vtkIdType> seen;
+  std::set<vtkIdType> pages;
+  VisitSpreadValues(numbers, 0,
+    [&](double value)
+    {
+      seen.insert(static_cast<vtkIdType>(value) % columns);
+      pages.insert(static_cast<vtkIdType>(value) / 1024);
+    });
+  EXPECT_GT(seen.size(), 450U);
+  EXPECT_EQ(pages.size(), 128U);
+  EXPECT_LT(*pages.begin(), 64);
+  EXPECT_GE(*pages.rbegin(), 8192 - 64);
 }
 
 TEST(Counts, EndWhenTheyAreTold)
