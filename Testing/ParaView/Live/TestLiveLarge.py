@@ -43,6 +43,16 @@ def write(folder):
         json.dump({"multiscales": [{"version": "0.4", "axes": axes, "datasets": datasets}]}, file)
 
 
+def write_raw(name):
+    """A MetaImage with its samples in a file of their own, long along z: a region is a part of it."""
+    size = (64, 64, 3000)
+    samples = numpy.broadcast_to(SLOPE * numpy.arange(size[0]), size[::-1]).astype("<i2")
+    samples.tofile(f"{name}.raw")
+    with open(f"{name}.mhd", "w") as file:
+        file.write(f"ObjectType = Image\nNDims = 3\nDimSize = {size[0]} {size[1]} {size[2]}\nElementType = MET_SHORT\n"
+                   f"ElementByteOrderMSB = False\nElementSpacing = 1 1 1\nElementDataFile = {os.path.basename(name)}.raw\n")
+
+
 def is_exact(force):
     return live.distance(force, FORCE) < 1e-9 * live.norm(FORCE)
 
@@ -79,6 +89,28 @@ def feel():
         live.check(live.norm(device.Force) == 0.0, "but not before it is armed", list(device.Force))
         device.Armed = 1
         live.check(live.poll(device, lambda: live.distance(device.Force, FORCE) < 1e-9), "again", list(device.Force))
+    device.Running = 0
+    if not IS_REMOTE:
+        feel_vanishing(settings)
+
+
+def feel_vanishing(settings):
+    """The samples behind a header are felt, and are deleted meanwhile: the rest of them is missing, and told so."""
+    name = os.path.join(live.FOLDER, "Long")
+    write_raw(name)
+    touch = simple.VolumeHaptics(Input=simple.HapticLargeFile(FileName=f"{name}.mhd"), **settings)
+    device = simple.HapticDevice(Touch=touch)
+    live.press(device, [20, 20, 20], [25, 20, 22])
+    live.check(live.poll(device, lambda: is_exact(device.ComputedForce)), "the hand feels the samples of a header",
+               list(device.ComputedForce), device.StatusText)
+    os.remove(f"{name}.raw")
+    device.VirtualTip = [25, 20, 2900]
+    live.check(live.poll(device, lambda: device.TipPosition[2] > 2899 and device.Residency < 1.0), "samples are missing",
+               device.Residency, device.StatusText)
+    live.check(live.poll(device, lambda: "can't be read from the file" in device.StatusText), "a deleted file is told",
+               device.StatusText)
+    live.check(live.poll(device, lambda: live.norm(device.Force) <= 0.5 * live.norm(FORCE) + 1e-9), "and fades",
+               list(device.Force), device.StatusText)
     device.Running = 0
 
 
