@@ -84,6 +84,25 @@ constexpr ModeOfRow ModesOfRows[] = {
   { "GuideInside", &MakeGuide<vtkHapticGuideMode::INSIDE>, nullptr },
 };
 
+/** Gives polygons or, without any, lines to a guide; what is wrong if that can't be. */
+std::string FillGuide(vtkPolyData* data, vtkHapticGuideMode* guide)
+{
+  if (!data)
+  {
+    return "has nothing that guides. Choose polygons or lines as Surface";
+  }
+  const bool isPath =
+    data->GetNumberOfLines() > 0 && data->GetNumberOfPolys() == 0 && data->GetNumberOfStrips() == 0;
+  if (isPath && guide->GetSide() != vtkHapticGuideMode::SURFACE)
+  {
+    return "is about a side, but the Surface has lines, which have none. Give the kind Guide, or "
+           "choose polygons as Surface";
+  }
+  guide->SetPath(isPath ? data : nullptr);
+  guide->SetSurface(isPath ? nullptr : data);
+  return {};
+}
+
 /** Newtons, or pairs with newtons; false if a text is something else. Empty: nothing changes. */
 bool ReadFunction(std::string text, vtkPiecewiseFunction* function)
 {
@@ -280,7 +299,7 @@ void HapticModeRows::AddRow(
     mode->SetArrayName(array.c_str());
     if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
     {
-      guide->SetSurface(vtkPolyData::SafeDownCast(this->Guide.Data));
+      flaw = FillGuide(vtkPolyData::SafeDownCast(this->Guide.Data), guide);
     }
     if (!ReadFunction(strength, mode->GetStrength()) ||
       (found->GetSecond && !ReadFunction(second, found->GetSecond(mode))))

@@ -356,6 +356,7 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  this->FillModes(); // whether polygons or lines guide is known only now
   // The property has reported the wrong name, table and modes what they can't read.
   return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)

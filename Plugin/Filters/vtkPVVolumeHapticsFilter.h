@@ -94,10 +94,11 @@ public:
   /**
    * Rows of texts, a vtkHapticMode each: its kind (VectorFollow, VectorFront, VectorFrontTwoSided,
    * Vortex, Shear, TensorFollow, Ridge, RidgeDark, Surface, and the polygons of port 2 as Guide,
-   * GuideOutside or GuideInside), the point array (empty: the active vectors or tensors), its
-   * Strength, and the second function of kinds that have one (Push, AxisStrength, SheetStrength). A
-   * function is a number of newtons, pairs such as "0 0, 0.5 2" of what it depends on and newtons,
-   * or empty for the mode's default. A row that can't be read is an error, and the output is empty.
+   * GuideOutside or GuideInside, or its lines as Guide), the point array (empty: the active vectors
+   * or tensors), its Strength, and the second function of kinds that have one (Push, AxisStrength,
+   * SheetStrength). A function is a number of newtons, pairs such as "0 0, 0.5 2" of what it
+   * depends on and newtons, or empty for the mode's default. A row that can't be read is an error,
+   * and the output is empty.
    */
   void AddModeRow(
     const char* kind, const char* array, const char* strength, const char* secondStrength);

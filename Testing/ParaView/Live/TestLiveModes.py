@@ -63,7 +63,8 @@ def check_trace(what, modes, end, is_along):
                angles)
 
 
-def check_error(modes, *words):
+def update(modes):
+    """What is reported when they are felt along the path."""
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
@@ -71,7 +72,12 @@ def check_error(modes, *words):
     touch.Modes = modes
     touch.UpdatePipeline()
     vtkOutputWindow.SetInstance(console)
-    live.check(all(word in log.GetOutput() for word in words), "a row that can't be read", modes, log.GetOutput())
+    return log.GetOutput()
+
+
+def check_error(modes, *words):
+    report = update(modes)
+    live.check(all(word in report for word in words), "a row that can't be read", modes, report)
     live.check(touch.GetDataInformation().GetNumberOfPoints() == 0, "and gives nothing")
 
 
@@ -109,7 +115,15 @@ def check_guides():
         touch.UpdatePipeline()
         force = vtk_to_numpy(servermanager.Fetch(touch).GetPointData().GetArray("Force"))[:, 0]
         live.check(abs(force[0] - first) < 0.02 and abs(force[-1] - last) < 0.02, kind, force[0], force[-1])
+    touch.Surface = simple.Line(Point1=[-5.0, 0.0, 0.0], Point2=[5.0, 0.0, 0.0], Resolution=4)
+    touch.Path = simple.Line(Point1=[1.0, 0.0, 0.0], Point2=[2.0, 2.0, 0.0], Resolution=300)
+    report = update(["Guide", "", "9", ""])
+    live.check(not report, "lines need no second look", report)
+    force = vtk_to_numpy(servermanager.Fetch(touch).GetPointData().GetArray("Force"))[-1]
+    live.check(numpy.abs(force - [0.0, -1.0, 0.0]).max() < 0.02, "lines lead along themselves", force)
+    check_error(["GuideOutside", "", "9", ""], "GuideOutside", "lines", "choose polygons as Surface")
     touch.Surface = None
+    check_error(["Guide", "", "9", ""], '"Guide"', "Choose polygons or lines as Surface")
 
 
 def press(data=None, voxels=21**3):
