@@ -11,12 +11,14 @@ set(VolumeHaptics_RENDERING_CLASSES
   vtkHapticHeadUpDisplay
   vtkHapticRegionPicture
   vtkHapticRepresentation
+  vtkHapticSliceView
   vtkHapticXRController
   vtkInteractorStyleHaptic)
 set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK
   Charts
   Headset
-  Scene)
+  Scene
+  Slices)
 set(VolumeHaptics_RENDERING_MODULES # of VTK
   ChartsCore
   FiltersSources

@@ -109,6 +109,23 @@ vtkHapticFunctionEditor* vtkInteractorStyleHaptic::GetFunctionEditor()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetSliceView(vtkHapticSliceView* slices)
+{
+  auto& scene = this->Internals->Interaction.Scene;
+  if (scene.Slices != slices)
+  {
+    scene.Slices = slices;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticSliceView* vtkInteractorStyleHaptic::GetSliceView()
+{
+  return this->Internals->Interaction.Scene.Slices;
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetTouchMode(bool on)
 {
   this->Internals->Interaction.Touch.Set(on);
@@ -302,7 +319,7 @@ void vtkInteractorStyleHaptic::OnLeftButtonDoubleClick()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonDown()
 {
-  if (!HasWindow(this->Interactor))
+  if (!HasWindow(this->Interactor) || this->Internals->Interaction.PressRightButton())
   {
     return;
   }
@@ -314,7 +331,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnRightButtonUp()
 {
-  if (!HasWindow(this->Interactor))
+  if (!HasWindow(this->Interactor) || this->Internals->Interaction.ReleaseRightButton())
   {
     return;
   }
@@ -387,6 +404,7 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Device: " << scene.Device.GetPointer() << "\n";
   os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
+  os << indent << "SliceView: " << scene.Slices.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);
   os << indent << "ApplicationKeys: " << this->GetApplicationKeys() << "\n";

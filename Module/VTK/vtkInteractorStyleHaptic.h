@@ -46,6 +46,17 @@
  *   p           let functions propose themselves in the editor; again: take the proposal, and the
  *               filter's KernelRadius with it
  *   Backspace   drop the proposal
+ *   s           slices: on and off
+ *
+ * In a slice (SetSliceView):
+ *
+ *   left button           goes there: it begins the touch mode there, or leads the tip there, which
+ *                         touches what is on its way
+ *   wheel                 moves across the slices, and so does the tip in the touch mode
+ *   right button, or Shift + left: across for the window, up and down for the level
+ *
+ * A real device stays where the hand is; then, and without a device, only the slices go there,
+ * until the tip moves.
  *
  * Keys of a volume that moves (vtkHapticDevice::Play), where there is one:
  *
@@ -78,7 +89,8 @@
  * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
  * moves the other way.
  *
- * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor
+ * @sa vtkHapticDevice, vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticFunctionEditor,
+ * vtkHapticSliceView
  */
 #ifndef vtkInteractorStyleHaptic_h
 #define vtkInteractorStyleHaptic_h
@@ -93,6 +105,7 @@
 class vtkHapticDevice;
 class vtkHapticFunctionEditor;
 class vtkHapticHeadUpDisplay;
+class vtkHapticSliceView;
 class vtkTable;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
@@ -128,6 +141,15 @@ public:
   vtkHapticHeadUpDisplay* GetHeadUpDisplay();
   void SetFunctionEditor(vtkHapticFunctionEditor* editor);
   vtkHapticFunctionEditor* GetFunctionEditor();
+  ///@}
+
+  ///@{
+  /**
+   * Slices beside the scene, which the application has put into the window; optional. Their mouse
+   * and their key are told above.
+   */
+  void SetSliceView(vtkHapticSliceView* slices);
+  vtkHapticSliceView* GetSliceView();
   ///@}
 
   ///@{

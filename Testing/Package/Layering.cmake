@@ -94,6 +94,7 @@ allow(VTK/Recording Core VTK/Files VTK/Trace)
 allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Filter VTK/Trace VTK/Recording VTK/Work)
 allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Session VTK/Work)
+allow(VTK/Slices VTK/Filter)
 allow(VTK/Charts VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking)
 

@@ -130,6 +130,24 @@ def test_a_volume_larger_than_memory_is_shown_by_its_coarse_level(window):
     assert haptics.closed and not picture.IsRefined()
 
 
+def test_slices_lie_beside_the_scene(window, hands):
+    hand = hands(slices=True)
+    hand.plotter.show(auto_close=False)
+    slices, interactor = hand.haptics.slices, hand.plotter.iren.interactor
+    assert hand.plotter.renderer.GetViewport() == (0.0, 0.0, 0.7, 1.0)
+    x, y = 170, 160  # 30 pixels to the left of the edge, in the uppermost of three slices
+    assert slices.FindSlice(x, y) == 0
+    position = [0.0, 0.0, 0.0]
+    assert slices.FindPosition(0, x, y, position)
+    interactor.SetEventInformation(x, y, 0, 0)
+    interactor.LeftButtonPressEvent()
+    interactor.LeftButtonReleaseEvent()
+    hand.wait(lambda: hand.device.GetTipPosition() == pytest.approx(position))
+    assert hand.haptics.style.GetTouchMode()
+    hand.haptics.close()
+    assert hand.plotter.renderer.GetViewport() == (0.0, 0.0, 1.0, 1.0)
+
+
 def test_closing_the_plotter_stops_everything(window, hands):
     hand = hands()
     hand.push()

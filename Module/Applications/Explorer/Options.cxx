@@ -259,6 +259,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Large = true;
     }
+    else if (word == "--slices")
+    {
+      options.Slices = true;
+    }
     else if (word == "--sound" && (i + 1 >= argc || !IsSoundFile(argv[i + 1])))
     {
       SetSound(options, "");
@@ -330,6 +334,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
+  --slices          of the window: three slices through the tip beside the volume (key s). A click goes
+                    there and touches, the wheel moves across them, the right button sets window and level
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

@@ -29,6 +29,7 @@ struct Options
   DeviceChoice Device;   // of the window
   std::string Setup;     // file of the window's functions, settings and camera
   std::string Stereo;    // of the window
+  bool Slices = false;   // of the window
   bool Sound = false;    // of the window
   std::string SoundFile; // for the sound along the path
   Settings How;

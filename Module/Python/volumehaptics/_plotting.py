@@ -26,6 +26,7 @@ from .vtkVolumeHaptics import (
     vtkHapticRegionPicture,
     vtkHapticRegionSource,
     vtkHapticRepresentation,
+    vtkHapticSliceView,
     vtkInteractorStyleHaptic,
     vtkVolumeHapticsFilter,
 )
@@ -50,6 +51,7 @@ class Haptics:
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
     frames: the vtkHapticFrameSource of a volume that moves; None without one.
+    slices: the vtkHapticSliceView beside the scene; None without slices=True.
 
     PyVista's enable_*_style() and a chart that takes the mouse put another style in the place of this one: that
     ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
@@ -62,6 +64,7 @@ class Haptics:
         self.representation = vtkHapticRepresentation()
         self.head_up_display = vtkHapticHeadUpDisplay()
         self.frames: vtkHapticFrameSource | None = None
+        self.slices: vtkHapticSliceView | None = None
         self.closed = False
         self._owns_device = True
         self._plotter = weakref.ref(plotter)
@@ -91,6 +94,8 @@ class Haptics:
                 renderer.RemoveViewProp(self._outline)
         if self._picture is not None:
             self._picture.SetRenderer(None)
+        if self.slices is not None:
+            self.slices.SetRenderWindow(None)
         if plotter is not None:
             _touchable.pop(plotter, None)
             if plotter.iren is not None and plotter.iren.style is self.style:
@@ -136,6 +141,15 @@ class Haptics:
             self._picture.SetSource(large)
             self._picture.SetVolume(shown[0])
             self._picture.SetRenderer(self._renderer())
+
+    def _show_slices(self, plotter: pv.Plotter, image: vtkImageData | None) -> None:
+        """Beside the scene, through the tip: of an image, or of what is felt."""
+        self.slices = vtkHapticSliceView()
+        self.slices.SetDevice(self.device)
+        self.slices.SetHeadUpDisplay(self.head_up_display)
+        self.slices.SetImage(image)
+        self.slices.SetRenderWindow(plotter.render_window)
+        self.style.SetSliceView(self.slices)
 
     def _check_scene(self) -> None:
         """Ends the touch if the volume or the hand was taken out of the scene."""
@@ -284,6 +298,7 @@ def add_haptics(
     mode: str | None = None,
     labels: Labels | None = None,
     materials: Materials | None = None,
+    slices: bool = False,
     **settings: Any,
 ) -> Haptics:
     """Makes a volume in a plotter one to be touched: press t with the pointer on it.
@@ -309,6 +324,8 @@ def add_haptics(
         of vectors has "Follow the flow" if nothing else is said.
     labels, materials: a segmentation and what its labels feel like, as for volumehaptics.touch(). The table is
         haptics.filter.GetLabelTable(); what is changed in it is felt at once.
+    slices: True shows three slices through the tip in a column beside the scene: see vtkHapticSliceView, and
+        vtkInteractorStyleHaptic for their mouse. All subplots get narrower. The key s hides and shows them.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
@@ -373,6 +390,8 @@ def add_haptics(
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
         if large is not None:
             haptics._frame(large)
+        if slices:
+            haptics._show_slices(plotter, image if grid is not None else None)
         for text in haptics._check_volumes():
             warnings.warn(text, stacklevel=2)
         if frames is not None:

@@ -38,6 +38,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Playback(Scene)
   , Modes(Scene)
   , Editor(Scene, Frames)
+  , Slices(Scene, Touch)
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -137,6 +138,10 @@ bool HapticInteraction::MoveMouse()
     this->Frames.Draw(true);
     return true;
   }
+  if (this->Slices.Move(now[0], now[1]))
+  {
+    return this->DrawSlices();
+  }
   if (!this->Touch.LeadsTip())
   {
     return false;
@@ -161,6 +166,10 @@ bool HapticInteraction::PressLeftButton()
   {
     this->EditorHasMouse = true;
     return true;
+  }
+  if (this->Slices.Press(at[0], at[1], false))
+  {
+    return this->DrawSlices();
   }
   if (this->Modes.Click(at[0], at[1]))
   {
@@ -189,7 +198,7 @@ bool HapticInteraction::ReleaseLeftButton()
     }
     return true;
   }
-  if (std::exchange(this->ListHasMouse, false))
+  if (this->Slices.Release(false) || std::exchange(this->ListHasMouse, false))
   {
     return true;
   }
@@ -210,7 +219,30 @@ bool HapticInteraction::DoubleClickLeftButton()
     this->Frames.Draw(true);
     return true;
   }
-  return false;
+  return this->Slices.Press(at[0], at[1], false) && this->DrawSlices();
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressRightButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  return this->Slices.Press(at[0], at[1], true);
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseRightButton()
+{
+  return this->Slices.Release(true);
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::DrawSlices()
+{
+  if (this->Slices.TakeChange())
+  {
+    this->Frames.Draw(true);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -221,6 +253,10 @@ bool HapticInteraction::TurnWheel(double steps)
   {
     this->Frames.Draw(true);
     return true;
+  }
+  if (this->Slices.TurnWheel(steps, at[0], at[1]))
+  {
+    return this->DrawSlices();
   }
   if (!this->Touch.LeadsTip() || this->Scene.Style->GetInteractor()->GetControlKey())
   {
@@ -280,6 +316,10 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     this->NextMethod();
   }
+  else if (key == "s" && scene.Slices)
+  {
+    scene.Slices->SetVisibility(!scene.Slices->GetVisibility());
+  }
   else if (key == "M" && this->Modes.Next())
   {
     // Frames.Draw below shows it.
@@ -308,9 +348,9 @@ bool HapticInteraction::ReleaseKey(const std::string& key)
 bool HapticInteraction::TypeKey(char key) const
 {
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
-  // animation, and its p picks a prop.
+  // animation, its p picks a prop, and its s shows surfaces.
   return (this->Touch.IsOn() && key == 'f') || key == 'm' || key == 'M' ||
-    (key == 'p' && this->Scene.Editor);
+    (key == 's' && this->Scene.Slices) || (key == 'p' && this->Scene.Editor);
 }
 
 //------------------------------------------------------------------------------

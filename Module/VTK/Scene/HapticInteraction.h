@@ -18,6 +18,7 @@
 #include "VTK/Scene/ModeKeys.h"
 #include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
+#include "VTK/Scene/SliceMouse.h"
 #include "VTK/Scene/TouchMode.h"
 #include "VTK/Scene/TouchedScene.h"
 #include "VTK/Scene/WorkspaceControl.h"
@@ -74,6 +75,8 @@ public:
   bool PressLeftButton();
   bool ReleaseLeftButton();
   bool DoubleClickLeftButton();
+  bool PressRightButton();
+  bool ReleaseRightButton();
   /** `steps` count away from the viewer. */
   bool TurnWheel(double steps);
   bool PressKey(const std::string& key);
@@ -101,6 +104,8 @@ public:
 
 private:
   void LeaveDevice();
+  /** Draws the scene if the mouse has changed what the slices show; true. */
+  bool DrawSlices();
   void FollowWork(vtkObject* worker, bool begins);
 
   FilterPublisher Publisher;
@@ -108,6 +113,7 @@ private:
   KeyRepeat Repeat;
   ModeKeys Modes;
   EditorKeys Editor;
+  SliceMouse Slices;
   HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;

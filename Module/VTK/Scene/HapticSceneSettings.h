@@ -3,7 +3,8 @@
 /**
  * @file
  * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticRegionPicture,
- * vtkHapticXRController and vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
+ * vtkHapticSliceView, vtkHapticXRController and vtkInteractorStyleHaptic, one row each: see
+ * HapticSetting.h.
  */
 #ifndef HapticSceneSettings_h
 #define HapticSceneSettings_h
@@ -13,6 +14,7 @@
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkHapticRegionPicture.h"
 #include "vtkHapticRepresentation.h"
+#include "vtkHapticSliceView.h"
 #include "vtkHapticXRController.h"
 #include "vtkInteractorStyleHaptic.h"
 
@@ -22,6 +24,7 @@ namespace VolumeHaptics
 using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
 using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
 using PictureSetting = HapticSetting<vtkHapticRegionPicture>;
+using SliceViewSetting = HapticSetting<vtkHapticSliceView>;
 using XRControllerSetting = HapticSetting<vtkHapticXRController>;
 using StyleSetting = HapticSetting<vtkInteractorStyleHaptic>;
 
@@ -94,6 +97,26 @@ inline constexpr PictureSetting All[] = {
 };
 } // namespace PictureSettingRows
 
+namespace SliceViewSettingRows
+{
+using Owner = vtkHapticSliceView;
+
+inline constexpr SliceViewSetting All[] = {
+  HapticFlagMacro(Visibility, true, NotBaked, "Whether the slices are shown. Default on."),
+  HapticNumberMacro(Share, 0.1, 0.9, 0.3, "", NotBaked,
+    "The column's share of the window's width, 0.1 to 0.9. Default 0.3."),
+  HapticFlagMacro(
+    AutoLayout, true, NotBaked, "Whether this places the renderers in the window. Default on."),
+  HapticFlagMacro(Anatomical, false, NotBaked,
+    "Whether the world's axes point to a patient's left, back and head, as in DICOM."),
+  HapticNumberMacro(ColorWindow, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "The range of values from black to white, 0 or more. Default 0: nearly all values of the "
+    "image, whatever the level."),
+  HapticNumberMacro(ColorLevel, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
+    "The value in the middle of the range. Default 0."),
+};
+} // namespace SliceViewSettingRows
+
 inline constexpr SettingChoice HandNames[] = { { "Left", "Left" }, { "Right", "Right" } };
 
 namespace XRControllerSettingRows
@@ -137,6 +160,7 @@ inline constexpr StyleSetting All[] = {
 inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
 inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
 inline constexpr const auto& PictureSettings = PictureSettingRows::All;
+inline constexpr const auto& SliceViewSettings = SliceViewSettingRows::All;
 inline constexpr const auto& XRControllerSettings = XRControllerSettingRows::All;
 inline constexpr const auto& StyleSettings = StyleSettingRows::All;
 

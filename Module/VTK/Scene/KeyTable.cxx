@@ -45,6 +45,12 @@ std::string ListKeys(const KeyedParts& parts)
   }
   text += "Display\n" +
     Join({ { "?  F1", "these keys" }, { "h", "text" }, { "g", "graph" }, { "d", "details" } });
+  if (parts.HasSlices)
+  {
+    text += "Slices\n" +
+      Join({ { "s", "show; hide" }, { "click", "go there and touch" }, { "wheel", "across them" },
+        { "right drag", "window, level" } });
+  }
   if (parts.HasEditor)
   {
     text += "Materials\n" +

@@ -21,6 +21,7 @@ struct KeyedParts
   bool HasLabels = false; ///< in the editor
   bool HasModes = false;
   bool HasFrames = false;
+  bool HasSlices = false;
 };
 
 /** As vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning. */

@@ -33,7 +33,7 @@ void TouchMode::Set(bool on)
   }
   if (on)
   {
-    this->Begin();
+    this->Begin(nullptr);
     return;
   }
   this->IsTouching = false;
@@ -45,7 +45,7 @@ void TouchMode::Set(bool on)
   this->Scene.Style->Modified();
 }
 
-void TouchMode::Begin()
+void TouchMode::Begin(const Vector3* at)
 {
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
   if (!this->Scene.Device || !this->Scene.Device->IsRunning())
@@ -75,7 +75,11 @@ void TouchMode::Begin()
   const bool leadsTip = this->Scene.IsVirtual() && renderer;
   Vector3 start;
   this->IsBeginning = true;
-  if (leadsTip)
+  if (leadsTip && at)
+  {
+    start = *at;
+  }
+  else if (leadsTip)
   {
     const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
     const int pointer[2] = { interactor->GetEventPosition()[0], interactor->GetEventPosition()[1] };

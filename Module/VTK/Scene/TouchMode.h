@@ -27,6 +27,8 @@ public:
 
   /** See vtkInteractorStyleHaptic::SetTouchMode. */
   void Set(bool on);
+  /** Begins the mode with a virtual tip at a position in the world. */
+  void BeginAt(const Vector3& world) { this->Begin(&world); }
   bool IsOn() const { return this->IsTouching; }
   /** For another device: ends the mode without calling the old device. */
   void Reset() { this->IsTouching = false; }
@@ -35,8 +37,12 @@ public:
    */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now; the next two functions need that. */
+  /** Whether the mouse leads the tip now; the next functions need that. */
   bool LeadsTip() const;
+  /** Leads the tip to a position in the world. */
+  void LeadTo(const Vector3& world);
+  /** Where the tip is led to (world). */
+  const Vector3& GetLead() const { return this->Lead; }
   /** Moves along the line of sight, away from the viewer; one step is one of the wheel. */
   void MoveInDepth(double steps);
   /**
@@ -44,12 +50,13 @@ public:
    * plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
   void MoveInPlane(const int from[2], const int to[2]);
+  /** The share of a motion that is made: less with Shift. */
+  double GetFineness() const;
 
 private:
-  void Begin();
+  /** Where `at` tells; or if it is null, in front of the first surface under the pointer. */
+  void Begin(const Vector3* at);
   double GetDepthStep() const;
-  double GetFineness() const;
-  void LeadTo(const Vector3& world);
   /** Whether the touched method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
   /** Where the tip goes instead of to a position in the plane of the view. */

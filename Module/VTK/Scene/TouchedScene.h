@@ -12,6 +12,7 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticSliceView.h"
 #include "vtkSmartPointer.h"
 
 class vtkImageData;
@@ -22,7 +23,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The parts of a HapticInteraction share it. The application may set each of the three objects to
+ * The parts of a HapticInteraction share it. The application may set each of the four objects to
  * null at any time, also in an observer of an event that a part causes.
  */
 class TouchedScene
@@ -37,6 +38,7 @@ public:
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
+  vtkSmartPointer<vtkHapticSliceView> Slices;
 
   /**
    * The renderer of the last button event, or the default one, or the window's first. VTK has no

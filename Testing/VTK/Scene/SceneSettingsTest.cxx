@@ -16,6 +16,7 @@ TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
   ExpectHeadersBehave<vtkHapticRegionPicture>(PictureSettings);
+  ExpectHeadersBehave<vtkHapticSliceView>(SliceViewSettings);
   ExpectHeadersBehave<vtkHapticXRController>(XRControllerSettings);
   ExpectHeadersBehave<vtkInteractorStyleHaptic>(StyleSettings);
 }
@@ -32,6 +33,9 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   }
   ExpectRows("vtkHapticHeadUpDisplay", display);
   ExpectRows("vtkHapticRegionPicture", Names(PictureSettings));
+  std::vector<std::string> slices = Names(SliceViewSettings);
+  slices.emplace_back("Unit"); // a text
+  ExpectRows("vtkHapticSliceView", slices);
   std::vector<std::string> controller = Names(XRControllerSettings);
   controller.emplace_back("ActionName"); // a text
   ExpectRows("vtkHapticXRController", controller);
@@ -43,6 +47,7 @@ TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
   ExpectComments("vtkHapticRegionPicture", PictureSettings);
+  ExpectComments("vtkHapticSliceView", SliceViewSettings);
   ExpectComments("vtkHapticXRController", XRControllerSettings);
   ExpectComments("vtkInteractorStyleHaptic", StyleSettings);
 }

@@ -7,6 +7,7 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/WindowSound.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
@@ -24,7 +25,7 @@ namespace
 using Explore::TouchScene;
 
 /// All parts that draw in two dimensions are above the volume and below the marker.
-void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int width)
+void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   constexpr int labelPort = 3;
   const Explore::Analysis& analysis = exploration.Values;
@@ -47,11 +48,47 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration, int wi
   touch.Editor->SetLabelTable(exploration.Filter->GetLabelTable());
   touch.Editor->SetLabelData(
     vtkImageData::SafeDownCast(exploration.Filter->GetInputDataObject(labelPort, 0)));
-  // Beside the display's plot, above the scale of the arrows.
-  const int height = touch.Editor->GetLabelTable() ? 300 : 190;
-  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, height);
   touch.Editor->VisibilityOff();
   touch.Scene.Overlay->AddViewProp(touch.Editor);
+}
+
+/// The editor beside the display's plot and the slices, above the scale of the arrows; the marker
+/// beside the hint, or below it if slices leave less room.
+void PlaceParts(TouchScene& touch)
+{
+  const double share = touch.Slices->GetVisibility() ? touch.Slices->GetShare() : 0.0;
+  const int width = static_cast<int>((1.0 - share) * touch.Scene.Window->GetSize()[0]);
+  const int height = touch.Editor->GetLabelTable() ? 300 : 190;
+  touch.Editor->SetRectangle(std::max(10, width - 265), 40, 255, height);
+  const double top = share > 0.0 ? 0.88 : 1.0;
+  touch.Scene.Marker->SetViewport(0.84, top - 0.2, 1.0, top);
+}
+
+/// Through the tip, and hidden if they have no share of the window.
+void AddSlices(
+  TouchScene& touch, const Explore::Exploration& exploration, const Explore::SceneOptions& options)
+{
+  vtkHapticSliceView* const slices = touch.Slices;
+  slices->SetDevice(touch.Device);
+  slices->SetHeadUpDisplay(touch.Display);
+  slices->SetAnatomical(options.Anatomical);
+  if (exploration.Values.Kind == Explore::VolumeKind::CT)
+  {
+    // From fat to dense bone, in which soft tissues still differ.
+    slices->SetUnit("HU");
+    slices->SetColorWindow(800.0);
+    slices->SetColorLevel(150.0);
+  }
+  slices->SetShare(Explore::SLICE_SHARE);
+  slices->SetVisibility(options.SliceShare > 0.0);
+  slices->SetRenderWindow(touch.Scene.Window);
+  touch.Style->SetSliceView(slices);
+  PlaceParts(touch);
+  vtkNew<vtkCallbackCommand> place;
+  place->SetClientData(&touch);
+  place->SetCallback([](vtkObject*, unsigned long, void* scene, void*)
+    { PlaceParts(*static_cast<TouchScene*>(scene)); });
+  slices->AddObserver(vtkCommand::ModifiedEvent, place);
 }
 
 /// A list with tabs as a table.
@@ -95,7 +132,8 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
     throw InputError("--device " + device.Id, capture.FirstError(),
       "name another device, or none; volumehaptics-device list shows what there is");
   }
-  AddParts(touch, exploration, options.Width);
+  AddParts(touch, exploration);
+  AddSlices(touch, exploration, options);
   touch.Setup->SetVolumeHaptics(filter);
   touch.Setup->SetVolumeProperty(touch.Scene.Look);
   touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());

@@ -10,12 +10,16 @@
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkHapticRepresentation.h"
 #include "vtkHapticSetup.h"
+#include "vtkHapticSliceView.h"
 #include "vtkInteractorStyleHaptic.h"
 
 #include <array>
 
 namespace Explore
 {
+/// Of the window's width, that slices take beside the scene.
+constexpr double SLICE_SHARE = 0.3;
+
 /// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
@@ -33,6 +37,7 @@ struct TouchScene
   vtkNew<vtkHapticRepresentation> Hand;
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkHapticSliceView> Slices;
   vtkNew<vtkHapticSetup> Setup;
   vtkNew<vtkInteractorStyleHaptic> Style;
 };

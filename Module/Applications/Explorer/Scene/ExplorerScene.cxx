@@ -201,7 +201,7 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   AddMarker(scene, exploration.View, options.Anatomical);
   AddCaption(scene.Renderer, options.Caption, options.Height);
 
-  FitCamera(scene.Renderer, exploration.View, analysis.BodyBounds,
-    static_cast<double>(options.Width) / options.Height);
+  const double width = options.Width * (1.0 - options.SliceShare);
+  FitCamera(scene.Renderer, exploration.View, analysis.BodyBounds, width / options.Height);
 }
 } // namespace Explore

@@ -33,6 +33,7 @@ struct SceneOptions
   std::string Caption;
   bool Anatomical = true; // letters of the marker: patient's sides instead of axes
   bool OffScreen = true;
+  double SliceShare = 0.0;  // of the width, for slices beside the scene; 0: they are hidden
   bool Interactive = false; // to touch in: without the trail
 };
 

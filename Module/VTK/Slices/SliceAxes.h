@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How the slices along the three axes of an image lie on the screen.
+ */
+#ifndef SliceAxes_h
+#define SliceAxes_h
+
+#include <array>
+
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** An index axis of an image, forwards (1) or backwards (-1). */
+struct SignedAxis
+{
+  int Axis = 0;
+  int Sign = 1;
+};
+
+/** How one slice lies on the screen. */
+struct SliceAxes
+{
+  SignedAxis Through; ///< along this, a step of the wheel goes
+  SignedAxis Right;   ///< of the screen
+  SignedAxis Up;
+  const char* Name = "";                              ///< "Axial", or that of an index, "k"
+  std::array<const char*, 4> Sides{ "", "", "", "" }; ///< left, right, bottom, top
+};
+
+/**
+ * Along the index axes k, j and i of an image; or if the world's axes point to a patient's left,
+ * back and head, the axial, the coronal and the sagittal slice as radiologists look at them: each
+ * along the index axis that is nearest to this axis of the world.
+ */
+std::array<SliceAxes, 3> FindSliceAxes(vtkImageData* image, bool anatomical);
+
+} // namespace VolumeHaptics
+
+#endif
