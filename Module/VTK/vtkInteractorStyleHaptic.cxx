@@ -197,6 +197,18 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::TouchVolume(vtkVolume* volume)
+{
+  this->Internals->Interaction.TouchVolume(volume);
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkInteractorStyleHaptic::GetTouchedVolume()
+{
+  return this->Internals->Interaction.GetTouchedVolume();
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::CheckShownVolumes()
 {
   this->Internals->Interaction.CheckShownVolumes();

@@ -107,6 +107,7 @@ class vtkHapticFunctionEditor;
 class vtkHapticHeadUpDisplay;
 class vtkHapticSliceView;
 class vtkTable;
+class vtkVolume;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
 {
@@ -258,6 +259,20 @@ public:
    * applications without timers. True if there is something new to draw.
    */
   bool UpdateHaptics();
+
+  ///@{
+  /**
+   * Feel what a volume shows, and follow it: from now on, each update of the haptics gives the
+   * device's filter the image of the volume's mapper at the place where the volume's position,
+   * orientation, scale and user matrix put it, the mapper's clipping planes and cropping, and the
+   * opacity of the volume's property as its visibility (vtkHapticProperty::SetVisibilityFrom).
+   * Materials, method and the way faces of a cut feel stay the filter's own. A device without a
+   * filter gets one. An image that is placed by a matrix is felt with the values of its last
+   * update, at one time. nullptr ends it, and leaves the filter as it is then. Default: nullptr.
+   */
+  void TouchVolume(vtkVolume* volume);
+  vtkVolume* GetTouchedVolume();
+  ///@}
 
   /**
    * Warn if a visible volume in the renderer shows the image of the device's filter differently

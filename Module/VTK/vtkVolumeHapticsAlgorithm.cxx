@@ -111,7 +111,7 @@ vtkHapticMode* vtkVolumeHapticsAlgorithm::GetMode(int mode)
 bool vtkVolumeHapticsAlgorithm::ApplyModePreset(const char* name, vtkImageData* image)
 {
   std::string error;
-  const VolumeHaptics::HapticModeList modes = VolumeHaptics::MakeModePreset(name, image, error);
+  const VolumeHaptics::HapticModes modes = VolumeHaptics::MakeModePreset(name, image, error);
   if (modes.empty())
   {
     vtkErrorMacro(<< error);

@@ -3,6 +3,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "VTK/Baking/ArrayHash.h"
+#include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
@@ -60,6 +61,7 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   , MotionWarning(new VolumeHaptics::FastMotionWarning)
   , Regions(new VolumeHaptics::RegionSeries)
   , Hashes(new VolumeHaptics::ArrayHash[2])
+  , Cut(new VolumeHaptics::HapticCut)
 {
   this->SetNumberOfInputPorts(4);
   this->SetInputArrayToProcess(
@@ -96,9 +98,127 @@ vtkHapticLabelTable* vtkVolumeHapticsFilter::GetLabelTable()
 }
 
 //------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetClippingPlanes(vtkPlaneCollection* planes)
+{
+  if (this->Cut->Planes != planes)
+  {
+    this->Cut->Planes = planes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPlaneCollection* vtkVolumeHapticsFilter::GetClippingPlanes()
+{
+  return this->Cut->Planes;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::AddClippingPlane(vtkPlane* plane)
+{
+  if (plane && !this->Cut->Planes)
+  {
+    this->SetClippingPlanes(vtkNew<vtkPlaneCollection>());
+  }
+  if (plane && !this->Cut->Planes->IsItemPresent(plane))
+  {
+    this->Cut->Planes->AddItem(plane);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::RemoveClippingPlane(vtkPlane* plane)
+{
+  if (this->Cut->Planes && this->Cut->Planes->IsItemPresent(plane))
+  {
+    this->Cut->Planes->RemoveItem(plane);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::RemoveAllClippingPlanes()
+{
+  this->SetClippingPlanes(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetCropping(bool cropping)
+{
+  if (this->Cut->Cropping != cropping)
+  {
+    this->Cut->Cropping = cropping;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::GetCropping()
+{
+  return this->Cut->Cropping;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetCroppingRegionPlanes(const double planes[6])
+{
+  if (!std::equal(planes, planes + 6, this->Cut->RegionPlanes))
+  {
+    std::copy(planes, planes + 6, this->Cut->RegionPlanes);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetCroppingRegionPlanes(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  const double planes[6] = { xmin, xmax, ymin, ymax, zmin, zmax };
+  this->SetCroppingRegionPlanes(planes);
+}
+
+//------------------------------------------------------------------------------
+double* vtkVolumeHapticsFilter::GetCroppingRegionPlanes()
+{
+  return this->Cut->RegionPlanes;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetCroppingRegionFlags(int flags)
+{
+  if (this->Cut->RegionFlags != flags)
+  {
+    this->Cut->RegionFlags = flags;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkVolumeHapticsFilter::GetCroppingRegionFlags()
+{
+  return this->Cut->RegionFlags;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetFeelCutFaces(bool feel)
+{
+  if (this->Cut->HasSolidFaces != feel)
+  {
+    this->Cut->HasSolidFaces = feel;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkVolumeHapticsFilter::GetFeelCutFaces()
+{
+  return this->Cut->HasSolidFaces;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
+  const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Cut->GetMTime());
   return this->LabelTable ? std::max(time, this->LabelTable->GetMTime()) : time;
 }
 
@@ -365,6 +485,7 @@ int vtkVolumeHapticsFilter::TouchPath(
 void vtkVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  this->Cut->Print(os, indent);
   os << indent << "LabelTable: ";
   if (this->LabelTable)
   {

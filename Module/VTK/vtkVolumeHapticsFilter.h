@@ -155,6 +155,8 @@ class vtkHapticRegionSource;
 class vtkImageData;
 class vtkInformation;
 class vtkMatrix4x4;
+class vtkPlane;
+class vtkPlaneCollection;
 
 #ifndef __VTK_WRAP__
 namespace VolumeHaptics
@@ -166,6 +168,7 @@ class HapticBaker;
 class HapticModel;
 class RegionSeries;
 class ResampledInput;
+struct HapticCut;
 } // namespace VolumeHaptics
 #endif
 
@@ -203,7 +206,64 @@ public:
   vtkHapticLabelTable* GetLabelTable();
   ///@}
 
-  /** Includes the property, its functions and the label table. */
+  ///@{
+  /**
+   * Planes in world units that cut parts of the volume away: what lies on the negative side of one
+   * of them is not felt, as vtkAbstractMapper::SetClippingPlanes does not show it. A mapper's own
+   * planes can be given: moving them moves the cut, also while the volume is felt. Default: none.
+   *
+   * Over the last voxel in front of a cut, surfaces and drag fade; SURFACE_PROXY and LOCAL_SURFACE
+   * end at it. Gradients are those of the whole volume, so that a cut makes no edge of its own. The
+   * wall in front of a forbidden label, guides and what another port feels are not cut.
+   */
+  void SetClippingPlanes(vtkPlaneCollection* planes);
+  vtkPlaneCollection* GetClippingPlanes();
+  void AddClippingPlane(vtkPlane* plane);
+  void RemoveClippingPlane(vtkPlane* plane);
+  void RemoveAllClippingPlanes();
+  ///@}
+
+  ///@{
+  /** Regions that are cut away, as by the mappers' vtkVolumeMapper::SetCropping. Default: off. */
+  void SetCropping(bool cropping);
+  bool GetCropping();
+  vtkBooleanMacro(Cropping, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Two planes for each axis of the image, xmin, xmax, ymin and so on, world units without the
+   * image's direction matrix, between which the 27 regions of SetCroppingRegionFlags lie. Default:
+   * (0, 1, 0, 1, 0, 1).
+   */
+  void SetCroppingRegionPlanes(const double planes[6]) VTK_SIZEHINT(planes, 6);
+  void SetCroppingRegionPlanes(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  double* GetCroppingRegionPlanes() VTK_SIZEHINT(6);
+  ///@}
+
+  ///@{
+  /**
+   * The regions that are felt: bit x + 3 y + 9 z, with x = 0 below xmin, 1 up to xmax, 2 above, and
+   * so on; VTK_CROP_SUBVOLUME and its like. Default: VTK_CROP_SUBVOLUME, the one in the middle.
+   */
+  void SetCroppingRegionFlags(int flags);
+  int GetCroppingRegionFlags();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the faces of a cut hold like the material behind them: with k, mu and T_N of the value
+   * one voxel behind the face, from outside, over half a voxel. So a cut bone is hard and a cut
+   * muscle is soft, and where T_N is zero nothing holds. For the method PROXY. Default: off, so
+   * that a hand goes through a face without a force.
+   */
+  void SetFeelCutFaces(bool feel);
+  bool GetFeelCutFaces();
+  vtkBooleanMacro(FeelCutFaces, bool);
+  ///@}
+
+  /** Includes the property, its functions, the label table and the clipping planes. */
   vtkMTimeType GetMTime() override;
 
   /**
@@ -246,6 +306,7 @@ private:
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
   std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
+  std::unique_ptr<VolumeHaptics::HapticCut> Cut;
 #endif
 
   vtkVolumeHapticsFilter(const vtkVolumeHapticsFilter&) = delete;

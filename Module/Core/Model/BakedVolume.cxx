@@ -136,6 +136,8 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Mesh(d.Mesh)
   , Labels(MakeLabels(d))
   , Walls(MakeWalls(d, this->Labels.get()))
+  , Cut(d.Cut)
+  , HasOtherSurfaces(this->Cut || this->FeelsLabels())
   , Modes(MakeModes(d))
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
@@ -157,6 +159,8 @@ BakedVolume::BakedVolume(
   , Mesh(other.Mesh ? frames.front().Mesh : nullptr)
   , Labels(other.Labels)
   , Walls(other.Walls)
+  , Cut(other.Cut)
+  , HasOtherSurfaces(other.HasOtherSurfaces)
   , Modes(other.Modes)
   , Number(other.Number)
 {

@@ -11,6 +11,7 @@
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
 #include "Core/Model/BakedMode.h"
+#include "Core/Model/CutAway.h"
 #include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/LabelWalls.h"
@@ -78,6 +79,9 @@ struct BakedVolume
   const std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   /** Null if all surfaces are those of the scalars. */
   const std::shared_ptr<const LabelWalls> Walls;
+  const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
+  /** Whether surfaces depend on more than the scalars: labels or a cut. */
+  const bool HasOtherSurfaces;
   const std::vector<BakedMode> Modes; ///< of HapticMethod::Primitives
 
   bool IsMoving() const noexcept { return !this->Frames.empty(); }

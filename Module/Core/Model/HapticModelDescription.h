@@ -24,6 +24,7 @@ namespace VolumeHaptics
 {
 class SurfaceMesh;
 struct BakedLabels;
+class CutAway;
 
 /** Material functions of the scalar, and functions of the gradient magnitude per world unit. */
 struct HapticMaterial
@@ -71,6 +72,7 @@ struct HapticModelDescription
   HapticSettings Settings;
   std::shared_ptr<const SurfaceMesh> Mesh;   ///< in the world; for HapticMethod::SurfaceProxy
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
+  std::shared_ptr<const CutAway> Cut;        ///< null if all of the volume is felt
   /**
    * For HapticMethod::Primitives, on the points of View. Of those that are not valid, and those
    * whose primitives are more than a tick has, nothing is felt.

@@ -145,8 +145,9 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
   }
   carried.IsChanged = true;
   const FieldAtTime field = model.Baked->At(state.DataTime);
-  carried.There = model.Baked->FeelsLabels() ? Law::FindSurface(model, field, index, state.Labels)
-                                             : Law::MakeFieldSurface(model, index, change.Now);
+  carried.There = model.Baked->HasOtherSurfaces
+    ? Law::FindSurface(model, field, index, state.Labels)
+    : Law::MakeFieldSurface(model, index, change.Now);
   const bool isHeld = state.Precise.IsHeld && HasOwnLevels(model);
   const double target = isHeld ? state.Precise.Level : change.LevelBefore;
   double level = change.LevelNow;

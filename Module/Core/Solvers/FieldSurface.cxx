@@ -27,7 +27,7 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
   surface.GradientMagnitude = magnitude;
   surface.Value = -place.Distance;
   surface.Fade = std::min(1.0, 1.0 + depth / zone.GetTolerance());
-  surface.IsWall = surface.IsForbidden = true;
+  surface.IsWall = surface.IsOneSided = surface.IsForbidden = true;
   return true;
 }
 
@@ -76,19 +76,91 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
   return surface;
 }
 
+/** The surface that labels or the scalars make. */
+Surface FindWholeSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept
+{
+  return model.Baked->Walls ? FindWall(model, field, index, model.IndexToLabel(index), memory)
+                            : FindFieldSurface(model, field, index);
+}
+
+/** The face of a cut, with its material a voxel behind it. */
+Surface MakeCutFace(const HapticModel& model, const Vector3& index, const CutPlace& place) noexcept
+{
+  Surface surface;
+  surface.Normal = Transpose(model.DeviceToWorldRotation) * place.Normal;
+  surface.CutFaces = place.Faces;
+  surface.Reach =
+    model.DeviceToIndex.Linear * ((place.Voxel / model.WorldUnitsPerMeter) * surface.Normal);
+  surface.GradientMagnitude = 1.0 / place.Voxel;
+  surface.Value = surface.Depth = place.Depth / place.Voxel;
+  surface.Fade = model.BorderFade(index);
+  surface.DragShare = 0.0;
+  surface.IsWall = surface.IsOneSided = true;
+  return surface;
+}
+
+/** The surface of a volume of which a part is cut away. */
+Surface FindKeptSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept
+{
+  const CutAway& cut = *model.Baked->Cut;
+  const CutPlace place = cut.Find(index);
+  const double depth = place.Depth / place.Voxel;
+  if (cut.IsSolid() && depth > -CutAway::TouchDistance && depth < WallEnds && field.IsInside(index))
+  {
+    return MakeCutFace(model, index, place);
+  }
+  Surface surface =
+    depth > 0.0 ? FindWholeSurface(model, field, index, memory) : MakeNoSurface(model);
+  surface.DragShare = place.Share();
+  surface.Fade *= cut.IsSolid() ? 1.0 : surface.DragShare;
+  return surface;
+}
+
 } // namespace
 
-Surface FindSurfaceOfLabels(const HapticModel& model, const FieldAtTime& field,
-  const Vector3& index, LabelMemory& memory) noexcept
+void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
-  const Vector3 labelIndex = model.IndexToLabel(index);
+  const Matrix3 worldToDevice = Transpose(model.DeviceToWorldRotation);
+  Vector3 sum;
+  for (int face = 0; face < 6; ++face)
+  {
+    if ((surface.CutFaces >> face & 1U) != 0)
+    {
+      const Vector3 normal = worldToDevice * model.Baked->Cut->GetNormal(face);
+      sum += std::max(0.0, Dot(lag, normal)) * normal;
+    }
+  }
+  const double length = Norm(sum);
+  if (length > DistanceEpsilon)
+  {
+    const double reach = 1.0 / (surface.GradientMagnitude * model.WorldUnitsPerMeter);
+    surface.Normal = (1.0 / length) * sum;
+    surface.Reach = model.DeviceToIndex.Linear * (reach * surface.Normal);
+  }
+}
+
+Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
+{
+  const Vector3 start = model.DeviceToIndex(from);
+  const Vector3 end = model.DeviceToIndex(to);
+  const Vector3 stopped = model.Baked->Cut->StopAtFaces(start, end);
+  return IsIdentical(stopped, end) ? to
+                                   : to + Inverse(model.DeviceToIndex.Linear) * (stopped - end);
+}
+
+Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept
+{
   Surface surface;
-  if (model.Baked->GetZone() && FindForbidden(model, labelIndex, surface))
+  // Also in a part that is cut away: nothing opens the way to a forbidden label.
+  if (model.Baked->GetZone() && FindForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;
   }
-  return model.Baked->Walls ? FindWall(model, field, index, labelIndex, memory)
-                            : FindFieldSurface(model, field, index);
+  return model.Baked->Cut ? FindKeptSurface(model, field, index, memory)
+                          : FindWholeSurface(model, field, index, memory);
 }
 
 } // namespace Law

@@ -31,10 +31,13 @@ struct Surface
   Vector3 Normal; ///< unit, into the structure
   Vector3 Reach;  ///< x_s - x_p, as index steps
   double GradientMagnitude = 0.0;
-  double Value = 0.0;       ///< the estimator's own value, whose gradient this is
-  double Fade = 0.0;        ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
-  bool IsWall = false;      ///< between labels; its Value is that of LabelWall
-  double Depth = 0.0;       ///< of a wall: its value, turned as the normal is
+  double Value = 0.0;         ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;          ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  double DragShare = 1.0;     ///< of the medium's drag that is felt: 0 in a part that is cut away
+  bool IsWall = false;        ///< between labels, with the Value of LabelWall; or the face of a cut
+  double Depth = 0.0;         ///< of a wall: its value, turned as the normal is
+  bool IsOneSided = false;    ///< its normal is that of the structure, wherever the tip is
+  std::uint32_t CutFaces = 0; ///< as CutPlace::Faces: several in a hollow corner
   bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
 };
 
@@ -115,16 +118,16 @@ inline Surface FindFieldSurface(
                                : MakeNoSurface(model);
 }
 
-/** Where labels make surfaces: FieldSurface.cxx. */
-Surface FindSurfaceOfLabels(const HapticModel& model, const FieldAtTime& field,
-  const Vector3& index, LabelMemory& memory) noexcept;
+/** Where surfaces depend on more than the scalars: FieldSurface.cxx. */
+Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept;
 
 /** The surface through an index, with an ascending normal. */
 inline Surface FindSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   LabelMemory& memory) noexcept
 {
-  return model.Baked->FeelsLabels() ? FindSurfaceOfLabels(model, field, index, memory)
-                                    : FindFieldSurface(model, field, index);
+  return model.Baked->HasOtherSurfaces ? FindOtherSurface(model, field, index, memory)
+                                       : FindFieldSurface(model, field, index);
 }
 
 /** Of the wall in front of a forbidden label: N, and N/m at least. */
@@ -161,11 +164,21 @@ inline bool IsDescending(
   return side == SurfaceSide::Lower || (side == SurfaceSide::Both && Dot(lag, normal) < 0.0);
 }
 
+/**
+ * In a hollow corner between faces of a cut, the normal is that of the faces' joint force: that of
+ * the push against all of them. FieldSurface.cxx.
+ */
+void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
+
 /** Turns a surface towards its structure. True if that is against the gradient. */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
-  if (surface.IsForbidden)
+  if (surface.IsOneSided)
   {
+    if ((surface.CutFaces & (surface.CutFaces - 1)) != 0)
+    {
+      TurnIntoCorner(model, lag, surface);
+    }
     return false;
   }
   const bool isDescending = IsDescending(model, lag, surface.Normal);
@@ -208,7 +221,7 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
   point.Friction = inside[1];
   point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
-  point.Viscosity = outside[3] * (outside[4] * distinct[1]);
+  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * surface.DragShare;
   if (surface.IsForbidden)
   {
     point.Stiffness = Capped(std::max(inside[0], ForbiddenStiffness), model.Caps.Stiffness);
@@ -267,6 +280,9 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
   b.Excess = std::sqrt(b.ExcessSquare);
   return b;
 }
+
+/** Where a motion (m) of the proxy meets a solid face of a cut: FieldSurface.cxx. */
+Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
 
 /** Eq. 14: the proxy after the motion that the drag leaves of the excess. */
 inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,

@@ -5,6 +5,7 @@
 #include "Core/Math/PolylineMask.h"
 #include "Core/Model/SurfaceMesh.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+#include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSettingLists.h"
@@ -323,6 +324,15 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
             << n[1] << " x " << n[2] << ". Lower KernelRadius or use a larger image"
             << (ResidentBox(d.View).IsWhole() ? "." : ", here a larger region of the volume.");
     error = message.str();
+    return nullptr;
+  }
+  if (options.Cut)
+  {
+    const int* const extent = whole.IsThere ? whole.Extent : image->GetExtent();
+    d.Cut = options.Cut->Make(image, extent, d.IndexToWorld, error);
+  }
+  if (!error.empty())
+  {
     return nullptr;
   }
   BakeVisibility(property, image, d.Material);

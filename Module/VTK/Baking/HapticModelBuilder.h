@@ -22,6 +22,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 class HapticSurface;
+struct HapticCut;
 class RegionSeries;
 
 struct HapticModelOptions
@@ -37,7 +38,8 @@ struct HapticModelOptions
   std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is at its first step
   std::string Displacements;         ///< the name of their array; empty if they have none
   FrameSeries Series;                ///< of which Frames are a part
-  HapticModeList Modes;              ///< for HapticMethod::Primitives
+  HapticModes Modes;                 ///< for HapticMethod::Primitives
+  const HapticCut* Cut = nullptr;    ///< null if nothing is cut away
 };
 
 /** The shape that all frames of a volume have. */

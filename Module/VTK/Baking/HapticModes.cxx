@@ -300,7 +300,7 @@ void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode)
   }
 }
 
-vtkDataArray* FindModeArray(const HapticModeList& modes, vtkImageData* image)
+vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image)
 {
   for (vtkHapticMode* const mode : modes)
   {
@@ -315,7 +315,7 @@ vtkDataArray* FindModeArray(const HapticModeList& modes, vtkImageData* image)
   return nullptr;
 }
 
-bool DescribeModes(const HapticModeList& modes, vtkImageData* image, const VolumeView& view,
+bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error)
 {
   ModeDescriber describer(image, view);

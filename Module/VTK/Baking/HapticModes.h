@@ -21,17 +21,17 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-using HapticModeList = std::vector<vtkSmartPointer<vtkHapticMode>>;
+using HapticModes = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
 /** The array of the first active mode that is about one; null if there is none. */
-vtkDataArray* FindModeArray(const HapticModeList& modes, vtkImageData* image);
+vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
  * Describes modes on the samples of an image, of which `view` is one component. Arrays are viewed
  * without a copy, unless they keep their components apart. False, with the reason and the cure in
  * `error`, if one that is active can't be felt.
  */
-bool DescribeModes(const HapticModeList& modes, vtkImageData* image, const VolumeView& view,
+bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
 } // namespace VolumeHaptics

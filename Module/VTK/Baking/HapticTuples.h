@@ -14,6 +14,11 @@
 namespace VolumeHaptics
 {
 
+inline Vector3 FromArray(const double* v)
+{
+  return { v[0], v[1], v[2] };
+}
+
 /** Three components of a tuple, beginning with the component `first`. */
 inline Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
 {

@@ -138,7 +138,7 @@ void FillSecond(const ModePreset& preset, vtkHapticMode* mode)
 
 } // namespace
 
-HapticModeList MakeModePreset(const char* name, vtkImageData* image, std::string& error)
+HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& error)
 {
   std::string known;
   for (const ModePreset& preset : ModePresetRows())
@@ -148,7 +148,7 @@ HapticModeList MakeModePreset(const char* name, vtkImageData* image, std::string
     {
       continue;
     }
-    HapticModeList modes = { preset.Make() };
+    HapticModes modes = { preset.Make() };
     if (image && !SuitImage(preset, modes.front(), image, error))
     {
       return {};

@@ -23,7 +23,7 @@ namespace VolumeHaptics
  * `error`, if there is no such preset, or the image has nothing for it. Without an image, strengths
  * are 2 N everywhere.
  */
-HapticModeList MakeModePreset(const char* name, vtkImageData* image, std::string& error);
+HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& error);
 
 vtkSmartPointer<vtkStringArray> MakeModePresetNames();
 

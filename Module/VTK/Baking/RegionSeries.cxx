@@ -40,6 +40,11 @@ bool IsSameGuide(const Shape* a, const Shape* b)
   return a == b || (a && b && a->IsSame(*b));
 }
 
+bool IsSameCut(const CutAway* a, const CutAway* b)
+{
+  return a == b || (a && b && a->IsSame(*b));
+}
+
 bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
 {
   return a.Kind == b.Kind && a.IsActive == b.IsActive && a.Axes == b.Axes && a.IsDark == b.IsDark &&
@@ -68,7 +73,8 @@ bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
     entry.Facts.Time == facts.Time && entry.Facts.Share == facts.Share && entry.Array == array &&
     d.View.Type == e.View.Type && IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
-    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels;
+    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels &&
+    IsSameCut(d.Cut.get(), e.Cut.get());
 }
 
 std::uint64_t RegionSeries::Find(

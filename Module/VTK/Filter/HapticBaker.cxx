@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/HapticBaker.h"
 
+#include "VTK/Baking/HapticCut.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticSettingLists.h"
@@ -169,6 +170,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Series = frames.Series;
   options.Displacements = this->Filter->DisplacementArrayName;
   options.Modes = this->Filter->Modes;
+  options.Cut = this->Filter->Cut.get();
   options.Surface = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0));
   return BuildHapticModel(image, scalars, this->Filter->GetProperty(), options, error);
 }

@@ -10,7 +10,9 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeMapper.h"
 
 #include <utility>
 
@@ -415,6 +417,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
+  this->FollowVolume();
   this->Publisher.Update(isPlaced);
 
   if (renderer && scene.Device == device)
@@ -472,13 +475,49 @@ bool HapticInteraction::UpdateHaptics()
 }
 
 //------------------------------------------------------------------------------
+void HapticInteraction::TouchVolume(vtkVolume* volume)
+{
+  if (volume && !this->Scene.Device)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "There is no device to touch a volume with: call SetDevice() before TouchVolume().");
+    return;
+  }
+  if (volume && !vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The volume has no mapper that shows an image: call vtkVolume::SetMapper(), for example with "
+      "a vtkGPUVolumeRayCastMapper, before TouchVolume().");
+    return;
+  }
+  this->Touched.Set(volume);
+  if (volume && !this->Scene.Device->GetVolumeHaptics())
+  {
+    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
+  }
+  this->FollowVolume();
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowVolume()
+{
+  if (vtkVolumeHapticsFilter* const filter =
+        this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr)
+  {
+    this->Touched.Update(filter, this->ShownFrames);
+  }
+}
+
+//------------------------------------------------------------------------------
 void HapticInteraction::CheckShownVolumes()
 {
   vtkRenderer* const renderer = this->Scene.FindRenderer();
   vtkImageData* const image = this->Scene.FindImage();
   if (renderer && image)
   {
-    for (const std::string& warning : this->Volumes.Check(renderer, image, this->ShownFrames))
+    vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+    for (const std::string& warning :
+      this->Volumes.Check(renderer, image, filter, this->ShownFrames))
     {
       vtkWarningWithObjectMacro(this->Scene.Style, << warning);
     }

@@ -21,6 +21,7 @@
 #include "VTK/Scene/SliceMouse.h"
 #include "VTK/Scene/TouchMode.h"
 #include "VTK/Scene/TouchedScene.h"
+#include "VTK/Scene/TouchedVolume.h"
 #include "VTK/Scene/WorkspaceControl.h"
 
 #include "vtkNew.h"
@@ -31,6 +32,7 @@
 
 class vtkCallbackCommand;
 class vtkObject;
+class vtkVolume;
 
 namespace VolumeHaptics
 {
@@ -90,6 +92,8 @@ public:
   /** See the style's functions of these names. */
   bool UpdateHaptics();
   void CheckShownVolumes();
+  void TouchVolume(vtkVolume* volume);
+  vtkVolume* GetTouchedVolume() const { return this->Touched.Get(); }
   bool NextMethod();
   ///@}
 
@@ -103,6 +107,9 @@ public:
   vtkNew<vtkTable> States; ///< of the last update
 
 private:
+  /** Gives the filter what the touched volume shows now. */
+  void FollowVolume();
+
   void LeaveDevice();
   /** Draws the scene if the mouse has changed what the slices show; true. */
   bool DrawSlices();
@@ -116,6 +123,7 @@ private:
   SliceMouse Slices;
   HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
+  TouchedVolume Touched;
   HapticStateWatch Watch;
   int Reader = 0;       ///< the number of this reader of the device's states
   double Updated = 0.0; ///< the device's time (s) at the last update

@@ -3,6 +3,7 @@
 #include "VTK/Scene/HapticShownVolumes.h"
 
 #include "VTK/Scene/HapticShownFrames.h"
+#include "VTK/Scene/TouchedVolume.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkGPUVolumeRayCastMapper.h"
@@ -16,6 +17,7 @@
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -36,15 +38,19 @@ struct Difference
 
 const Difference Differences[] = {
   { 1,
-    "It is moved, turned or scaled in the scene, but felt at the place of its image. Cure: change "
-    "the origin, spacing and direction matrix of the image instead, for example with "
+    "It is moved, turned or scaled in the scene, but felt at the place of its image. Cure: "
+    "TouchVolume() of the interactor style, which follows all but shears, or change the origin, "
+    "spacing and direction matrix of the image instead, for example with "
     "vtkImageChangeInformation." },
   { 2,
-    "Its mapper crops it, but the hidden part is still felt. Cure: touch a part of the image, for "
-    "example the output of vtkExtractVOI, or call CroppingOff()." },
+    "Its mapper crops it, but the hidden part is still felt. Cure: TouchVolume() of the interactor "
+    "style, or give vtkVolumeHapticsFilter the same regions with CroppingOn() and "
+    "SetCroppingRegionPlanes()." },
   { 4,
-    "Its mapper has clipping planes, but the part that they hide is still felt. Cure: touch a part "
-    "of the image, for example the output of vtkExtractVOI, or remove the clipping planes." },
+    "Its mapper has clipping planes, but the part that they hide is still felt. Cure: "
+    "TouchVolume() "
+    "of the interactor style, or give vtkVolumeHapticsFilter the mapper's planes with "
+    "SetClippingPlanes()." },
   { 8,
     "Its mapper has a mask input, but voxels that it hides are still felt. Cure: give them a "
     "value that is not felt, for example with vtkImageMask, or remove the mask." },
@@ -125,6 +131,38 @@ bool IsClipped(vtkVolumeMapper* mapper, vtkVolume* volume)
   return false;
 }
 
+/** Whether a filter leaves out the same regions of an image. */
+bool FeelsCropping(
+  vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt)
+{
+  if (!filter->GetCropping() ||
+    filter->GetCroppingRegionFlags() != mapper->GetCroppingRegionFlags())
+  {
+    return false;
+  }
+  double planes[6];
+  MapCropping(mapper, shown, felt, planes);
+  const double* const own = filter->GetCroppingRegionPlanes();
+  const double most = 1e-6 * felt->GetLength();
+  return std::equal(
+    planes, planes + 6, own, [most](double a, double b) { return std::abs(a - b) <= most; });
+}
+
+/** Whether a filter has all clipping planes of a mapper. */
+bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
+{
+  vtkPlaneCollection* const own = filter->GetClippingPlanes();
+  vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
+  for (int i = 0; own && i < planes->GetNumberOfItems(); ++i)
+  {
+    if (!own->IsItemPresent(planes->GetItem(i)))
+    {
+      return false;
+    }
+  }
+  return own != nullptr;
+}
+
 bool HasTransferFunction2D(vtkVolumeProperty* property)
 {
   return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
@@ -132,8 +170,8 @@ bool HasTransferFunction2D(vtkVolumeProperty* property)
 
 } // namespace
 
-std::vector<std::string> HapticShownVolumes::Check(
-  vtkRenderer* renderer, vtkImageData* image, const HapticShownFrames& pictures)
+std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image,
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
@@ -150,7 +188,7 @@ std::vector<std::string> HapticShownVolumes::Check(
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
-    const unsigned int differences = this->FindDifferences(volume, image, pictures);
+    const unsigned int differences = this->FindDifferences(volume, image, filter, pictures);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -167,8 +205,8 @@ std::vector<std::string> HapticShownVolumes::Check(
   return warnings;
 }
 
-unsigned int HapticShownVolumes::FindDifferences(
-  vtkVolume* volume, vtkImageData* image, const HapticShownFrames& pictures)
+unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData* image,
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
 {
   auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   auto* const shown =
@@ -180,7 +218,8 @@ unsigned int HapticShownVolumes::FindDifferences(
   auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
   volume->ComputeMatrix();
   const bool isTrue[] = { IsPlacedElsewhere(volume->GetMatrix(), shown, image),
-    IsCropped(mapper, shown), IsClipped(mapper, volume), gpu && gpu->GetMaskInput(),
+    IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
+    IsClipped(mapper, volume) && !FeelsClipping(filter, mapper), gpu && gpu->GetMaskInput(),
     HasTransferFunction2D(volume->GetProperty()), this->HasBlanks(shown) };
   unsigned int differences = 0;
   for (std::size_t i = 0; i < std::size(Differences); ++i)

@@ -17,6 +17,7 @@ class vtkImageData;
 class vtkRenderer;
 class vtkUnsignedCharArray;
 class vtkVolume;
+class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
 {
@@ -31,11 +32,11 @@ class HapticShownVolumes
 public:
   /**
    * A warning for each visible volume of a renderer that shows an image, or another one with the
-   * same scalars, in a way that is not felt. It names the differences that are new since the last
-   * call, and the cures. The pictures of a volume that moves show the image, too.
+   * same scalars, in a way that the filter does not feel. It names the differences that are new
+   * since the last call, and the cures. The pictures of a volume that moves show the image, too.
    */
-  std::vector<std::string> Check(
-    vtkRenderer* renderer, vtkImageData* image, const HapticShownFrames& pictures);
+  std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
 
 private:
   struct Known
@@ -43,8 +44,8 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     unsigned int Differences;
   };
-  unsigned int FindDifferences(
-    vtkVolume* volume, vtkImageData* image, const HapticShownFrames& pictures);
+  unsigned int FindDifferences(vtkVolume* volume, vtkImageData* image,
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
   bool HasBlanks(vtkImageData* image);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
 

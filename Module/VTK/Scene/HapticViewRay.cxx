@@ -4,6 +4,7 @@
 
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ServoTick.h"
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Filter/HapticBaker.h"
 
@@ -26,11 +27,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-Vector3 FromArray(const double* v)
-{
-  return { v[0], v[1], v[2] };
-}
 
 /**
  * Whether there is something at a position (world), coming from the one before. If it is a surface

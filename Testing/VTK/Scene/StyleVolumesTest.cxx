@@ -125,6 +125,76 @@ TEST_F(StyleVolumes, ThatShowTheSameScalarsInTheSamePlaceGiveNone)
   EXPECT_EQ(this->CountWarnings(), 0U);
 }
 
+TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
+{
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->Style->GetTouchedVolume(), this->Volume);
+  // A ball of 30 mm at the origin becomes one of 60 mm at (5, 0, 0).
+  this->Volume->SetPosition(5.0, 0.0, 0.0);
+  this->Volume->RotateZ(30.0);
+  this->Volume->SetScale(2.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  vtkNew<vtkPolyData> path;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i <= 120; ++i)
+  {
+    points->InsertNextPoint(75.0 - 0.1 * i, 0.0, 0.0);
+  }
+  path->SetPoints(points);
+  const auto forceAt = [&](double x)
+  {
+    this->Filter->SetPathData(path);
+    this->Filter->Update();
+    vtkDataArray* const force = this->Filter->GetOutput()->GetPointData()->GetArray("Force");
+    const auto tick = static_cast<vtkIdType>(std::lround((75.0 - x) / 0.1));
+    return force && force->GetNumberOfTuples() == 121 ? force->GetComponent(tick, 0) : -1.0;
+  };
+  // On an even ramp the material is read two voxels ahead, here 4 mm: the surface is at 69.
+  EXPECT_EQ(forceAt(70.0), 0.0);
+  EXPECT_NEAR(forceAt(66.0), 500.0 * 0.003, 0.1);
+  this->Volume->SetOrientation(0.0, 40.0, 0.0);
+  this->Volume->SetPosition(3.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_NEAR(forceAt(64.0), 500.0 * 0.003, 0.1) << "the volume has moved by 2 mm";
+  // What the mapper hides is not felt, where the volume is.
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(50.0, 0.0, 0.0);
+  plane->SetNormal(-1.0, 0.0, 0.0);
+  this->Mapper->AddClippingPlane(plane);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_EQ(forceAt(64.0), 0.0);
+  plane->SetOrigin(70.0, 0.0, 0.0);
+  EXPECT_NEAR(forceAt(64.0), 500.0 * 0.003, 0.1);
+  // Regions are those of the data: x = 24 there is the face at 3 + 2 * 24 without a turn.
+  this->Volume->SetOrientation(0.0, 0.0, 0.0);
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(-50.0, 24.0, -50.0, 50.0, -50.0, 50.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_EQ(forceAt(64.0), 0.0);
+  EXPECT_NEAR(this->Filter->GetCroppingRegionPlanes()[1], 51.0, 1e-9);
+  this->Mapper->CroppingOff();
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_NEAR(forceAt(64.0), 500.0 * 0.003, 0.1);
+  // A shear is told.
+  vtkNew<vtkMatrix4x4> shear;
+  shear->SetElement(0, 1, 0.5);
+  this->Volume->SetUserMatrix(shear);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+}
+
+TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
+{
+  vtkNew<vtkVolume> empty;
+  this->Style->TouchVolume(empty);
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("vtkVolume::SetMapper()"), std::string::npos);
+  this->Style->SetDevice(nullptr);
+  this->Style->TouchVolume(this->Volume);
+  ASSERT_EQ(this->Log.Errors.size(), 2U);
+  EXPECT_NE(this->Log.Errors[1].find("SetDevice()"), std::string::npos);
+  this->Log.Errors.clear();
+}
+
 TEST_F(StyleVolumes, ThatAreCutWarn)
 {
   this->Mapper->CroppingOn();

@@ -10,7 +10,9 @@ namespace VolumeHaptics
 
 Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept
 {
-  return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude) * record.Normal;
+  const CutAway* const cut = model.Baked->Cut.get();
+  const double share = cut ? cut->Find(model.DeviceToIndex(record.Tip)).Share() : 1.0;
+  return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude * share) * record.Normal;
 }
 
 Vector3 FindFieldDamping(

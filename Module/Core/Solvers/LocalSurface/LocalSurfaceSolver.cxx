@@ -92,7 +92,8 @@ double Slip(const Quadric& shape, const Vector3& tip, const Vector3& x, double f
 }
 
 /** Moves the proxy on the surface; false if the surface does not hold it. */
-bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
+bool HoldWhole(
+  const Vector3& tip, double friction, LocalState& local, ContactState& contact) noexcept
 {
   const Quadric& shape = local.Surface.Shape;
   if (!local.Surface.IsThere || !(shape.Depth(tip) > 0.0))
@@ -140,6 +141,23 @@ bool Hold(const Vector3& tip, double friction, LocalState& local, ContactState& 
     (isLow ? atLow : atHigh) = at;
     local.Position = isLow ? x : local.Position;
     side = now;
+  }
+  return true;
+}
+
+/** As HoldWhole; what is cut away holds nothing. */
+bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
+  ContactState& contact) noexcept
+{
+  if (!HoldWhole(tip, friction, local, contact))
+  {
+    return false;
+  }
+  const CutAway* const cut = model.Baked->Cut.get();
+  if (cut && cut->Find(model.DeviceToIndex(model.WorldToDevice(local.Position))).Depth < 0.0)
+  {
+    contact = ContactState::Free;
+    return false;
   }
   return true;
 }
@@ -219,7 +237,7 @@ void Follow(const HapticModel& model, const Vector3& tip, double carried, double
 {
   const double follows = MostFollowing * (Norm(tip - local.Tip) + carried);
   const Vector3 before = LagOf(local);
-  local.IsHeld = Hold(tip, friction, local, contact);
+  local.IsHeld = Hold(model, tip, friction, local, contact);
   local.Tip = tip;
   const Vector3 lag = LagOf(local);
   const Vector3 jump = lag - before;
@@ -252,7 +270,7 @@ void Renew(const HapticModel& model, const LocalSurface& found, double friction,
     Dot(local.Surface.Shape.Slope(shape.Centre), shape.Gradient) <= 0.0;
   const Vector3 before = LagOf(local);
   local.Surface = isFar ? LocalSurface{} : found;
-  local.IsHeld = Hold(local.Tip, friction, local, contact);
+  local.IsHeld = Hold(model, local.Tip, friction, local, contact);
   Absorb(model, LagOf(local) - before, local);
 }
 

@@ -11,7 +11,8 @@ namespace VolumeHaptics
 namespace
 {
 
-Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
+Vector3 Advance(
+  const HapticModel& model, const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
 {
   const double k = record.Stiffness;
   if (!Law::IsFelt(record))
@@ -25,7 +26,8 @@ Vector3 Advance(const Vector3& start, const SplitLag& lag, TickRecord& record) n
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
-  const Vector3 proxy = Law::Move(record, k, lag, balance, start);
+  const Vector3 end = Law::Move(record, k, lag, balance, start);
+  const Vector3 proxy = model.Baked->Cut ? Law::StopAtCut(model, start, end) : end;
   record.NormalForce = balance.Normal;
   record.FrictionForce = balance.Friction;
   record.DragForce = std::min(record.Viscosity, balance.Excess);
@@ -61,7 +63,7 @@ void StepPaper(
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
-  record.Proxy = state.Enabled ? Advance(position, split, record) : tip;
+  record.Proxy = state.Enabled ? Advance(model, position, split, record) : tip;
 }
 
 } // namespace VolumeHaptics

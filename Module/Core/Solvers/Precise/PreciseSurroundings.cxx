@@ -200,7 +200,7 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
 
 bool PreciseSurroundings::IsOfLevel(const PrecisePoint& here, double level) const noexcept
 {
-  return !this->Model.Baked->FeelsLabels() ||
+  return !this->Model.Baked->HasOtherSurfaces ||
     std::abs(level - here.Value) * this->Model.MostStepsPerMeter <=
     FarthestLevel * std::abs(here.Slope);
 }
@@ -234,7 +234,9 @@ Arrival PreciseSurroundings::Arrive(
 Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
   const Vector3& displacement, const Vector3& tip) noexcept
 {
-  const Vector3 proxy = start.Proxy + displacement;
+  const Vector3 goal = start.Proxy + displacement;
+  const Vector3 proxy =
+    this->Model.Baked->Cut ? Law::StopAtCut(this->Model, start.Proxy, goal) : goal;
   const Vector3 lag = tip - proxy;
   // The point is made in place: copies of it would have to wait until it is in the cache.
   Arrival end{ proxy, this->Look(proxy, lag, start.Touched, this->Voxels(displacement)), 0.0,

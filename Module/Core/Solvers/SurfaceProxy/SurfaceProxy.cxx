@@ -52,7 +52,8 @@ public:
   /** @param share of the triangles' way to the next frame */
   Sphere(
     const HapticModel& model, const SurfaceMesh& mesh, double share, const Vector3& centre) noexcept
-    : Mesh(mesh)
+    : Model(model)
+    , Mesh(mesh)
     , Share(share)
     , Radius(model.Baked->Settings.ProxyRadius)
     , IsShaded(model.Baked->Settings.ForceShading && this->Mesh.HasNormals())
@@ -85,15 +86,19 @@ public:
   {
     const Vector3 displacement = std::min(1.0, LongestMove * this->Radius / Norm(whole)) * whole;
     double first = Never;
-    const bool isWhole =
-      this->Mesh.VisitAlong(this->Centre, displacement, this->Radius, this->Budget,
-        [&](std::int32_t i)
+    const bool isWhole = this->Mesh.VisitAlong(this->Centre, displacement, this->Radius,
+      this->Budget,
+      [&](std::int32_t i)
+      {
+        const Triangle triangle = this->Mesh.GetTriangle(i, this->Share);
+        const double time = MeetingTime(triangle, this->Centre, displacement, this->Radius, first);
+        if (time < first &&
+          !this->IsCutAway(NearestPoint(triangle, this->Centre + time * displacement).Position))
         {
-          first = std::min(first,
-            MeetingTime(this->Mesh.GetTriangle(i, this->Share), this->Centre, displacement,
-              this->Radius, first));
-          return std::min(first, 1.0);
-        });
+          first = time;
+        }
+        return std::min(first, 1.0);
+      });
     if (!isWhole)
     {
       return;
@@ -119,7 +124,8 @@ private:
     const Vector3 off = this->Centre - nearest.Position;
     const double distance = Norm(off);
     // A centre on a triangle is on neither side of it.
-    if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0)
+    if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0 ||
+      this->IsCutAway(nearest.Position))
     {
       return;
     }
@@ -140,6 +146,15 @@ private:
     }
   }
 
+  /** Whether a point of a triangle is cut away. */
+  bool IsCutAway(const Vector3& world) const noexcept
+  {
+    const CutAway* const cut = this->Model.Baked->Cut.get();
+    return cut &&
+      cut->Find(this->Model.DeviceToIndex(this->Model.WorldToDevice(world))).Depth < 0.0;
+  }
+
+  const HapticModel& Model;
   const SurfaceMesh& Mesh;
   const double Share;
   double Radius; ///< while it overlaps a triangle, its distance

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Model/CutAway.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int Strides[3] = { 1, 3, 9 }; // of regions
+
+double ComponentOf(const Vector3& v, int axis) noexcept
+{
+  return axis == 0 ? v.X : (axis == 1 ? v.Y : v.Z);
+}
+
+} // namespace
+
+double CutAway::Beyond::Distance() const noexcept
+{
+  double square = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double aside = std::max({ this->Low[axis], this->High[axis], 0.0 });
+    square += aside * aside;
+  }
+  return std::sqrt(square);
+}
+
+Vector3 CutAway::Beyond::Direction(const Axis (&axes)[3]) const noexcept
+{
+  Vector3 direction;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double aside = std::max(this->High[axis], 0.0) - std::max(this->Low[axis], 0.0);
+    direction += aside * axes[axis].Normal;
+  }
+  return direction;
+}
+
+CutAway::CutAway(std::vector<CutPlane> planes, const CutRegions& regions,
+  const Affine3& indexToWorld, bool isSolid)
+  : Planes(std::move(planes))
+  , Regions(regions)
+  , IndexToWorld(indexToWorld)
+  , WorldToIndex(Inverse(indexToWorld.Linear))
+  , HasSolidFaces(isSolid)
+{
+  for (const CutPlane& plane : this->Planes)
+  {
+    this->Voxels.push_back(1.0 / Norm(this->WorldToIndex * plane.Normal));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3& row = this->WorldToIndex.Row[axis];
+    this->Axes[axis] = { (1.0 / Norm(row)) * row, 1.0 / Norm(row) };
+  }
+}
+
+CutPlace CutAway::Find(const Vector3& index) const noexcept
+{
+  CutPlace nearest = this->Regions.Kept == CutRegions::All ? CutPlace{} : this->FindRegion(index);
+  const Vector3 world = this->IndexToWorld(index);
+  for (std::size_t i = 0; i < this->Planes.size(); ++i)
+  {
+    const CutPlane& plane = this->Planes[i];
+    const double depth = Dot(plane.Normal, world) - plane.Offset;
+    if (depth < nearest.Depth)
+    {
+      nearest = { depth, plane.Normal, this->Voxels[i] };
+    }
+  }
+  return nearest;
+}
+
+CutAway::Beyond CutAway::FindBeyond(const Vector3& index, int region) const noexcept
+{
+  Beyond beyond;
+  int rest = region;
+  for (int axis = 0; axis < 3; ++axis, rest /= 3)
+  {
+    const double i = ComponentOf(index, axis);
+    const double scale = this->Axes[axis].WorldPerIndex;
+    const int step = rest % 3;
+    const double low = step == 0 ? -HUGE_VAL : this->Regions.Low[axis];
+    const double high = step == 2 ? HUGE_VAL : this->Regions.High[axis];
+    beyond.Low[axis] = scale * ((step == 2 ? this->Regions.High[axis] : low) - i);
+    beyond.High[axis] = scale * (i - (step == 0 ? this->Regions.Low[axis] : high));
+  }
+  return beyond;
+}
+
+int CutAway::FindRegionOf(const Vector3& index) const noexcept
+{
+  int region = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double i = ComponentOf(index, axis);
+    const int step = i < this->Regions.Low[axis] ? 0 : (i > this->Regions.High[axis] ? 2 : 1);
+    region += Strides[axis] * step;
+  }
+  return region;
+}
+
+int CutAway::FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept
+{
+  int nearest = -1;
+  distance = HUGE_VAL;
+  for (int region = 0; region < 27; ++region)
+  {
+    const double far =
+      this->IsKept(region) == isKept ? this->FindBeyond(index, region).Distance() : HUGE_VAL;
+    nearest = far < distance ? region : nearest;
+    distance = std::min(far, distance);
+  }
+  return nearest;
+}
+
+bool CutAway::HasFace(int region, int face) const noexcept
+{
+  const int axis = face / 2;
+  const bool isLow = face % 2 == 0;
+  const int step = region / Strides[axis] % 3;
+  return step != (isLow ? 0 : 2) &&
+    this->IsKept(isLow ? region - Strides[axis] : region + Strides[axis]);
+}
+
+CutPlace CutAway::FindRegion(const Vector3& index) const noexcept
+{
+  const int here = this->FindRegionOf(index);
+  const bool isKept = this->IsKept(here);
+  double distance;
+  const int there = this->FindNearest(index, !isKept, distance);
+  CutPlace place;
+  if (there < 0)
+  {
+    place.Depth = isKept ? HUGE_VAL : -HUGE_VAL;
+    return place;
+  }
+  const int away = isKept ? there : here;
+  const Beyond beyond = this->FindBeyond(index, away);
+  double farthest = -HUGE_VAL;
+  for (int face = 0; face < 6; ++face)
+  {
+    if (!this->HasFace(away, face))
+    {
+      continue;
+    }
+    const double aside = beyond.Behind(face);
+    place.Faces |= this->IsAt(face, aside) ? 1U << face : 0U;
+    place.Normal = aside > farthest ? this->GetNormal(face) : place.Normal;
+    farthest = std::max(farthest, aside);
+  }
+  // Beside an edge, the shortest way is oblique.
+  if (distance > 0.0)
+  {
+    const Vector3 shortest = this->FindBeyond(index, there).Direction(this->Axes);
+    place.Normal = ((isKept ? 1.0 : -1.0) / distance) * shortest;
+  }
+  place.Depth = isKept ? distance : -distance;
+  place.Voxel = 1.0 / Norm(this->WorldToIndex * place.Normal);
+  return place;
+}
+
+Vector3 CutAway::StopAtFaces(const Vector3& from, const Vector3& to) const noexcept
+{
+  if (!this->HasSolidFaces || this->Regions.Kept == CutRegions::All)
+  {
+    return to;
+  }
+  const int here = this->FindRegionOf(from);
+  double distance = 0.0;
+  const int away = this->IsKept(here) ? this->FindNearest(from, false, distance) : here;
+  if (away < 0)
+  {
+    return to;
+  }
+  const Beyond beyond = this->FindBeyond(from, away);
+  const Beyond after = this->FindBeyond(to, away);
+  double stopped[3] = { to.X, to.Y, to.Z };
+  for (int face = 0; face < 6; ++face)
+  {
+    const Axis& axis = this->Axes[face / 2];
+    const double aside = beyond.Behind(face);
+    if (aside > axis.WorldPerIndex)
+    {
+      return to; // inside of what is kept
+    }
+    const double behind = after.Behind(face);
+    if (this->HasFace(away, face) && !this->IsAt(face, aside) && behind > 0.0)
+    {
+      const double back = behind / axis.WorldPerIndex;
+      stopped[face / 2] += face % 2 == 0 ? back : -back;
+    }
+  }
+  return { stopped[0], stopped[1], stopped[2] };
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The part of a volume that is cut away: nothing is felt there.
+ *
+ * Planes cut, as those of vtkAbstractMapper::SetClippingPlanes do, and the 27 regions between two
+ * planes of constant index along each axis, as those of vtkVolumeMapper::SetCroppingRegionPlanes
+ * do. What neither cuts away is kept. With s_i the signed distance to a plane, positive in the part
+ * that it keeps, and s_0 that to the faces of the regions,
+ *
+ *   depth(x) = min_i s_i(x)
+ *
+ * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. Axes
+ * of the index are perpendicular to one another in the world.
+ */
+#ifndef CutAway_h
+#define CutAway_h
+
+#include "Core/Math/Vector3.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** Keeps the side to which its normal points. */
+struct CutPlane
+{
+  Vector3 Normal; ///< world; a unit vector
+  double Offset;  ///< Dot(Normal, x) on the plane
+
+  friend bool operator==(const CutPlane& a, const CutPlane& b) noexcept
+  {
+    return a.Normal.X == b.Normal.X && a.Normal.Y == b.Normal.Y && a.Normal.Z == b.Normal.Z &&
+      a.Offset == b.Offset;
+  }
+};
+
+/** Regions between planes of constant index. */
+struct CutRegions
+{
+  static constexpr std::uint32_t All = (std::uint32_t{ 1 } << 27) - 1;
+  double Low[3] = {};
+  double High[3] = {};
+  /** Bit x + 3 y + 9 z keeps a region; x is 0 below Low[0], 2 above High[0] and 1 in between. */
+  std::uint32_t Kept = All;
+
+  friend bool operator==(const CutRegions& a, const CutRegions& b) noexcept
+  {
+    return a.Kept == b.Kept && std::equal(a.Low, a.Low + 3, b.Low) &&
+      std::equal(a.High, a.High + 3, b.High);
+  }
+};
+
+/** A position, as the nearest face of the kept part sees it. */
+struct CutPlace
+{
+  double Depth = HUGE_VAL; ///< world units; below 0 in the part that is cut away
+  Vector3 Normal;          ///< world; a unit vector, into the kept part
+  double Voxel = 1.0;      ///< the length of an index step along Normal, world units
+  /**
+   * Of regions: the faces on which the position lies, of the nearest region that is cut away, from
+   * `TouchDistance` in front of them on. Several meet in a hollow corner. Bit 2 axis is towards the
+   * lower index, bit 2 axis + 1 towards the higher one.
+   */
+  std::uint32_t Faces = 0;
+
+  /** The share that is felt: it falls from 1 to 0 over the last voxel in front of a face. */
+  double Share() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
+};
+
+/** Immutable. */
+class CutAway
+{
+public:
+  static constexpr double TouchDistance = 5e-3; ///< voxels
+
+  /** @param isSolid whether faces hold like the material behind them */
+  CutAway(std::vector<CutPlane> planes, const CutRegions& regions, const Affine3& indexToWorld,
+    bool isSolid);
+
+  CutPlace Find(const Vector3& index) const noexcept;
+  /** The normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
+  Vector3 GetNormal(int face) const noexcept
+  {
+    return face % 2 == 0 ? -this->Axes[face / 2].Normal : this->Axes[face / 2].Normal;
+  }
+  /**
+   * The end of a motion, both index, that begins in a region that is cut away, or on one of its
+   * faces, and goes no farther than to the next face: solid faces hold once they are touched. The
+   * faces of planes meet in no hollow corner, and stop nothing.
+   */
+  Vector3 StopAtFaces(const Vector3& from, const Vector3& to) const noexcept;
+  bool IsSolid() const noexcept { return this->HasSolidFaces; }
+
+  bool IsSame(const CutAway& other) const noexcept
+  {
+    return this->Planes == other.Planes && this->Regions == other.Regions &&
+      this->HasSolidFaces == other.HasSolidFaces;
+  }
+
+private:
+  struct Axis
+  {
+    Vector3 Normal;       ///< of its planes; world, a unit vector
+    double WorldPerIndex; ///< the distance between planes of consecutive indices
+  };
+  /** A region as seen from a position: how far that is behind its planes, world units. */
+  struct Beyond
+  {
+    double Low[3];
+    double High[3];
+    double Behind(int face) const noexcept
+    {
+      return face % 2 == 0 ? this->Low[face / 2] : this->High[face / 2];
+    }
+    double Distance() const noexcept;
+    /** World units, away from the region. */
+    Vector3 Direction(const Axis (&axes)[3]) const noexcept;
+  };
+
+  bool IsKept(int region) const noexcept { return (this->Regions.Kept >> region & 1U) != 0; }
+  /** Whether a position that is so far behind a face touches it. */
+  bool IsAt(int face, double aside) const noexcept
+  {
+    return aside > -TouchDistance * this->Axes[face / 2].WorldPerIndex;
+  }
+  int FindRegionOf(const Vector3& index) const noexcept;
+  /** The nearest region that is kept, or cut away; -1 if there is none. */
+  int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
+  /** Whether something kept lies behind a face of a region that is cut away. */
+  bool HasFace(int region, int face) const noexcept;
+  Beyond FindBeyond(const Vector3& index, int region) const noexcept;
+  CutPlace FindRegion(const Vector3& index) const noexcept;
+
+  const std::vector<CutPlane> Planes;
+  std::vector<double> Voxels; ///< of the planes
+  const CutRegions Regions;
+  const Affine3 IndexToWorld;
+  const Matrix3 WorldToIndex;
+  Axis Axes[3]; ///< of rising index
+  const bool HasSolidFaces;
+};
+
+} // namespace VolumeHaptics
+
+#endif

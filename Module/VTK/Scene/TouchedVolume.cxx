@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/TouchedVolume.h"
+
+#include "Core/Math/Vector3.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkHapticProperty.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+bool IsSamePlace(vtkImageData* a, vtkImageData* b)
+{
+  return std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing()) &&
+    std::equal(a->GetDirectionMatrix()->GetData(), a->GetDirectionMatrix()->GetData() + 9,
+      b->GetDirectionMatrix()->GetData());
+}
+
+} // namespace
+
+bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
+{
+  constexpr double rounding = 1e-9;
+  double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
+  std::copy(image->GetOrigin(), image->GetOrigin() + 3, origin);
+  matrix->MultiplyPoint(origin, origin);
+  Vector3 columns[3];
+  double spacing[3];
+  double direction[9];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double step[4] = { 0.0, 0.0, 0.0, 0.0 };
+    for (int row = 0; row < 3; ++row)
+    {
+      step[row] = image->GetDirectionMatrix()->GetElement(row, axis) * image->GetSpacing()[axis];
+    }
+    matrix->MultiplyPoint(step, step);
+    columns[axis] = { step[0], step[1], step[2] };
+    spacing[axis] = Norm(columns[axis]);
+    for (int row = 0; row < 3; ++row)
+    {
+      direction[3 * row + axis] = step[row] / spacing[axis];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const double together = std::abs(Dot(columns[axis], columns[next]));
+    // False for NaN, too.
+    if (!(together <= rounding * spacing[axis] * spacing[next]) || !(spacing[axis] > 0.0))
+    {
+      return false;
+    }
+  }
+  placed->SetOrigin(origin);
+  placed->SetSpacing(spacing);
+  placed->SetDirectionMatrix(direction);
+  return true;
+}
+
+void MapCropping(vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt, double planes[6])
+{
+  mapper->GetCroppingRegionPlanes(planes);
+  for (int i = 0; i < 6; ++i)
+  {
+    const int axis = i / 2;
+    const double index = (planes[i] - shown->GetOrigin()[axis]) / shown->GetSpacing()[axis] -
+      shown->GetExtent()[2 * axis] + felt->GetExtent()[2 * axis];
+    planes[i] = felt->GetOrigin()[axis] + index * felt->GetSpacing()[axis];
+  }
+}
+
+void TouchedVolume::Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
+{
+  auto* const mapper =
+    this->Volume ? vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
+  auto* const shown =
+    mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  if (!shown)
+  {
+    return;
+  }
+  if (!pictures.IsPicture(shown))
+  {
+    this->Place(mapper, shown, filter);
+  }
+  if (filter->GetProperty()->GetVisibilityFrom() != this->Volume->GetProperty())
+  {
+    filter->GetProperty()->SetVisibilityFrom(this->Volume->GetProperty());
+  }
+  Crop(mapper, shown, filter);
+  filter->SetClippingPlanes(mapper->GetClippingPlanes());
+}
+
+void TouchedVolume::Place(
+  vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+{
+  this->Volume->ComputeMatrix();
+  vtkNew<vtkImageData> place;
+  place->SetExtent(shown->GetExtent());
+  // What is sheared stays where its image is: the style warns of it.
+  if (!PlaceImage(this->Volume->GetMatrix(), shown, place) || IsSamePlace(place, shown))
+  {
+    if (filter->GetNumberOfInputConnections(0) == 0 ||
+      filter->GetInputConnection(0, 0) != mapper->GetInputConnection(0, 0))
+    {
+      filter->SetInputConnection(0, mapper->GetInputConnection(0, 0));
+    }
+    return;
+  }
+  const bool isOther = this->PlacedTime != shown->GetMTime();
+  if (isOther)
+  {
+    this->Placed->ShallowCopy(shown);
+    this->PlacedTime = shown->GetMTime();
+  }
+  if (isOther || !IsSamePlace(place, this->Placed))
+  {
+    PlaceImage(this->Volume->GetMatrix(), shown, this->Placed);
+  }
+  if (filter->GetInputDataObject(0, 0) != this->Placed)
+  {
+    filter->SetInputData(0, this->Placed);
+  }
+}
+
+void TouchedVolume::Crop(
+  vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+{
+  vtkImageData* const felt = filter->GetTouchedImage();
+  filter->SetCropping(mapper->GetCropping() != 0);
+  if (felt && mapper->GetCropping())
+  {
+    double planes[6];
+    MapCropping(mapper, shown, felt, planes);
+    filter->SetCroppingRegionPlanes(planes);
+    filter->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Where a cut leaves a volume, and how far its faces are: from the definitions of planes and of
+ * VTK's 27 cropping regions, in an oblique image with voxels of three lengths.
+ */
+
+#include "Core/Model/CutAway.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/// Turned by 30 degrees about z and 40 degrees about the new x; voxels of 0.5, 1 and 2.
+Affine3 ObliqueImage()
+{
+  const double a = std::acos(-1.0) / 6.0;
+  const double b = std::acos(-1.0) / 4.5;
+  const Vector3 x{ std::cos(a), std::sin(a), 0.0 };
+  const Vector3 y{ -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b), std::sin(b) };
+  return { Matrix3::FromColumns(0.5 * x, y, 2.0 * Cross(x, y)), { 3.0, -7.0, 11.0 } };
+}
+
+class CutAwayPlaces : public testing::Test
+{
+protected:
+  double Draw(double low, double high)
+  {
+    return low + (high - low) * static_cast<double>(this->Engine() >> 11) * 0x1p-53;
+  }
+  Vector3 DrawIndex() { return { this->Draw(-5, 25), this->Draw(-5, 25), this->Draw(-5, 25) }; }
+
+  std::mt19937_64 Engine{ 5 };
+  const Affine3 Image = ObliqueImage();
+};
+} // namespace
+
+TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
+{
+  const Vector3 normal = (1.0 / 3.0) * Vector3{ 1.0, -2.0, 2.0 };
+  const CutAway cut({ { normal, 4.0 } }, {}, this->Image, false);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 index = this->DrawIndex();
+    const CutPlace place = cut.Find(index);
+    EXPECT_NEAR(place.Depth, Dot(normal, this->Image(index)) - 4.0, 1e-12);
+    EXPECT_EQ(Norm(place.Normal - normal), 0.0);
+    const Vector3 voxel = Inverse(this->Image.Linear) * (place.Voxel * normal);
+    EXPECT_NEAR(Norm(voxel), 1.0, 1e-12);
+    EXPECT_NEAR(place.Share(), std::fmin(1.0, std::fmax(0.0, place.Depth / place.Voxel)), 1e-12);
+  }
+}
+
+TEST_F(CutAwayPlaces, SeveralPlanesKeepWhatIsInFrontOfAll)
+{
+  const std::vector<CutPlane> planes = { { { 1.0, 0.0, 0.0 }, 1.0 }, { { 0.0, 0.0, -1.0 }, -20.0 },
+    { { 0.0, 0.6, 0.8 }, 2.0 } };
+  const CutAway cut(planes, {}, this->Image, false);
+  int kept = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 index = this->DrawIndex();
+    const Vector3 x = this->Image(index);
+    const bool isKept = x.X > 1.0 && x.Z < 20.0 && 0.6 * x.Y + 0.8 * x.Z > 2.0;
+    EXPECT_EQ(cut.Find(index).Depth > 0.0, isKept);
+    kept += isKept ? 1 : 0;
+  }
+  EXPECT_GT(kept, 50);
+}
+
+TEST_F(CutAwayPlaces, RegionsKeepWhatTheirFlagsSay)
+{
+  const Affine3 toIndex = Inverse(this->Image);
+  int faces = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    CutRegions regions;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      regions.Low[axis] = this->Draw(0.0, 10.0);
+      regions.High[axis] = this->Draw(10.0, 20.0);
+    }
+    regions.Kept = static_cast<std::uint32_t>(this->Engine()) & (CutRegions::All >> 1);
+    const CutAway cut({}, regions, this->Image, false);
+    // vtkVolumeMapper::SetCroppingRegionFlags: the first axis is the fastest.
+    const auto isKept = [&](const Vector3& i)
+    {
+      const double c[3] = { i.X, i.Y, i.Z };
+      int bit = 0;
+      for (int axis = 2; axis >= 0; --axis)
+      {
+        bit = 3 * bit + (c[axis] < regions.Low[axis] ? 0 : (c[axis] > regions.High[axis] ? 2 : 1));
+      }
+      return (regions.Kept & (1U << bit)) != 0;
+    };
+    for (int i = 0; i < 50; ++i)
+    {
+      const Vector3 index = this->DrawIndex();
+      const CutPlace place = cut.Find(index);
+      ASSERT_EQ(place.Depth > 0.0, isKept(index));
+      if (!std::isfinite(place.Depth))
+      {
+        continue;
+      }
+      // The face lies where it is said to lie: a little before it all is as here, and a little
+      // behind it is not.
+      ++faces;
+      EXPECT_NEAR(Norm(place.Normal), 1.0, 1e-12);
+      const auto at = [&](double share)
+      { return toIndex(this->Image(index) - (share * place.Depth) * place.Normal); };
+      EXPECT_EQ(isKept(at(1.0 - 1e-9)), isKept(index));
+      EXPECT_NE(isKept(at(1.0 + 1e-9)), isKept(index));
+    }
+  }
+  EXPECT_GT(faces, 5000);
+}
+
+TEST_F(CutAwayPlaces, WithoutACutAllIsKept)
+{
+  const CutAway cut({}, {}, this->Image, true);
+  EXPECT_EQ(cut.Find({ 1.0, 2.0, 3.0 }).Depth, HUGE_VAL);
+  EXPECT_EQ(cut.Find({ 1.0, 2.0, 3.0 }).Share(), 1.0);
+}
