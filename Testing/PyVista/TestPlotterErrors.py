@@ -72,12 +72,6 @@ def test_no_scalars(plotter):
     refused(ValueError, "no active point scalars", plotter, empty)
 
 
-def test_moved_volume(plotter):
-    volume = plotter.add_volume(grid())
-    volume.position = (10, 0, 0)
-    refused(ValueError, "moved.*origin", plotter, volume)
-
-
 def test_settings(plotter):
     refused(TypeError, "kernel_radius", plotter, grid(), kernel_radii=3)
     refused(ValueError, "MRT", plotter, grid(), "MRT")

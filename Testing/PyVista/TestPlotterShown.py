@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 import pyvista as pv
 from volumehaptics.pyvista import add_haptics
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 
@@ -64,7 +66,7 @@ def test_volumes_that_are_not_felt_as_shown_warn(scene, change, words):
     plotter, grid, actor = scene
     change(grid, actor)
     with pytest.warns(UserWarning, match=f"{words}.*Cure: ") as caught:
-        haptics = add_haptics(plotter, actor)
+        haptics = add_haptics(plotter, actor.mapper.GetInputDataObject(0, 0))
     assert len(caught) == 1 and caught[0].filename == __file__
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -74,8 +76,6 @@ def test_volumes_that_are_not_felt_as_shown_warn(scene, change, words):
 def test_moved_volumes_warn_where_the_image_is_given(scene):
     plotter, grid, actor = scene
     move(grid, actor)
-    with pytest.raises(ValueError, match="moved, turned or scaled"):
-        add_haptics(plotter, actor)
     with pytest.warns(UserWarning, match="moved, turned or scaled.*Cure: "):
         add_haptics(plotter, actor.mapper.GetInputDataObject(0, 0))
 
@@ -84,7 +84,7 @@ def test_plain_volumes_do_not_warn_until_they_change(scene):
     plotter, grid, actor = scene
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        haptics = add_haptics(plotter, actor)
+        haptics = add_haptics(plotter, actor.mapper.GetInputDataObject(0, 0))
         haptics.update()
     for change, words in {clip: "clipping planes", move: "moved"}.items():
         change(grid, actor)
@@ -94,12 +94,56 @@ def test_plain_volumes_do_not_warn_until_they_change(scene):
         assert len(caught) == 1
 
 
+def strongest_force(haptics):
+    """Of a push along z at x = y = 10, as the scene has it now."""
+    path = vtkPolyData()
+    points = vtkPoints()
+    for z in np.arange(6.0, 12.0, 0.1):
+        points.InsertNextPoint(10.0, 10.0, z)
+    path.SetPoints(points)
+    haptics.update()
+    haptics.filter.SetPathData(path)
+    haptics.filter.Update()
+    return np.abs(pv.wrap(haptics.filter.GetOutput())["Force"]).max()
+
+
+def test_actors_are_felt_as_they_are_shown(scene):
+    plotter, grid, actor = scene
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        haptics = add_haptics(plotter, actor)
+        assert strongest_force(haptics) > 1.0
+        clip(grid, actor)
+        actor.mapper.GetClippingPlanes().GetItem(0).SetNormal(-1, 0, 0)
+        assert strongest_force(haptics) == 0.0  # x = 10 is hidden
+        actor.mapper.RemoveAllClippingPlanes()
+        assert strongest_force(haptics) > 1.0
+        crop(grid, actor)  # beyond x = 8
+        assert strongest_force(haptics) == 0.0
+        actor.mapper.CroppingOff()
+        actor.SetPosition(12, 0, 0)
+        assert strongest_force(haptics) == 0.0  # the volume begins at 12
+        actor.SetPosition(1, 2, 3)
+        assert strongest_force(haptics) > 1.0
+        assert haptics.filter.GetTouchedImage().GetOrigin() == pytest.approx((1, 2, 3))
+
+
+def test_a_sheared_actor_warns(scene):
+    plotter, grid, actor = scene
+    shear = vtkMatrix4x4()
+    shear.SetElement(0, 1, 0.5)
+    actor.SetUserMatrix(shear)
+    with pytest.warns(UserWarning, match="moved, turned or scaled"):
+        add_haptics(plotter, actor)
+
+
 def test_warnings_that_are_errors_leave_nothing_behind(scene):
     plotter, grid, actor = scene
     crop(grid, actor)
+    image = actor.mapper.GetInputDataObject(0, 0)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         with pytest.raises(UserWarning, match="crops"):
-            add_haptics(plotter, actor)
+            add_haptics(plotter, image)
     with pytest.warns(UserWarning, match="crops"):
-        assert add_haptics(plotter, actor).device.IsRunning()  # the plotter is as it was
+        assert add_haptics(plotter, image).device.IsRunning()  # the plotter is as it was

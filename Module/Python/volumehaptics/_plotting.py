@@ -235,10 +235,6 @@ def _image_of(volume: Any) -> vtkImageData:
     image = volume
     if isinstance(volume, vtkVolume):
         image = volume.GetMapper().GetInputDataObject(0, 0) if volume.GetMapper() else None
-        matrix = volume.GetMatrix()
-        if any(matrix.GetElement(i, j) != (i == j) for i in range(4) for j in range(4)):
-            raise ValueError("the volume is moved, turned or scaled in the scene, which is not felt. Cure: set the "
-                             "image's origin, spacing and direction_matrix instead of the actor's")
     if not isinstance(image, vtkImageData):
         cure = ". Cure: give the grid itself instead of its actor" if is_grid(image) else ""
         raise TypeError("what is touched is a pyvista.ImageData, what plotter.add_volume() returned for one, or a grid "
@@ -319,7 +315,9 @@ def add_haptics(
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
         open and stays so.
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
-        (True, default). False: what is hidden is felt, too.
+        (True, default), which is then also felt where its position, orientation and scale put it, without what its
+        mapper crops and clips, such as by plotter.add_volume_clip_plane(); see vtkInteractorStyleHaptic.TouchVolume().
+        False: what is hidden is felt, too.
     mode: a way to feel vectors, tensors or vessels, such as "Find a vortex", as for volumehaptics.touch(): a grid
         of vectors has "Follow the flow" if nothing else is said.
     labels, materials: a segmentation and what its labels feel like, as for volumehaptics.touch(). The table is
@@ -335,7 +333,7 @@ def add_haptics(
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the
-    image is shown differently from how it is felt, for example cropped, masked or blanked: see
+    image is shown differently from how it is felt, for example masked or blanked: see
     vtkInteractorStyleHaptic.CheckShownVolumes(). The warning also comes if the plotter changes later.
     """
     if getattr(plotter, "iren", None) is None:
@@ -388,6 +386,8 @@ def add_haptics(
         haptics.representation.SetRadius(SIZE * length)
         haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
+        if isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None:
+            haptics.style.TouchVolume(volume)
         if large is not None:
             haptics._frame(large)
         if slices:
