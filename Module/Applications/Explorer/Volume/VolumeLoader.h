@@ -32,8 +32,8 @@ struct Volume
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
-  bool IsGrid = false; // resampled from cells
-  std::string Flow;    // the vectors of a grid, which are followed without another wish
+  bool IsGrid = false;   // resampled from cells
+  std::string Flow = {}; // the vectors of a grid, which are followed without another wish
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
