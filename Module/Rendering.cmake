@@ -27,6 +27,7 @@ set(VolumeHaptics_RENDERING_MODULES # of VTK
   RenderingOpenGL2
   RenderingOpenXR
   RenderingVolume
+  RenderingVolumeOpenGL2
   glad
   glew)
 
