@@ -21,6 +21,7 @@ set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK
   Slices)
 set(VolumeHaptics_RENDERING_MODULES # of VTK
   ChartsCore
+  CommonComputationalGeometry
   FiltersSources
   InteractionStyle
   RenderingContext2D
