@@ -89,6 +89,8 @@ def main():
         found += 1
         text = document.read_text(encoding="utf-8")
         errors = [*check_links(document, text), *check_paths(text), *check_tests(text, tests)]
+        if not re.search("^# .+$", text, re.M):
+            errors.append("has no title")
         errors += check_members(text, sources)
         wrong += [f"{document.relative_to(ROOT)}: {error}" for error in errors]
     lines = len((ROOT / "README.md").read_text(encoding="utf-8").splitlines())
