@@ -100,7 +100,7 @@ allow(VTK/Setup Core/Model VTK/Baking)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# a header whether OpenGL runs on the processor, and reads the heads of files as the library does.
+# a header whether OpenGL runs on the processor, and reads the heads of files and places grids as the library does.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
@@ -109,10 +109,11 @@ set(writer VTK/Trace/TraceWriter.h)
 set(ring Core/Servo/TraceRing.h)
 set(software VTK/Scene/SoftwareOpenGL.h)
 set(header VTK/Large/HeaderText.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${header})
+set(parts VTK/Large/DataSetParts.h)
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${header} ${parts})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
-allow(${explorer}/Volume ${explorer}/Errors ${header})
+allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts})
 allow(${explorer}/Analysis)
 allow(${explorer}/View ${explorer}/Errors)
 allow(${explorer}/Path ${explorer}/Analysis ${explorer}/View)

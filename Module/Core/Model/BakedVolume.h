@@ -84,6 +84,11 @@ struct BakedVolume
   const bool HasOtherSurfaces;
   const std::vector<BakedMode> Modes; ///< of HapticMethod::Primitives
 
+  /** The share of what is felt at an index that a cut leaves. */
+  double KeptShare(const Vector3& index) const noexcept
+  {
+    return this->Cut ? this->Cut->Find(index).Share() : 1.0;
+  }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. One

@@ -83,11 +83,11 @@ CutAway::Beyond CutAway::FindBeyond(const Vector3& index, int region) const noex
   {
     const double i = ComponentOf(index, axis);
     const double scale = this->Axes[axis].WorldPerIndex;
+    const double planes[] = { -HUGE_VAL, this->Regions.Low[axis], this->Regions.High[axis],
+      HUGE_VAL };
     const int step = rest % 3;
-    const double low = step == 0 ? -HUGE_VAL : this->Regions.Low[axis];
-    const double high = step == 2 ? HUGE_VAL : this->Regions.High[axis];
-    beyond.Low[axis] = scale * ((step == 2 ? this->Regions.High[axis] : low) - i);
-    beyond.High[axis] = scale * (i - (step == 0 ? this->Regions.Low[axis] : high));
+    beyond.Low[axis] = scale * (planes[step] - i);
+    beyond.High[axis] = scale * (i - planes[step + 1]);
   }
   return beyond;
 }

@@ -79,6 +79,11 @@ public:
   /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
 
+  bool IsCutAway(const Vector3& world) const noexcept
+  {
+    return this->Baked->Cut &&
+      this->Baked->Cut->Find(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
+  }
   /** The index steps of a displacement (m), of the finer image of those that are felt. */
   double StepsOf(const Vector3& displacement) const noexcept
   {

@@ -141,7 +141,7 @@ void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surfa
   }
 }
 
-Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
+Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
 {
   const Vector3 start = model.DeviceToIndex(from);
   const Vector3 end = model.DeviceToIndex(to);

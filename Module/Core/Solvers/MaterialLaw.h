@@ -281,8 +281,14 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
   return b;
 }
 
-/** Where a motion (m) of the proxy meets a solid face of a cut: FieldSurface.cxx. */
-Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
+/** Where a motion (m) of the proxy meets a solid face of the cut, which is there. */
+Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
+
+/** Where a motion (m) of the proxy ends: at a solid face of a cut, if it meets one. */
+inline Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
+{
+  return model.Baked->Cut ? StopAtFaces(model, from, to) : to;
+}
 
 /** Eq. 14: the proxy after the motion that the drag leaves of the excess. */
 inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,

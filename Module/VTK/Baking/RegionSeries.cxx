@@ -35,12 +35,7 @@ bool IsSameIn(
 }
 
 template <typename Shape>
-bool IsSameGuide(const Shape* a, const Shape* b)
-{
-  return a == b || (a && b && a->IsSame(*b));
-}
-
-bool IsSameCut(const CutAway* a, const CutAway* b)
+bool AreSame(const std::shared_ptr<Shape>& a, const std::shared_ptr<Shape>& b)
 {
   return a == b || (a && b && a->IsSame(*b));
 }
@@ -50,8 +45,8 @@ bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
   return a.Kind == b.Kind && a.IsActive == b.IsActive && a.Axes == b.Axes && a.IsDark == b.IsDark &&
     a.SnapDistance == b.SnapDistance && a.View.Components == b.View.Components &&
     a.View.Volume.Type == b.View.Volume.Type && IsSameLine(a.First, b.First) &&
-    IsSameLine(a.Second, b.Second) && IsSameGuide(a.Guide.get(), b.Guide.get()) &&
-    IsSameGuide(a.GuideSurface.get(), b.GuideSurface.get()) && a.Side == b.Side;
+    IsSameLine(a.Second, b.Second) && AreSame(a.Guide, b.Guide) &&
+    AreSame(a.GuideSurface, b.GuideSurface) && a.Side == b.Side;
 }
 
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
@@ -73,8 +68,7 @@ bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
     entry.Facts.Time == facts.Time && entry.Facts.Share == facts.Share && entry.Array == array &&
     d.View.Type == e.View.Type && IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
-    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels &&
-    IsSameCut(d.Cut.get(), e.Cut.get());
+    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels && AreSame(d.Cut, e.Cut);
 }
 
 std::uint64_t RegionSeries::Find(

@@ -4,7 +4,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataProbeFilter.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -23,34 +22,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-/** Samples along the shortest edge of the data, at least: kernels need some. */
-constexpr double LeastAlongEdge = 24.0;
-constexpr double MostAlongEdge = 1e6; ///< along an edge
-
-/** The parts with cells: the data set, or the leaves of a composite one. */
-std::vector<vtkDataSet*> FindParts(vtkDataObject* data)
-{
-  std::vector<vtkDataSet*> parts;
-  const auto add = [&](vtkDataObject* part)
-  {
-    auto* const set = vtkDataSet::SafeDownCast(part);
-    if (set && set->GetNumberOfCells() > 0)
-    {
-      parts.push_back(set);
-    }
-  };
-  add(data);
-  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
-  return parts;
-}
 
 bool CanBeSampled(vtkDataArray* array)
 {
@@ -96,46 +67,6 @@ bool AddSampled(
   return isThere;
 }
 
-/** The grid over the bounds of all parts; false if they have no volume. */
-bool MakeGrid(const std::vector<vtkDataSet*>& parts, double spacing, SamplingGrid& grid)
-{
-  double low[3] = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
-  double high[3] = { -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  double cells = 0.0;
-  for (vtkDataSet* const part : parts)
-  {
-    double bounds[6];
-    part->GetBounds(bounds);
-    cells += static_cast<double>(part->GetNumberOfCells());
-    for (int a = 0; a < 3; ++a)
-    {
-      low[a] = std::min(low[a], bounds[2 * a]);
-      high[a] = std::max(high[a], bounds[2 * a + 1]);
-    }
-  }
-  double volume = 1.0;
-  double shortest = VTK_DOUBLE_MAX;
-  for (int a = 0; a < 3; ++a)
-  {
-    volume *= high[a] - low[a];
-    shortest = std::min(shortest, high[a] - low[a]);
-  }
-  grid.Spacing =
-    spacing > 0.0 ? spacing : std::min(std::cbrt(volume / cells), shortest / LeastAlongEdge);
-  for (int a = 0; a < 3; ++a)
-  {
-    const double count = std::floor((high[a] - low[a]) / grid.Spacing * (1.0 + 1e-12)) + 1.0;
-    if (!(high[a] > low[a]) || !std::isfinite(count) || count > MostAlongEdge)
-    {
-      return false;
-    }
-    grid.Dimensions[a] = static_cast<int>(count);
-    // In the middle, so that the rest of the edges is outside on both sides.
-    grid.Origin[a] = low[a] + 0.5 * (high[a] - low[a] - (count - 1.0) * grid.Spacing);
-  }
-  return true;
-}
-
 } // namespace
 
 DataSetSampler::DataSetSampler() = default;
@@ -153,7 +84,9 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
     return nullptr;
   }
   std::shared_ptr<DataSetSampler> sampler(new DataSetSampler);
-  if (!MakeGrid(parts, spacing, sampler->Grid))
+  const vtkBoundingBox box = FindBox(parts);
+  if (!PlaceGrid(
+        box, spacing > 0.0 ? spacing : FindSampleSpacing(box, CountCells(parts)), sampler->Grid))
   {
     std::ostringstream message;
     message

@@ -7,6 +7,8 @@
 #ifndef DataSetSampler_h
 #define DataSetSampler_h
 
+#include "VTK/Large/DataSetParts.h"
+
 #include "vtkSmartPointer.h"
 
 #include <memory>
@@ -24,14 +26,6 @@ struct SampledArray
 {
   std::string Name;
   int Components = 1;
-};
-
-/** The regular grid: samples stand at Origin + Spacing times their index, which counts from 0. */
-struct SamplingGrid
-{
-  int Dimensions[3] = { 0, 0, 0 };
-  double Origin[3] = { 0.0, 0.0, 0.0 };
-  double Spacing = 1.0;
 };
 
 /**

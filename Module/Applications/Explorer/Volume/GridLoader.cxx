@@ -4,12 +4,10 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "VTK/Large/DataSetParts.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
@@ -112,70 +110,36 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   return reader->GetOutputDataObject(0);
 }
 
-std::vector<vtkDataSet*> FindParts(vtkDataObject* data)
+double FindFinestSpacing(const vtkBoundingBox& box)
 {
-  std::vector<vtkDataSet*> parts;
-  const auto add = [&](vtkDataObject* part)
-  {
-    auto* const set = vtkDataSet::SafeDownCast(part);
-    if (set && set->GetNumberOfCells() > 0)
-    {
-      parts.push_back(set);
-    }
-  };
-  add(data);
-  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
-  return parts;
-}
-
-/// The image over the bounds of all parts, without arrays. Its cubes are as large as a cell is on
-/// average, but at least 24 go along the shortest edge.
-vtkSmartPointer<vtkImageData> MakeFrame(
-  const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
-{
-  constexpr double leastAlongEdge = 24.0;
-  vtkBoundingBox box;
-  double cells = 0.0;
-  for (vtkDataSet* const part : parts)
-  {
-    box.AddBounds(part->GetBounds());
-    cells += static_cast<double>(part->GetNumberOfCells());
-  }
   double edges[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
   {
     box.GetLengths(edges);
   }
-  const double shortest = std::min({ edges[0], edges[1], edges[2] });
-  const double content = edges[0] * edges[1] * edges[2];
-  if (!(shortest > 0.0) || !std::isfinite(content))
+  return std::cbrt(edges[0] * edges[1] * edges[2] / MOST_SAMPLES);
+}
+
+/// The image over the bounds of all parts, without arrays.
+vtkSmartPointer<vtkImageData> MakeFrame(
+  const std::string& path, const std::vector<vtkDataSet*>& parts, Volume& volume)
+{
+  const vtkBoundingBox box = VolumeHaptics::FindBox(parts);
+  const double cells = VolumeHaptics::CountCells(parts);
+  const double average = VolumeHaptics::FindSampleSpacing(box, cells);
+  const double finest = FindFinestSpacing(box);
+  VolumeHaptics::SamplingGrid grid;
+  if (!VolumeHaptics::PlaceGrid(box, std::max(average, finest), grid))
   {
     throw InputError(path, "has no cells, or they have no volume",
       "write grids of cells in space, such as hexahedra and tetrahedra");
   }
-  const double average = std::min(std::cbrt(content / cells), shortest / leastAlongEdge);
-  const double finest = std::cbrt(content / MOST_SAMPLES);
-  const double spacing = std::max(average, finest);
-  int size[3];
-  double origin[3];
-  for (int a = 0; a < 3; ++a)
-  {
-    size[a] = static_cast<int>(std::floor(edges[a] / spacing * (1.0 + 1e-12))) + 1;
-    origin[a] = box.GetMinPoint()[a] + 0.5 * (edges[a] - (size[a] - 1) * spacing);
-  }
   auto frame = vtkSmartPointer<vtkImageData>::New();
-  frame->SetDimensions(size);
-  frame->SetOrigin(origin);
-  frame->SetSpacing(spacing, spacing, spacing);
+  frame->SetDimensions(grid.Dimensions);
+  frame->SetOrigin(grid.Origin);
+  frame->SetSpacing(grid.Spacing, grid.Spacing, grid.Spacing);
   std::ostringstream note;
-  note << static_cast<vtkIdType>(cells) << " cells, resampled to cubes of " << spacing
+  note << static_cast<vtkIdType>(cells) << " cells, resampled to cubes of " << grid.Spacing
        << (finest > average ? ", which are larger than the cells: crop the data to feel more" : "");
   volume.Notes.push_back(note.str());
   return frame;
@@ -270,7 +234,7 @@ Volume ReadGrid(const std::string& path)
     volume.Image = image;
     return volume;
   }
-  const std::vector<vtkDataSet*> parts = FindParts(data);
+  const std::vector<vtkDataSet*> parts = VolumeHaptics::FindParts(data);
   volume.Image = Resample(data, MakeFrame(path, parts, volume));
   FillOutside(volume.Image);
   const std::string active = FindActive(parts);

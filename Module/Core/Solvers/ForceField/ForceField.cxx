@@ -10,8 +10,7 @@ namespace VolumeHaptics
 
 Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept
 {
-  const CutAway* const cut = model.Baked->Cut.get();
-  const double share = cut ? cut->Find(model.DeviceToIndex(record.Tip)).Share() : 1.0;
+  const double share = model.Baked->KeptShare(model.DeviceToIndex(record.Tip));
   return (-model.Baked->Settings.ForceFieldGain * record.GradientMagnitude * share) * record.Normal;
 }
 

@@ -153,8 +153,7 @@ bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalSt
   {
     return false;
   }
-  const CutAway* const cut = model.Baked->Cut.get();
-  if (cut && cut->Find(model.DeviceToIndex(model.WorldToDevice(local.Position))).Depth < 0.0)
+  if (model.IsCutAway(local.Position))
   {
     contact = ContactState::Free;
     return false;

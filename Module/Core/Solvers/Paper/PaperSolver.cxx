@@ -26,8 +26,7 @@ Vector3 Advance(
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
-  const Vector3 end = Law::Move(record, k, lag, balance, start);
-  const Vector3 proxy = model.Baked->Cut ? Law::StopAtCut(model, start, end) : end;
+  const Vector3 proxy = Law::StopAtCut(model, start, Law::Move(record, k, lag, balance, start));
   record.NormalForce = balance.Normal;
   record.FrictionForce = balance.Friction;
   record.DragForce = std::min(record.Viscosity, balance.Excess);

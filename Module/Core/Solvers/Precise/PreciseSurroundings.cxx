@@ -234,9 +234,7 @@ Arrival PreciseSurroundings::Arrive(
 Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
   const Vector3& displacement, const Vector3& tip) noexcept
 {
-  const Vector3 goal = start.Proxy + displacement;
-  const Vector3 proxy =
-    this->Model.Baked->Cut ? Law::StopAtCut(this->Model, start.Proxy, goal) : goal;
+  const Vector3 proxy = Law::StopAtCut(this->Model, start.Proxy, start.Proxy + displacement);
   const Vector3 lag = tip - proxy;
   // The point is made in place: copies of it would have to wait until it is in the cache.
   Arrival end{ proxy, this->Look(proxy, lag, start.Touched, this->Voxels(displacement)), 0.0,

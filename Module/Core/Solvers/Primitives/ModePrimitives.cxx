@@ -265,9 +265,8 @@ private:
   void SetFade(double voxels) noexcept
   {
     const HapticModel* const model = this->Modes.Model;
-    const CutAway* const cut = model ? model->Baked->Cut.get() : nullptr;
     this->Fade = std::clamp(voxels / ModeField::FadeDistance, 0.0, 1.0) *
-      (cut ? cut->Find(this->Index).Share() : 1.0);
+      (model ? model->Baked->KeptShare(this->Index) : 1.0);
   }
 
   PiecewiseTable<2>::Values StrengthsAt(double x) const noexcept

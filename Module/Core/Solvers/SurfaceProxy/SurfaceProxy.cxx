@@ -93,7 +93,8 @@ public:
         const Triangle triangle = this->Mesh.GetTriangle(i, this->Share);
         const double time = MeetingTime(triangle, this->Centre, displacement, this->Radius, first);
         if (time < first &&
-          !this->IsCutAway(NearestPoint(triangle, this->Centre + time * displacement).Position))
+          !this->Model.IsCutAway(
+            NearestPoint(triangle, this->Centre + time * displacement).Position))
         {
           first = time;
         }
@@ -125,7 +126,7 @@ private:
     const double distance = Norm(off);
     // A centre on a triangle is on neither side of it.
     if (!(distance <= this->Radius * (1.0 + Margin)) || distance == 0.0 ||
-      this->IsCutAway(nearest.Position))
+      this->Model.IsCutAway(nearest.Position))
     {
       return;
     }
@@ -144,14 +145,6 @@ private:
       const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
       this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
     }
-  }
-
-  /** Whether a point of a triangle is cut away. */
-  bool IsCutAway(const Vector3& world) const noexcept
-  {
-    const CutAway* const cut = this->Model.Baked->Cut.get();
-    return cut &&
-      cut->Find(this->Model.DeviceToIndex(this->Model.WorldToDevice(world))).Depth < 0.0;
   }
 
   const HapticModel& Model;
