@@ -12,8 +12,8 @@ namespace VolumeHaptics
 namespace
 {
 
-/** 16 s at 1 kHz, in case the recorder is delayed; every start has to clear it. */
-constexpr std::size_t TraceCapacity = 1 << 14;
+/** 8 s at 1 kHz, in case the recorder is delayed; 14 MiB, which every start has to clear. */
+constexpr std::size_t TraceCapacity = 1 << 13;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
 /** A new model carries the proxy no farther than this (m): beyond, it begins at the tip. */
