@@ -4,7 +4,7 @@
 
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
-#include "VTK/Files/PlainNumbers.h"
+#include "VTK/Files/JsonText.h"
 #include "VTK/Setup/HapticSetupSettings.h"
 
 #include "vtkCamera.h"
@@ -14,8 +14,6 @@
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeProperty.h"
 
-#include <exception>
-#include <memory>
 #include <string>
 
 vtkStandardNewMacro(vtkHapticSetup);
@@ -61,25 +59,9 @@ std::string DescribeTooLarge(const char* file)
 /** Parses the text as JSON; false, with an error, if it is not. */
 bool Parse(const std::string& text, Json::Value& root, std::string& error)
 {
-  Json::CharReaderBuilder builder;
-  builder["collectComments"] = false;
-  builder["failIfExtra"] = true;
-  builder["rejectDupKeys"] = true;
-  // Allowed here, so that the error can name the key.
-  builder["allowSpecialFloats"] = true;
-  const PlainNumbers plain;
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  try
+  if (!ParseJson(text, root, error))
   {
-    if (!reader->parse(text.data(), text.data() + text.size(), &root, &error))
-    {
-      error = "it is not JSON: " + error + " Correct it there, or save the setup again.";
-      return false;
-    }
-  }
-  catch (const std::exception& e) // brackets nested too deeply
-  {
-    error = std::string("it is not JSON: ") + e.what() + " Save the setup again.";
+    error += " Correct it there, or save the setup again.";
     return false;
   }
   if (!root.isObject() || !root["Format"].isString() || root["Format"].asString() != Format)
@@ -160,11 +142,7 @@ bool vtkHapticSetup::Save(const char* file)
       << Printable(file) << ": " << Printable(reading.Error) << " Correct this setting first.");
     return false;
   }
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = " ";
-  builder["commentStyle"] = "None"; // short lists on one line
-  builder["precision"] = 17;        // every double is restored exactly
-  const std::string text = Json::writeString(builder, root) + "\n";
+  const std::string text = WriteJson(root);
   if (text.size() > LargestFile)
   {
     vtkErrorMacro(<< DescribeTooLarge(file));

@@ -88,12 +88,13 @@ allow(VTK/Labels VTK/Files)
 allow(VTK/Headset VTK/Files)
 allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files VTK/Work)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
+allow(VTK/Measure Core/Math VTK/Baking VTK/Files VTK/Labels VTK/Trace)
 allow(VTK/Filter Core VTK/Baking VTK/Files VTK/Trace VTK/Work)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
 # Threads for work on volumes: of the core, only the clock.
 allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Filter VTK/Trace VTK/Recording VTK/Work)
-allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Session VTK/Work)
+allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Measure VTK/Session VTK/Work)
 allow(VTK/Slices VTK/Filter)
 allow(VTK/Charts VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking)
@@ -139,7 +140,7 @@ forbid("Sound must not know VTK." "[\"</]vtk[A-Za-z0-9_]*\\.h" ${explorer}/Sound
 forbid("Devices must not know solver parameters." "(HapticModel|ServoTick|PiecewiseTable)\\.h" Devices)
 forbid("The filter must not know devices, rendering or interaction."
   "vtk(Render|Interactor|Prop|Actor|Volume\\.|VolumeMapper|Camera|Haptic(Device|Representation|State))|Devices/"
-  VTK/Baking VTK/Filter VTK/Large VTK/Proposal VTK/Files VTK/Trace
+  VTK/Baking VTK/Filter VTK/Large VTK/Measure VTK/Proposal VTK/Files VTK/Trace
   VTK/vtkHapticRegionSource.h VTK/vtkHapticRegionSource.cxx
   VTK/vtkVolumeHapticsFilter.h VTK/vtkVolumeHapticsFilter.cxx
   VTK/vtkVolumeHapticsAlgorithm.h VTK/vtkVolumeHapticsAlgorithm.cxx)

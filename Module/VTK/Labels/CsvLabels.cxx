@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Labels/CsvLabels.h"
 
+#include "VTK/Labels/CsvRows.h"
 #include "VTK/Labels/LabelText.h"
 
 #include <algorithm>
@@ -59,124 +60,6 @@ Column FindColumn(std::string_view title)
   const auto* const found = std::find_if(std::begin(ColumnNames), std::end(ColumnNames),
     [&key](const ColumnName& name) { return key == name.Key; });
   return found == std::end(ColumnNames) ? Column::Other : found->Meaning;
-}
-
-/** Rows of cells; cells in quotes may hold separators, ends of lines, and quotes as two. */
-class CsvRows
-{
-public:
-  CsvRows(std::string_view text, char separator)
-    : Text(text)
-    , Separator(separator)
-  {
-  }
-
-  /** The next row. False at the end of the text. */
-  bool Next(std::vector<std::string>& cells)
-  {
-    cells.clear();
-    if (this->Position >= this->Text.size())
-    {
-      return false;
-    }
-    this->RowLine = this->Line;
-    do
-    {
-      cells.emplace_back();
-      this->ReadCell(cells.back());
-    } while (this->Skip(this->Separator));
-    // The end of a line; in a text that ends within quotes there is none.
-    if (!this->SkipText("\r\n") && !this->Skip('\n'))
-    {
-      this->Skip('\r');
-    }
-    ++this->Line;
-    return true;
-  }
-
-  int GetLine() const { return this->RowLine; }
-  bool IsCutOff() const { return this->CutOff; }
-
-private:
-  void ReadCell(std::string& cell)
-  {
-    if (this->Skip('"'))
-    {
-      this->ReadQuoted(cell);
-    }
-    const char ends[] = { this->Separator, '\r', '\n' };
-    const std::size_t end =
-      std::min(this->Text.find_first_of(std::string_view(ends, std::size(ends)), this->Position),
-        this->Text.size());
-    cell += Trim(this->Text.substr(this->Position, end - this->Position));
-    this->Position = end;
-  }
-  void ReadQuoted(std::string& cell)
-  {
-    while (this->Position < this->Text.size())
-    {
-      if (this->SkipText("\"\""))
-      {
-        cell += '"';
-      }
-      else if (this->Skip('"'))
-      {
-        return;
-      }
-      else
-      {
-        this->Line += this->Text[this->Position] == '\n' ? 1 : 0;
-        cell += this->Text[this->Position++];
-      }
-    }
-    this->CutOff = true;
-  }
-  bool Skip(char character) { return this->SkipText(std::string_view(&character, 1)); }
-  bool SkipText(std::string_view text)
-  {
-    const bool isHere = this->Text.substr(this->Position, text.size()) == text;
-    this->Position += isHere ? text.size() : 0;
-    return isHere;
-  }
-
-  std::string_view Text;
-  const char Separator;
-  std::size_t Position = 0;
-  int Line = 1;
-  int RowLine = 1;
-  bool CutOff = false;
-};
-
-std::string_view FirstLine(std::string_view text)
-{
-  LabelLines lines(text);
-  std::string_view line;
-  while (lines.Next(line) && line.empty())
-  {
-  }
-  return line;
-}
-
-/** Separates the columns of most files. */
-char FindSeparator(std::string_view text)
-{
-  const std::string_view line = FirstLine(text);
-  char separator = ',';
-  for (const char other : { ';', '\t' })
-  {
-    if (std::count(line.begin(), line.end(), other) >
-      std::count(line.begin(), line.end(), separator))
-    {
-      separator = other;
-    }
-  }
-  return separator;
-}
-
-bool IsEmpty(const std::vector<std::string>& cells)
-{
-  return std::all_of(
-    cells.begin(), cells.end(), [](const std::string& cell) { return cell.empty(); });
 }
 
 std::optional<bool> ReadFlag(std::string_view text)
@@ -356,20 +239,6 @@ private:
   bool AllowsCommas;
 };
 
-/** Separators, quotes and ends of lines need quotes around them. */
-std::string WriteName(const std::string& name)
-{
-  std::string quoted = "\"";
-  for (const char character : name)
-  {
-    quoted += character == '"' ? "\"\"" : std::string(1, character);
-  }
-  // Blanks at the ends get lost without quotes.
-  const bool isPlain =
-    name.find_first_of("\",;\t\r\n") == std::string::npos && Trim(name) == std::string_view(name);
-  return isPlain ? name : quoted + "\"";
-}
-
 /** As #rrggbb, if that is the colour to the bit. */
 std::string WriteColor(const std::array<double, 3>& color)
 {
@@ -409,14 +278,14 @@ bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error)
   const char separator = FindSeparator(text);
   CsvRows rows(text, separator);
   std::vector<std::string> cells;
-  while (rows.Next(cells) && IsEmpty(cells))
+  while (rows.Next(cells) && IsEmptyRow(cells))
   {
   }
   CsvReader reader(cells, separator == ';');
   LabelEntries found;
   while (rows.Next(cells))
   {
-    if (!IsEmpty(cells) && !reader.ReadRow(cells, found, error))
+    if (!IsEmptyRow(cells) && !reader.ReadRow(cells, found, error))
     {
       error = InLine(rows.GetLine()) + error + ".";
       return false;
@@ -450,7 +319,7 @@ std::string WriteCsv(const LabelEntries& entries)
   text << "label,name,stiffness,friction,viscosity,strength,felt,forbidden,color\n";
   for (const auto& [label, entry] : entries)
   {
-    text << label << "," << WriteName(entry.Name.value_or(""));
+    text << label << "," << WriteCell(entry.Name.value_or(""));
     number(entry.Stiffness);
     number(entry.Friction);
     number(entry.Viscosity);

@@ -3,17 +3,16 @@
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Trace/PolyDataReading.h"
 #include "VTK/Trace/RecordingNames.h"
 
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDelimitedTextReader.h"
-#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkXMLPolyDataReader.h"
 #include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
@@ -142,24 +141,8 @@ struct Contents
 
 Contents ReadPolyData(const std::string& file, bool& failed)
 {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  // One error that tells the cure replaces those of the reader.
-  struct Observer : vtkCommand
-  {
-    static Observer* New() { return new Observer; }
-    void Execute(vtkObject*, unsigned long, void*) override { *this->Failed = true; }
-    bool* Failed = nullptr;
-  };
-  vtkNew<Observer> observer;
-  observer->Failed = &failed;
-  reader->SetReaderErrorObserver(observer);
-  reader->SetParserErrorObserver(observer);
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->SetFileName(file.c_str());
-  reader->Update();
+  const vtkSmartPointer<vtkPolyData> data = ReadXmlPolyData(file, failed);
   Contents contents;
-  vtkPolyData* const data = reader->GetOutput();
   contents.DeviceTips = ReadVectors(data->GetPointData()->GetArray(RecordingNames::DeviceTip));
   contents.WorldTips = ReadVectors(data->GetPointData()->GetArray("Tip"));
   if (contents.WorldTips.empty() && data->GetPoints())

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * JSON to texts and back, in any locale.
+ */
+#ifndef JsonText_h
+#define JsonText_h
+
+#include "vtk_jsoncpp.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * False, with "it is not JSON: " and where and why, if the text is not. NaN and Infinity are
+ * numbers here, so that an error can name their key.
+ */
+bool ParseJson(const std::string& text, Json::Value& root, std::string& error);
+
+/** With every double to the bit, and short lists on one line. */
+std::string WriteJson(const Json::Value& root);
+
+} // namespace VolumeHaptics
+
+#endif

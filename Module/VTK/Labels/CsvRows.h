@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Rows and cells of CSV, as RFC 4180 has them.
+ */
+#ifndef CsvRows_h
+#define CsvRows_h
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** Rows of cells; cells in quotes may hold separators, ends of lines, and quotes as two. */
+class CsvRows
+{
+public:
+  CsvRows(std::string_view text, char separator)
+    : Text(text)
+    , Separator(separator)
+  {
+  }
+
+  /** The next row. False at the end of the text. */
+  bool Next(std::vector<std::string>& cells);
+  /** The line in which that row begins, from 1 on. */
+  int GetLine() const { return this->RowLine; }
+  /** Whether a quote is opened and never closed. */
+  bool IsCutOff() const { return this->CutOff; }
+
+private:
+  void ReadCell(std::string& cell);
+  void ReadQuoted(std::string& cell);
+  bool Skip(char character) { return this->SkipText(std::string_view(&character, 1)); }
+  bool SkipText(std::string_view text);
+
+  std::string_view Text;
+  const char Separator;
+  std::size_t Position = 0;
+  int Line = 1;
+  int RowLine = 1;
+  bool CutOff = false;
+};
+
+/** The comma, semicolon or tab that separates most cells of the first line that is not empty. */
+char FindSeparator(std::string_view text);
+
+/** The first line that is not empty. */
+std::string_view FirstLine(std::string_view text);
+
+bool IsEmptyRow(const std::vector<std::string>& cells);
+
+/** A text as a cell, in quotes if separators, quotes, ends of lines or blanks need them. */
+std::string WriteCell(const std::string& text);
+
+} // namespace VolumeHaptics
+
+#endif

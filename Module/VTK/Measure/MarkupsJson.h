@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Measurements as markups of 3D Slicer (.mrk.json), by its published schema, version 1.0.3.
+ *
+ * | measurement | markup |
+ * | --- | --- |
+ * | points, one after the other, of which the same is known | one Fiducial, a control point each |
+ * | distance, angle, path | Line, Angle, Curve |
+ * | area | ClosedCurve along its longest border, with the triangles in the member volumeHaptics |
+ *
+ * What was felt at the control points is in `measurements`, as controlPointValues; a number that is
+ * not known at each of them is left out. Lengths are in
+ * millimetres or micrometres, and in the coordinate system of the world.
+ *
+ * Read are also ClosedCurves of other programs, as paths that end where they begin. Planes, regions
+ * of interest, and markups that lack points are left out, with a note.
+ */
+#ifndef MarkupsJson_h
+#define MarkupsJson_h
+
+#include "VTK/Measure/Measurement.h"
+
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The world of the measurements. */
+struct MarkupsFrame
+{
+  double MetersPerWorldUnit = 1e-3;
+  bool IsRAS = false; ///< else LPS
+};
+
+std::string WriteMarkups(const std::vector<Measurement>& measurements, const MarkupsFrame& frame);
+
+/**
+ * False, with the reason and the cure, if the text is no file of markups. The notes tell what was
+ * left out, one a line.
+ */
+bool ReadMarkups(const std::string& text, const MarkupsFrame& frame,
+  std::vector<Measurement>& measurements, std::string& notes, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

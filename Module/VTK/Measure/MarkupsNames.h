@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The names that files of markups have, for writing and reading.
+ */
+#ifndef MarkupsNames_h
+#define MarkupsNames_h
+
+#include "VTK/Measure/Measurement.h"
+
+namespace VolumeHaptics
+{
+
+/** Of our own; the schema allows members that it does not name. */
+inline constexpr const char* OwnMember = "volumeHaptics";
+
+/** The names of what was felt, as a sample has them in this order. */
+inline constexpr const char* SampleNames[] = { "time", "force x", "force y", "force z",
+  "surface value" };
+inline constexpr const char* SampleUnits[] = { "s", "N", "N", "N", "" };
+inline constexpr int SampleNumbers = 5;
+
+inline double& NumberOf(MeasuredSample& sample, int i)
+{
+  double* const numbers[SampleNumbers] = { &sample.Time, &sample.Force.X, &sample.Force.Y,
+    &sample.Force.Z, &sample.SurfaceValue };
+  return *numbers[i];
+}
+
+inline const char* TypeOf(MeasuredKind kind)
+{
+  static const char* const types[MeasuredKinds] = { "Fiducial", "Line", "Angle", "Curve",
+    "ClosedCurve" };
+  return types[static_cast<int>(kind)];
+}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Measure/MarkupsJson.h"
+
+#include "VTK/Files/JsonText.h"
+#include "VTK/Measure/MarkupsNames.h"
+#include "VTK/Measure/MeasurementUnits.h"
+#include "VTK/Measure/PatchBorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr const char* Schema =
+  "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
+  "Schema/markups-schema-v1.0.3.json#";
+
+const char* ValueName(MeasuredKind kind)
+{
+  return kind == MeasuredKind::Angle ? "angle" : (kind == MeasuredKind::Area ? "area" : "length");
+}
+
+/** Which numbers are known of what was felt at a point, as bits. */
+int FindKnown(const Measurement& point)
+{
+  MeasuredSample sample = point.Samples.empty() ? MeasuredSample() : point.Samples[0];
+  int known = 0;
+  for (int i = 0; i < SampleNumbers; ++i)
+  {
+    known |= std::isfinite(NumberOf(sample, i)) ? 1 << i : 0;
+  }
+  return known;
+}
+
+class MarkupsWriter
+{
+public:
+  explicit MarkupsWriter(const MarkupsFrame& frame)
+    : Frame(frame)
+    , IsMicro(FindLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
+    // Exactly 1 for a world in these units.
+    , Scale(this->IsMicro || std::abs(frame.MetersPerWorldUnit - 1e-3) <= 1e-12
+          ? 1.0
+          : frame.MetersPerWorldUnit / 1e-3)
+  {
+  }
+
+  void AddPoints(const Measurement* first, std::size_t count)
+  {
+    Json::Value& markup = this->Begin(MeasuredKind::Point);
+    markup["name"] = count == 1 ? first->Name : "Points";
+    std::vector<MeasuredSample> samples;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->AddControlPoint(markup, first[i].Points[0], first[i].Name);
+      samples.push_back(first[i].Samples.empty() ? MeasuredSample() : first[i].Samples[0]);
+    }
+    AddSamples(markup, samples);
+  }
+
+  void Add(const Measurement& measurement)
+  {
+    Json::Value& markup = this->Begin(measurement.Kind);
+    markup["name"] = measurement.Name;
+    const bool isArea = measurement.Kind == MeasuredKind::Area;
+    const std::vector<Vector3> points = isArea ? FindBorder(measurement) : measurement.Points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->AddControlPoint(markup, points[i], measurement.Name + "-" + std::to_string(i + 1));
+    }
+    Json::Value value(Json::objectValue);
+    value["name"] = ValueName(measurement.Kind);
+    value["enabled"] = true;
+    value["value"] = this->ValueOf(measurement);
+    value["units"] = this->UnitOf(measurement.Kind);
+    value["printFormat"] = "%-#4.4g%s";
+    markup["measurements"].append(value);
+    AddSamples(markup, measurement.Samples);
+    markup["display"]["propertiesLabelVisibility"] = true;
+    if (isArea)
+    {
+      this->AddTriangles(markup[OwnMember], measurement);
+    }
+  }
+
+  Json::Value Root{ Json::objectValue };
+
+private:
+  Json::Value& Begin(MeasuredKind kind)
+  {
+    this->Root["@schema"] = Schema;
+    Json::Value& markup = this->Root["markups"].append(Json::Value(Json::objectValue));
+    markup["type"] = TypeOf(kind);
+    markup["coordinateSystem"] = this->Frame.IsRAS ? "RAS" : "LPS";
+    markup["coordinateUnits"] = this->IsMicro ? "um" : "mm";
+    markup["controlPoints"] = Json::Value(Json::arrayValue);
+    return markup;
+  }
+
+  Json::Value Position(const Vector3& point) const
+  {
+    Json::Value position(Json::arrayValue);
+    for (const double x : { point.X, point.Y, point.Z })
+    {
+      position.append(this->Scale * x);
+    }
+    return position;
+  }
+
+  void AddControlPoint(Json::Value& markup, const Vector3& point, const std::string& label) const
+  {
+    Json::Value& points = markup["controlPoints"];
+    Json::Value added(Json::objectValue);
+    added["id"] = std::to_string(points.size() + 1);
+    added["label"] = label;
+    added["position"] = this->Position(point);
+    added["positionStatus"] = "defined"; // some versions take a point without it for undefined
+    points.append(added);
+  }
+
+  double ValueOf(const Measurement& measurement) const
+  {
+    const double value = measurement.Measure();
+    switch (measurement.Kind)
+    {
+      case MeasuredKind::Angle:
+        return value;
+      case MeasuredKind::Area:
+        return this->Scale * this->Scale * value;
+      default:
+        return this->Scale * value;
+    }
+  }
+
+  std::string UnitOf(MeasuredKind kind) const
+  {
+    const std::string length = this->IsMicro ? "um" : "mm";
+    return kind == MeasuredKind::Angle ? "deg"
+                                       : (kind == MeasuredKind::Area ? length + "2" : length);
+  }
+
+  /** A list of numbers has one for each point: what is not known at any is left out. */
+  static void AddSamples(Json::Value& markup, std::vector<MeasuredSample> samples)
+  {
+    for (int i = 0; i < SampleNumbers; ++i)
+    {
+      const auto isKnown = [i](MeasuredSample& s) { return std::isfinite(NumberOf(s, i)); };
+      if (samples.empty() || !std::all_of(samples.begin(), samples.end(), isKnown))
+      {
+        continue;
+      }
+      Json::Value felt(Json::objectValue);
+      felt["name"] = SampleNames[i];
+      felt["enabled"] = true;
+      felt["units"] = SampleUnits[i];
+      for (MeasuredSample& sample : samples)
+      {
+        felt["controlPointValues"].append(NumberOf(sample, i));
+      }
+      markup["measurements"].append(felt);
+    }
+  }
+
+  void AddTriangles(Json::Value& own, const Measurement& area) const
+  {
+    own["kind"] = GetKindName(area.Kind);
+    for (const Vector3& point : area.Points)
+    {
+      own["points"].append(this->Position(point));
+    }
+    for (const std::array<int, 3>& triangle : area.Triangles)
+    {
+      Json::Value corners(Json::arrayValue);
+      for (const int corner : triangle)
+      {
+        corners.append(corner);
+      }
+      own["triangles"].append(corners);
+    }
+  }
+
+  const MarkupsFrame Frame;
+  const bool IsMicro;
+  const double Scale; ///< units of the file per world unit
+};
+
+} // namespace
+
+std::string WriteMarkups(const std::vector<Measurement>& measurements, const MarkupsFrame& frame)
+{
+  MarkupsWriter writer(frame);
+  writer.Root["@schema"] = Schema;
+  writer.Root["markups"] = Json::Value(Json::arrayValue);
+  for (std::size_t i = 0; i < measurements.size();)
+  {
+    std::size_t end = i;
+    while (end < measurements.size() && measurements[end].Kind == MeasuredKind::Point &&
+      FindKnown(measurements[end]) == FindKnown(measurements[i]))
+    {
+      ++end;
+    }
+    if (end > i)
+    {
+      writer.AddPoints(&measurements[i], end - i);
+      i = end;
+    }
+    else
+    {
+      writer.Add(measurements[i++]);
+    }
+  }
+  return WriteJson(writer.Root);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,392 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Measure/MeasurementPolyData.h"
+
+#include "VTK/Baking/HapticTuples.h"
+#include "VTK/Measure/MeasurementUnits.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTriangleFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Names of arrays. */
+constexpr const char* TimeArray = "Time";
+constexpr const char* ForceArray = "Force";
+constexpr const char* ValueArray = "SurfaceValue";
+constexpr const char* NumberArray = "Measurement";
+constexpr const char* NameField = "MeasurementName";
+constexpr const char* KindField = "MeasurementKind";
+
+/** Points and cells, with what was felt at the points. */
+class ShapeMaker
+{
+public:
+  ShapeMaker()
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Times->SetName(TimeArray);
+    this->Forces->SetName(ForceArray);
+    this->Forces->SetNumberOfComponents(3);
+    this->Values->SetName(ValueArray);
+  }
+
+  /** Its points, and no cells yet. Returns the number of the first one. */
+  vtkIdType Add(const Measurement& measurement)
+  {
+    const vtkIdType first = this->Points->GetNumberOfPoints();
+    for (std::size_t i = 0; i < measurement.Points.size(); ++i)
+    {
+      const Vector3& p = measurement.Points[i];
+      const MeasuredSample sample =
+        measurement.Samples.empty() ? MeasuredSample() : measurement.Samples[i];
+      this->Points->InsertNextPoint(p.X, p.Y, p.Z);
+      this->Times->InsertNextValue(sample.Time);
+      this->Forces->InsertNextTuple3(sample.Force.X, sample.Force.Y, sample.Force.Z);
+      this->Values->InsertNextValue(sample.SurfaceValue);
+    }
+    return first;
+  }
+
+  ///@{
+  /** The cells of a measurement whose points begin at `first`. */
+  void AddVertex(vtkIdType first) { this->Verts->InsertNextCell(1, &first); }
+  void AddLine(const Measurement& measurement, vtkIdType first)
+  {
+    const auto count = static_cast<vtkIdType>(measurement.Points.size());
+    this->Lines->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Lines->InsertCellPoint(first + i);
+    }
+  }
+  void AddTriangles(const Measurement& measurement, vtkIdType first)
+  {
+    for (const std::array<int, 3>& t : measurement.Triangles)
+    {
+      this->Polys->InsertNextCell({ first + t[0], first + t[1], first + t[2] });
+    }
+  }
+  ///@}
+
+  void CopyTo(vtkPolyData* shape, bool isFelt)
+  {
+    shape->Initialize();
+    shape->SetPoints(this->Points);
+    shape->SetVerts(this->Verts);
+    shape->SetLines(this->Lines);
+    shape->SetPolys(this->Polys);
+    if (isFelt)
+    {
+      shape->GetPointData()->AddArray(this->Times);
+      shape->GetPointData()->AddArray(this->Forces);
+      shape->GetPointData()->AddArray(this->Values);
+    }
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Verts;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkCellArray> Polys;
+  vtkNew<vtkDoubleArray> Times;
+  vtkNew<vtkDoubleArray> Forces;
+  vtkNew<vtkDoubleArray> Values;
+};
+
+bool IsVertex(const Measurement& measurement)
+{
+  return measurement.Points.size() == 1 && measurement.Triangles.empty();
+}
+
+/** A point array of a name, if it has a tuple for each point. */
+vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
+{
+  vtkDataArray* const array = shape->GetPointData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == components &&
+      array->GetNumberOfTuples() >= shape->GetNumberOfPoints()
+    ? array
+    : nullptr;
+}
+
+/** What was felt at points of a shape. */
+class ShapeSamples
+{
+public:
+  explicit ShapeSamples(vtkPolyData* shape)
+    : Times(FindArray(shape, TimeArray, 1))
+    , Forces(FindArray(shape, ForceArray, 3))
+    , Values(FindArray(shape, ValueArray, 1))
+  {
+  }
+  bool Any() const { return this->Times || this->Forces || this->Values; }
+  MeasuredSample Get(vtkIdType point) const
+  {
+    MeasuredSample sample;
+    sample.Time = this->Times ? this->Times->GetComponent(point, 0) : sample.Time;
+    sample.Force = this->Forces ? ReadVector(this->Forces, point) : sample.Force;
+    sample.SurfaceValue = this->Values ? this->Values->GetComponent(point, 0) : sample.SurfaceValue;
+    return sample;
+  }
+
+private:
+  vtkDataArray* Times;
+  vtkDataArray* Forces;
+  vtkDataArray* Values;
+};
+
+/** Drops samples of which nothing is known. */
+void DropUnknown(Measurement& measurement)
+{
+  const auto isKnown = [](const MeasuredSample& s)
+  { return std::isfinite(s.Time) || IsFinite(s.Force) || std::isfinite(s.SurfaceValue); };
+  if (std::none_of(measurement.Samples.begin(), measurement.Samples.end(), isKnown))
+  {
+    measurement.Samples.clear();
+  }
+}
+
+void ReadTriangles(vtkPolyData* shape, Measurement& area)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->SetInputData(shape);
+  triangles->Update();
+  vtkPolyData* const made = triangles->GetOutput();
+  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+  {
+    area.Points.push_back(FromArray(made->GetPoint(i)));
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < made->GetNumberOfPolys(); ++i)
+  {
+    made->GetPolys()->GetCellAtId(i, corners);
+    area.Triangles.push_back({ static_cast<int>(corners->GetId(0)),
+      static_cast<int>(corners->GetId(1)), static_cast<int>(corners->GetId(2)) });
+  }
+}
+
+/** Which cells belong to which measurement, by the array of numbers. */
+bool FindCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
+  std::string& error)
+{
+  vtkDataArray* const numbers = all->GetCellData()->GetArray(NumberArray);
+  if (!numbers || numbers->GetNumberOfComponents() != 1 ||
+    numbers->GetNumberOfTuples() < all->GetNumberOfCells())
+  {
+    error = std::string("it has no cell array \"") + NumberArray + "\" with a number for each cell";
+    return false;
+  }
+  cells.resize(count);
+  for (vtkIdType cell = 0; cell < all->GetNumberOfCells(); ++cell)
+  {
+    const double number = numbers->GetComponent(cell, 0);
+    if (!(number >= 0.0) || number >= static_cast<double>(count))
+    {
+      error =
+        "a cell belongs to measurement " + std::to_string(number) + " of " + std::to_string(count);
+      return false;
+    }
+    cells[static_cast<std::size_t>(number)].push_back(cell);
+  }
+  return true;
+}
+
+/** Points of some cells; those of triangles only once. */
+Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtkIdType>& cells)
+{
+  const ShapeSamples samples(all);
+  Measurement read;
+  read.Kind = kind;
+  std::vector<int> numberOf; // of the points of an area
+  numberOf.resize(
+    kind == MeasuredKind::Area ? static_cast<std::size_t>(all->GetNumberOfPoints()) : 0, -1);
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType cell : cells)
+  {
+    all->GetCellPoints(cell, points);
+    if (kind != MeasuredKind::Area)
+    {
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+      {
+        read.Points.push_back(FromArray(all->GetPoint(points->GetId(i))));
+        read.Samples.push_back(samples.Get(points->GetId(i)));
+      }
+    }
+    else if (points->GetNumberOfIds() == 3)
+    {
+      std::array<int, 3> triangle{};
+      for (int i = 0; i < 3; ++i)
+      {
+        int& number = numberOf[static_cast<std::size_t>(points->GetId(i))];
+        if (number < 0)
+        {
+          number = static_cast<int>(read.Points.size());
+          read.Points.push_back(FromArray(all->GetPoint(points->GetId(i))));
+        }
+        triangle[static_cast<std::size_t>(i)] = number;
+      }
+      read.Triangles.push_back(triangle);
+    }
+  }
+  DropUnknown(read);
+  return read;
+}
+
+} // namespace
+
+void CopyShape(const Measurement& measurement, vtkPolyData* shape)
+{
+  ShapeMaker maker;
+  maker.Add(measurement);
+  if (IsVertex(measurement))
+  {
+    maker.AddVertex(0);
+  }
+  else if (measurement.Triangles.empty())
+  {
+    maker.AddLine(measurement, 0);
+  }
+  maker.AddTriangles(measurement, 0);
+  maker.CopyTo(shape, !measurement.Samples.empty());
+}
+
+Measurement ReadShape(MeasuredKind kind, vtkPolyData* shape)
+{
+  Measurement read;
+  read.Kind = kind;
+  if (kind == MeasuredKind::Area)
+  {
+    ReadTriangles(shape, read);
+    return read;
+  }
+  const ShapeSamples samples(shape);
+  for (vtkIdType i = 0; i < shape->GetNumberOfPoints(); ++i)
+  {
+    read.Points.push_back(FromArray(shape->GetPoint(i)));
+    if (samples.Any())
+    {
+      read.Samples.push_back(samples.Get(i));
+    }
+  }
+  DropUnknown(read);
+  return read;
+}
+
+void CopyToPolyData(
+  const std::vector<Measurement>& measurements, double metersPerWorldUnit, vtkPolyData* all)
+{
+  ShapeMaker maker;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkStringArray> kinds;
+  vtkNew<vtkStringArray> units;
+  names->SetName(NameField);
+  kinds->SetName(KindField);
+  units->SetName("MeasurementUnit");
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("MeasurementValue");
+  std::vector<vtkIdType> firsts;
+  for (const Measurement& measurement : measurements)
+  {
+    firsts.push_back(maker.Add(measurement));
+    names->InsertNextValue(measurement.Name);
+    kinds->InsertNextValue(GetKindName(measurement.Kind));
+    units->InsertNextValue(GetUnit(measurement.Kind, metersPerWorldUnit));
+    values->InsertNextValue(GetValue(measurement, metersPerWorldUnit));
+  }
+  // A polydata counts its vertices first, then its lines, then its triangles.
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(NumberArray);
+  const auto count = static_cast<int>(measurements.size());
+  for (int i = 0; i < count; ++i)
+  {
+    if (IsVertex(measurements[static_cast<std::size_t>(i)]))
+    {
+      maker.AddVertex(firsts[static_cast<std::size_t>(i)]);
+      numbers->InsertNextValue(i);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const Measurement& measurement = measurements[static_cast<std::size_t>(i)];
+    if (!IsVertex(measurement) && measurement.Triangles.empty())
+    {
+      maker.AddLine(measurement, firsts[static_cast<std::size_t>(i)]);
+      numbers->InsertNextValue(i);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const Measurement& measurement = measurements[static_cast<std::size_t>(i)];
+    maker.AddTriangles(measurement, firsts[static_cast<std::size_t>(i)]);
+    for (std::size_t t = 0; t < measurement.Triangles.size(); ++t)
+    {
+      numbers->InsertNextValue(i);
+    }
+  }
+  maker.CopyTo(all, true);
+  all->GetCellData()->SetScalars(numbers);
+  for (vtkAbstractArray* field :
+    std::initializer_list<vtkAbstractArray*>{ names, kinds, values, units })
+  {
+    all->GetFieldData()->AddArray(field);
+  }
+}
+
+bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std::string& error)
+{
+  auto* const names =
+    vtkStringArray::SafeDownCast(all->GetFieldData()->GetAbstractArray(NameField));
+  auto* const kinds =
+    vtkStringArray::SafeDownCast(all->GetFieldData()->GetAbstractArray(KindField));
+  const char* const cure = ". Give polydata of vtkHapticMeasurements::CopyToPolyData, as it is.";
+  if (!names || !kinds || names->GetNumberOfValues() != kinds->GetNumberOfValues())
+  {
+    error = std::string("it has no field arrays \"") + NameField + "\" and \"" + KindField +
+      "\" with a text for each measurement" + cure;
+    return false;
+  }
+  const auto count = static_cast<std::size_t>(names->GetNumberOfValues());
+  std::vector<std::vector<vtkIdType>> cells;
+  if (!FindCells(all, count, cells, error))
+  {
+    error += cure;
+    return false;
+  }
+  std::vector<Measurement> found;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    MeasuredKind kind{};
+    const std::string name = kinds->GetValue(static_cast<vtkIdType>(i));
+    if (!FindKind(name, kind))
+    {
+      error = "measurement " + std::to_string(i) + " is of the kind \"" + name + "\"" + cure;
+      return false;
+    }
+    found.push_back(ReadCells(all, kind, cells[i]));
+    found.back().Name = names->GetValue(static_cast<vtkIdType>(i));
+  }
+  measurements = std::move(found);
+  return true;
+}
+
+} // namespace VolumeHaptics

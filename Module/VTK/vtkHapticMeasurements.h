@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticMeasurements
+ * @brief   points, distances, angles, paths and areas that were measured by touch
+ *
+ * A list of measurements, each with a name, points in the world, and a value that follows from
+ * them. It needs neither a window nor a device:
+ *
+ *   measurements->AddDistance(a, b);
+ *   measurements->GetValue(0);                // 42.5
+ *   measurements->WriteFile("head.mrk.json"); // for 3D Slicer
+ *
+ * | kind | points | value |
+ * | --- | --- | --- |
+ * | POINT | 1 | that of the surface which was felt there, if any (the volume's unit) |
+ * | DISTANCE | 2 | the straight line between them |
+ * | ANGLE | 3 | the angle at the second one (degrees) |
+ * | PATH | any | the length of the line through them |
+ * | AREA | any, of triangles | the sum of the triangles |
+ *
+ * Lengths and areas are in the unit of the world if that is mm, um, cm, m, nm or km, else in mm.
+ *
+ * By hand, vtkInteractorStyleHaptic::SetMeasurements fills it with keys, and
+ * vtkHapticMeasurementRepresentation shows it. Points placed by hand are those of the proxy, which
+ * a surface holds, and not of the tip, which is inside. PRECISE and PAPER hold the proxy up to a
+ * kernel radius in front of an edge (vtkVolumeHapticsFilter::SetKernelRadius), so that a distance
+ * across a body may be up to twice that too long; SURFACE_PROXY holds it on the isosurface.
+ *
+ * Each point may carry what was felt there: the time (s), the force on the hand (N, world axes) and
+ * the value in the surface.
+ *
+ * Files, by their ending; ReadFile gives the same list again:
+ *
+ * - .csv: a line for each point; the first line names the columns. Only x, y and z are needed;
+ * - .vtp: see CopyToPolyData;
+ * - .mrk.json: markups of 3D Slicer, by its published schema 1.0.3: Fiducial, Line, Angle and
+ *   Curve, and an area as a ClosedCurve along its border, with its triangles in a member
+ *   volumeHaptics. What was felt is in the measurements of a markup, as controlPointValues. A
+ *   ClosedCurve of another program becomes a path; planes and regions of interest are left out,
+ *   with a warning.
+ *
+ * Every change invokes vtkCommand::ModifiedEvent, and can be undone.
+ *
+ * @sa vtkHapticMeasurementRepresentation, vtkInteractorStyleHaptic
+ */
+#ifndef vtkHapticMeasurements_h
+#define vtkHapticMeasurements_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <string> // for std::string
+
+class vtkImageData;
+class vtkPolyData;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticMeasurements : public vtkObject
+{
+public:
+  static vtkHapticMeasurements* New();
+  vtkTypeMacro(vtkHapticMeasurements, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum KindType
+  {
+    POINT = 0,
+    DISTANCE = 1,
+    ANGLE = 2,
+    PATH = 3,
+    AREA = 4
+  };
+  enum CoordinateSystemType
+  {
+    LPS = 0,
+    RAS = 1
+  };
+
+  ///@{
+  /**
+   * Append a measurement. Without a name it gets the next free one, such as "Distance 2". Returns
+   * its index, or -1, with an error, if its points can't be measured.
+   *
+   * AddMeasurement takes the points of a shape in their order, or for AREA its polygons, and the
+   * point arrays Time, Force (three components) and SurfaceValue, if the shape has them. A trace of
+   * vtkVolumeHapticsFilter is a path.
+   */
+  vtkIdType AddPoint(const double x[3], const char* name = nullptr) VTK_SIZEHINT(x, 3);
+  vtkIdType AddDistance(const double a[3], const double b[3], const char* name = nullptr)
+    VTK_SIZEHINT(a, 3) VTK_SIZEHINT(b, 3);
+  vtkIdType AddAngle(const double a[3], const double corner[3], const double b[3],
+    const char* name = nullptr) VTK_SIZEHINT(a, 3) VTK_SIZEHINT(corner, 3) VTK_SIZEHINT(b, 3);
+  vtkIdType AddMeasurement(int kind, vtkPolyData* shape, const char* name = nullptr);
+  ///@}
+
+  /**
+   * Append the area that a brush paints on the isosurface of an image's active scalars: all points
+   * of it that are nearer than the radius (world units), straight through space, to the line that
+   * the brush takes on the surface. The positions of the path may be up to the radius plus three
+   * voxels away from the surface. A dab on a plane or a sphere has the area pi r^2. What is
+   * connected with the brush's line only around an edge beyond the radius, such as the other side
+   * of a thin wall, is not painted. Returns -1, with an error, if nothing is.
+   */
+  vtkIdType AddPaintedArea(vtkImageData* image, double isoValue, vtkPolyData* path, double radius,
+    const char* name = nullptr);
+
+  ///@{
+  /** The list. An index that does not exist is an error, and gives 0, nothing or false. */
+  vtkIdType GetNumberOfMeasurements();
+  int GetKind(vtkIdType index);
+  static const char* GetKindName(int kind);
+  std::string GetName(vtkIdType index);
+  bool SetName(vtkIdType index, const char* name);
+  bool Remove(vtkIdType index);
+  void RemoveAll();
+  ///@}
+
+  ///@{
+  /**
+   * The value, NaN for a point where nothing was felt; its unit as in UCUM: "mm", "mm2", "deg" or
+   * empty; and name and value for people, such as "Distance 1: 42.5 mm".
+   */
+  double GetValue(vtkIdType index);
+  std::string GetUnit(vtkIdType index);
+  std::string GetText(vtkIdType index);
+  ///@}
+
+  ///@{
+  /** The points of a measurement (world). */
+  vtkIdType GetNumberOfPoints(vtkIdType index);
+  void GetPoint(vtkIdType index, vtkIdType point, double x[3]) VTK_SIZEHINT(x, 3);
+  ///@}
+
+  /**
+   * The shape of a measurement, with the arrays Time, Force and SurfaceValue if something was felt:
+   * a vertex, a line or triangles.
+   */
+  void GetShape(vtkIdType index, vtkPolyData* shape);
+
+  ///@{
+  /**
+   * Undo the last change of the list, and do it again. False if there is none. 100 changes are
+   * kept.
+   */
+  bool Undo();
+  bool Redo();
+  ///@}
+
+  ///@{
+  /**
+   * All measurements as polydata: vertices, lines and triangles with the cell array Measurement
+   * (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is known; and the
+   * field arrays MeasurementName, MeasurementKind, MeasurementValue and MeasurementUnit.
+   * ReadPolyData replaces the list by such polydata; false, with an error and no change, if it is
+   * something else.
+   */
+  void CopyToPolyData(vtkPolyData* data);
+  bool ReadPolyData(vtkPolyData* data);
+  ///@}
+
+  ///@{
+  /**
+   * Write a file, which replaces an existing one only when all of it is on the disk, and replace
+   * the list by that of a file. False, with an error and no change, if that fails.
+   */
+  bool WriteFile(VTK_FILEPATH const char* path);
+  bool ReadFile(VTK_FILEPATH const char* path);
+  ///@}
+
+  ///@{
+  /**
+   * What the world's axes point to, for files of 3D Slicer: LPS (default), to the left, posterior
+   * and superior of a patient, or RAS, to the right, anterior and superior.
+   */
+  vtkSetClampMacro(CoordinateSystem, int, LPS, RAS);
+  vtkGetMacro(CoordinateSystem, int);
+  void SetCoordinateSystemToLPS() { this->SetCoordinateSystem(LPS); }
+  void SetCoordinateSystemToRAS() { this->SetCoordinateSystem(RAS); }
+  ///@}
+
+  ///@{
+  /** Metres per world unit, 1e-12 to 1e12. Default 0.001. */
+  vtkSetClampMacro(MetersPerWorldUnit, double, 1e-12, 1e12);
+  vtkGetMacro(MetersPerWorldUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far apart the samples of a path are that is followed in a scene (world units, 0 or more).
+   * Default 0: each tick is a sample.
+   */
+  vtkSetClampMacro(PathSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PathSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * The radius of the brush with which areas are painted in a scene (world units, 0 or more).
+   * Default 0: four times the smallest spacing of the image.
+   */
+  vtkSetClampMacro(BrushRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BrushRadius, double);
+  ///@}
+
+protected:
+  vtkHapticMeasurements();
+  ~vtkHapticMeasurements() override;
+
+  int CoordinateSystem = LPS;
+  double MetersPerWorldUnit = 0.001;
+  double PathSpacing = 0.0;
+  double BrushRadius = 0.0;
+
+private:
+  vtkHapticMeasurements(const vtkHapticMeasurements&) = delete;
+  void operator=(const vtkHapticMeasurements&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
