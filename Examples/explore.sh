@@ -32,6 +32,7 @@ Some options, passed on to volumehaptics-explore, which lists all of them with -
   --device ID       of the window: virtual (the mouse), replay:FILE, ...
   --setup FILE      of the window: functions, settings and camera, loaded and saved
   --stereo MODE     of the window, such as anaglyph
+  --cut NAME        of the window: cut open by a plane or a box, with handles
   --sound           of the window: what is touched can be heard; --sound FILE.wav writes the sound along the path
 EOF
 }

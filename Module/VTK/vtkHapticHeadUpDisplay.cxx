@@ -316,8 +316,9 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
   const std::string tissue = label.empty() ? self.GetTissueName(device->GetSurfaceValue()) : label;
   std::string text;
-  for (const std::string& line : { DescribeStatus(device), DescribeTouch(device, tissue),
-         DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
+  for (const std::string& line :
+    { DescribeStatus(device), DescribeTouch(device, tissue), DescribeCut(device),
+      DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
   {
     text += text.empty() || line.empty() ? line : "\n" + line;
   }

@@ -228,6 +228,10 @@ public:
       this->Fine->SetUserMatrix(toWorld);
     }
     CopyQuality(coarse, mapper, SmallestSpacing(copy) / SmallestSpacing(shown));
+    if (mapper->GetClippingPlanes() != coarse->GetClippingPlanes())
+    {
+      mapper->SetClippingPlanes(coarse->GetClippingPlanes());
+    }
     this->Fine->SetProperty(this->Volume->GetProperty());
   }
 

@@ -10,6 +10,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 #include <utility>
@@ -275,13 +276,19 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
   {
     return;
   }
-  // Mappers draw as finely as this frame rate allows.
-  if (vtkRenderWindow* window = this->Interactor->GetRenderWindow())
+  const vtkSmartPointer<vtkRenderWindow> window = this->Interactor->GetRenderWindow();
+  if (!window)
   {
-    window->SetDesiredUpdateRate(
-      quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
+    this->Interactor->Render();
+    return;
   }
+  // Mappers draw as finely as this frame rate allows. The frames of others, such as a widget that
+  // is dragged, keep their own.
+  const double before = window->GetDesiredUpdateRate();
+  window->SetDesiredUpdateRate(
+    quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
   this->Interactor->Render();
+  window->SetDesiredUpdateRate(before);
 }
 
 //------------------------------------------------------------------------------

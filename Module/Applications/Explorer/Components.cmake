@@ -20,6 +20,7 @@ set(Explore_VTK_COMPONENTS
   ImagingCore
   ImagingMorphological
   InteractionStyle
+  InteractionWidgets
   RenderingAnnotation
   RenderingContext2D
   RenderingContextOpenGL2
@@ -53,7 +54,9 @@ set(Explore_SOURCES
   Report/TraceSound.cxx
   Report/TraceSummary.cxx
   Scene/ExplorerScene.cxx
+  Scene/PlaneHandles.cxx
   Scene/Trail.cxx
+  Scene/VolumeCut.cxx
   Scene/VolumeLook.cxx
   Sound/ContactSound.cxx
   Sound/SoundStream.cxx

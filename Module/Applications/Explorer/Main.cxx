@@ -106,6 +106,7 @@ void Touch(
   Explore::SceneOptions look = MakeLook(exploration, options);
   look.OffScreen = false;
   look.Interactive = true;
+  look.Cut = options.Cut;
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
   look.Caption.clear(); // its place belongs to the head-up display
   Explore::RunTouchWindow(window, exploration, look, options.Device, options.Setup, options.Sound);

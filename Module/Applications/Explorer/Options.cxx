@@ -19,6 +19,7 @@
 
 namespace
 {
+using Explore::CutKind;
 using Explore::Estimator;
 using Explore::InputError;
 using Explore::MapperChoice;
@@ -33,6 +34,9 @@ const std::map<std::string, Estimator> ESTIMATORS = { { "central", Estimator::Ce
 
 const std::map<std::string, MapperChoice> MAPPERS = { { "auto", MapperChoice::Auto },
   { "gpu", MapperChoice::GPU }, { "cpu", MapperChoice::CPU } };
+
+const std::map<std::string, CutKind> CUTS = { { "plane", CutKind::Plane },
+  { "box", CutKind::Box } };
 
 template <typename Value>
 Value Choose(
@@ -191,6 +195,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   {
     options.Mapper = Choose(MAPPERS, name, value);
   }
+  else if (name == "--cut")
+  {
+    options.Cut = Choose(CUTS, name, value);
+  }
   else if (name == "--device")
   {
     options.Device.Id = value;
@@ -336,6 +344,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     split-viewport, dresden, left, right, fake, emulate
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes
                     there and touches, the wheel moves across them, the right button sets window and level
+  --cut NAME        of the window: cut open by a plane or a box in front of you. The mouse drags the handles;
+                    key x: plane, box, none; X: the other part is cut away; z: faces of the cut hold
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

@@ -25,13 +25,14 @@ struct Options
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";
-  bool Pictures = false; // even if there is a display
-  DeviceChoice Device;   // of the window
-  std::string Setup;     // file of the window's functions, settings and camera
-  std::string Stereo;    // of the window
-  bool Slices = false;   // of the window
-  bool Sound = false;    // of the window
-  std::string SoundFile; // for the sound along the path
+  bool Pictures = false;       // even if there is a display
+  DeviceChoice Device;         // of the window
+  std::string Setup;           // file of the window's functions, settings and camera
+  std::string Stereo;          // of the window
+  bool Slices = false;         // of the window
+  CutKind Cut = CutKind::None; // of the window
+  bool Sound = false;          // of the window
+  std::string SoundFile;       // for the sound along the path
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;
   int Width = 900;

@@ -4,6 +4,8 @@
 
 #include "vtkHapticDevice.h"
 #include "vtkMath.h"
+#include "vtkPlaneCollection.h"
+#include "vtkVolumeHapticsFilter.h"
 
 #include <iomanip>
 #include <sstream>
@@ -55,6 +57,19 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
        << std::setprecision(2) << force << " N of at most " << std::defaultfloat
        << std::setprecision(3) << device->GetMaximumForce() << " N";
   return text.str();
+}
+
+std::string DescribeCut(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  vtkPlaneCollection* const planes = filter ? filter->GetClippingPlanes() : nullptr;
+  const bool isCut =
+    filter && (filter->GetCropping() || (planes && planes->GetNumberOfItems() > 0));
+  if (!isCut)
+  {
+    return {};
+  }
+  return filter->GetFeelCutFaces() ? "Cut open, its faces hold" : "Cut open";
 }
 
 std::string DescribeDetails(vtkHapticDevice* device)

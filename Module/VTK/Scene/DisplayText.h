@@ -26,6 +26,9 @@ std::string DescribeStatus(vtkHapticDevice* device);
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue);
 
+/** Whether the faces of a cut hold; empty if nothing is cut away. */
+std::string DescribeCut(vtkHapticDevice* device);
+
 /** The value in the surface, and how the servo keeps time. */
 std::string DescribeDetails(vtkHapticDevice* device);
 

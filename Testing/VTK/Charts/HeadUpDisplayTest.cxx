@@ -11,6 +11,7 @@
 
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticLabelTable.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 
 using namespace devicetest;
@@ -207,4 +208,21 @@ TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)
   EXPECT_NE(this->Display->GetText().find(" back, "), std::string::npos);
   labels->SetOrigin(-1.0, -1.0, 150.0);
   EXPECT_NE(this->Display->GetText().find(" ramp, "), std::string::npos);
+}
+
+TEST_F(HeadUpDisplay, TellsThatTheVolumeIsCutOpen)
+{
+  this->Display->SetDevice(this->Device);
+  this->Device->SetVolumeHaptics(this->Filter);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  EXPECT_EQ(this->Display->GetText().find("Cut"), std::string::npos) << this->Display->GetText();
+  vtkNew<vtkPlane> plane;
+  this->Filter->AddClippingPlane(plane);
+  EXPECT_NE(this->Display->GetText().find("Cut open"), std::string::npos);
+  EXPECT_EQ(this->Display->GetText().find("hold"), std::string::npos);
+  this->Filter->RemoveAllClippingPlanes();
+  this->Filter->CroppingOn();
+  this->Filter->FeelCutFacesOn();
+  EXPECT_NE(this->Display->GetText().find("Cut open, its faces hold"), std::string::npos);
 }

@@ -110,3 +110,16 @@ TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
   EXPECT_EQ(next(3.09), Frame::None);
   EXPECT_EQ(next(3.11), Frame::Quick) << "a tenth of a second is the most";
 }
+
+TEST_F(StylePaceTest, LeavesTheFramesOfAWidgetAsQuickAsItWantsThem)
+{
+  this->Start();
+  // As vtkInteractorObserver::StartInteraction(), which VTK's widgets call before a drag.
+  this->Window->SetDesiredUpdateRate(this->Interactor->GetDesiredUpdateRate());
+  this->Style->SetTouchMode(false); // a frame at rest
+  this->Time(800, [](int) {});
+  EXPECT_GT(this->Still, 0);
+  this->Quick = 0;
+  this->Interactor->Render();
+  EXPECT_EQ(this->Quick, 1) << "the widget's next frame";
+}

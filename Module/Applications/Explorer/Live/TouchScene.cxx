@@ -134,6 +134,9 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
   AddParts(touch, exploration);
   AddSlices(touch, exploration, options);
+  // The picture of a large volume crops its mapper.
+  touch.Cut.SetScene(touch.Scene.Volume, filter, touch.Scene.Overlay, exploration.Values.BodyBounds,
+    !exploration.Input.Large);
   touch.Setup->SetVolumeHaptics(filter);
   touch.Setup->SetVolumeProperty(touch.Scene.Look);
   touch.Setup->SetCamera(touch.Scene.Renderer->GetActiveCamera());
@@ -164,17 +167,26 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
       throw InputError("--setup " + setup, capture.FirstError(), "correct it or name another file");
     }
   }
+  if (options.Cut == CutKind::Box && !touch.Cut.HasRegions())
+  {
+    throw InputError("--cut box", "is not for a volume that may be larger than memory",
+      "take --cut plane, or leave --large out");
+  }
+  touch.Cut.SetKind(options.Cut);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
+  touch.Cut.SetInteractor(interactor);
   auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
+  const std::string keys = touch.Cut.ListKeys();
   touch.Style->SetApplicationKeys(
-    sound ? "Window\n3\tstereo\no\tsound on; off\nq\tclose\n" : "Window\n3\tstereo\nq\tclose\n");
+    (keys + "Window\n3\tstereo\n" + (sound ? "o\tsound on; off\n" : "") + "q\tclose\n").c_str());
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
   interactor->Start();
   heard.reset();
+  touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
   if (!setup.empty() && !touch.Setup->Save(setup.c_str()))
   {

@@ -38,6 +38,7 @@ struct TouchScene
   vtkNew<vtkHapticHeadUpDisplay> Display;
   vtkNew<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkHapticSliceView> Slices;
+  VolumeCut Cut;
   vtkNew<vtkHapticSetup> Setup;
   vtkNew<vtkInteractorStyleHaptic> Style;
 };

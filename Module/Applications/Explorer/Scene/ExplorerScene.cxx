@@ -18,7 +18,6 @@
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextureObject.h"
-#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -101,7 +100,7 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   const double sample = voxels * std::min({ spacing[0], spacing[1], spacing[2] });
 
   vtkNew<vtkMatrix4x4> toWorld;
-  vtkNew<vtkVolume> volume;
+  vtkVolume* const volume = scene.Volume;
   auto mapper = gpu ? MakeGPUMapper(sample) : MakeCPUMapper(sample);
   mapper->SetInputData(PlainImage(image, toWorld));
   volume->SetMapper(mapper);

@@ -4,12 +4,14 @@
 #define Explore_ExplorerScene_h
 
 #include "Applications/Explorer/Exploration/Exploration.h"
+#include "Applications/Explorer/Scene/VolumeCut.h"
 
 #include "vtkHapticRegionPicture.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <string>
@@ -33,8 +35,9 @@ struct SceneOptions
   std::string Caption;
   bool Anatomical = true; // letters of the marker: patient's sides instead of axes
   bool OffScreen = true;
-  double SliceShare = 0.0;  // of the width, for slices beside the scene; 0: they are hidden
-  bool Interactive = false; // to touch in: without the trail
+  double SliceShare = 0.0;     // of the width, for slices beside the scene; 0: they are hidden
+  CutKind Cut = CutKind::None; // of the window, at first
+  bool Interactive = false;    // to touch in: without the trail
 };
 
 /// A window that shows the volume, the proxy's trail coloured by force, the colours' meaning and
@@ -45,6 +48,7 @@ struct ExplorerScene
   vtkNew<vtkRenderer> Renderer; // volume and trail
   vtkNew<vtkRenderer> Overlay;  // the hidden parts of the trail, through the same camera
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
+  vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
   vtkNew<vtkHapticRegionPicture> Refined; // of a large volume, where the hand is
   std::string MapperName;

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Scene/PlaneHandles.h"
+
+#include "vtkActor.h"
+#include "vtkCellPicker.h"
+#include "vtkObjectFactory.h"
+#include "vtkProperty.h"
+
+namespace Explore
+{
+vtkStandardNewMacro(PlaneHandles);
+
+PlaneHandles::PlaneHandles()
+{
+  constexpr double pixels = 9.0;
+  constexpr double line = 0.85; // the brightness of what is not held
+  this->SetPlaceFactor(1.0);
+  this->SetHandleSize(pixels);
+  this->SetDrawPlane(0);
+  this->SetDrawOutline(0);
+  this->SetTubing(0);
+  this->OutlineTranslationOff();
+  this->ScaleEnabledOff();
+  this->SetEdgeColor(line, line, line);
+  this->GetEdgesProperty()->SetLineWidth(1.5f);
+  this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
+  this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
+  this->Picker->DeletePickList(this->CutActor);
+  this->Picker->DeletePickList(this->OutlineActor);
+}
+
+int PlaneHandles::ComputeInteractionState(int x, int y, int modify)
+{
+  if (this->Superclass::ComputeInteractionState(x, y, modify) == MovingOrigin)
+  {
+    this->InteractionState = Pushing;
+    this->SetRepresentationState(Pushing);
+  }
+  return this->InteractionState;
+}
+} // namespace Explore

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Scene/VolumeCut.h"
+
+#include "Applications/Explorer/Scene/PlaneHandles.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkBoxRepresentation.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkTransform.h"
+#include "vtkVolumeMapper.h"
+#include "vtkWidgetEvent.h"
+#include "vtkWidgetEventTranslator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int KEPT_INSIDE = VTK_CROP_SUBVOLUME;
+constexpr int KEPT_OUTSIDE = 0x7ffffff & ~VTK_CROP_SUBVOLUME;
+
+/// Nothing but the left button on a handle: the other buttons are the scene's.
+void TakeLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
+{
+  vtkWidgetEventTranslator* const events = widget->GetEventTranslator();
+  events->ClearEvents();
+  events->SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  events->SetTranslation(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  events->SetTranslation(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  widget->ManagesCursorOff(); // or each motion over a handle draws a frame
+  widget->KeyPressActivationOff();
+  widget->SetDefaultRenderer(renderer);
+}
+
+/// The bounds of points along the axes of a matrix's other side.
+void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
+{
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double x[4] = { 0.0, 0.0, 0.0, 1.0 };
+    points->GetPoint(i, x);
+    toAxes->MultiplyPoint(x, x);
+    box.AddPoint(x);
+  }
+  box.GetBounds(bounds);
+}
+
+/// From the world to coordinates along the axes of an image's data, in which regions are given.
+void MakeWorldToData(vtkImageData* image, vtkMatrix4x4* toData)
+{
+  const double* const origin = image->GetOrigin();
+  for (int row = 0; row < 3; ++row)
+  {
+    double shift = origin[row];
+    for (int column = 0; column < 3; ++column)
+    {
+      // The direction matrix is orthogonal.
+      const double element = image->GetDirectionMatrix()->GetElement(column, row);
+      toData->SetElement(row, column, element);
+      shift -= element * origin[column];
+    }
+    toData->SetElement(row, 3, shift);
+  }
+}
+} // namespace
+
+namespace Explore
+{
+VolumeCut::VolumeCut()
+{
+  constexpr double pixels = 7.0;
+  this->PlaneWidget->SetRepresentation(this->PlaneShape);
+  this->BoxShape->SetPlaceFactor(1.0);
+  this->BoxShape->SetHandleSize(pixels);
+  this->BoxShape->OutlineCursorWiresOff();
+  this->BoxShape->GetHandleProperty()->SetColor(0.35, 0.65, 0.95);
+  this->BoxShape->GetSelectedHandleProperty()->SetColor(1.0, 0.75, 0.2);
+  this->BoxShape->GetSelectedFaceProperty()->SetOpacity(0.1);
+  this->BoxShape->GetOutlineProperty()->SetColor(0.85, 0.85, 0.85);
+  this->BoxShape->GetOutlineProperty()->SetLineWidth(1.5f);
+  this->BoxWidget->SetRepresentation(this->BoxShape);
+  this->BoxWidget->RotationEnabledOff();
+  this->BoxWidget->ScalingEnabledOff();
+  this->DragObserver->SetClientData(this);
+  this->DragObserver->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<VolumeCut*>(self)->Apply(); });
+  this->PlaneWidget->AddObserver(vtkCommand::InteractionEvent, this->DragObserver);
+  this->BoxWidget->AddObserver(vtkCommand::InteractionEvent, this->DragObserver);
+  this->KeyObserver->SetClientData(this);
+  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<VolumeCut*>(self)->PressKey(); });
+}
+
+VolumeCut::~VolumeCut()
+{
+  this->SetInteractor(nullptr);
+}
+
+void VolumeCut::SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
+  const double body[6], bool hasRegions)
+{
+  volume->ComputeMatrix();
+  this->Volume = volume;
+  this->Filter = filter;
+  this->Renderer = handles;
+  this->HasBox = hasRegions;
+  std::copy(body, body + 6, this->Body);
+  TakeLeftButton(this->PlaneWidget, handles);
+  TakeLeftButton(this->BoxWidget, handles);
+}
+
+void VolumeCut::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  if (this->Interactor)
+  {
+    this->PlaneWidget->EnabledOff();
+    this->BoxWidget->EnabledOff();
+    this->Interactor->RemoveObserver(this->KeyObserver);
+  }
+  this->Interactor = interactor;
+  this->PlaneWidget->SetInteractor(interactor);
+  this->BoxWidget->SetInteractor(interactor);
+  if (interactor)
+  {
+    interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
+    this->ShowHandles();
+  }
+}
+
+void VolumeCut::PressKey()
+{
+  switch (this->Interactor->GetKeyCode())
+  {
+    case 'x':
+      this->SetKind(this->Kind == CutKind::None          ? CutKind::Plane
+          : this->Kind == CutKind::Plane && this->HasBox ? CutKind::Box
+                                                         : CutKind::None);
+      break;
+    case 'X':
+      this->TurnOver();
+      break;
+    case 'z':
+      this->Filter->SetFeelCutFaces(!this->Filter->GetFeelCutFaces());
+      break;
+    default:
+      return;
+  }
+  this->Interactor->Render();
+}
+
+void VolumeCut::SetKind(CutKind kind)
+{
+  vtkAbstractVolumeMapper* const mapper = this->Volume->GetMapper();
+  if (this->Kind == CutKind::Plane)
+  {
+    mapper->RemoveClippingPlane(this->Plane);
+    this->Filter->RemoveClippingPlane(this->Plane);
+  }
+  else if (this->Kind == CutKind::Box)
+  {
+    vtkVolumeMapper::SafeDownCast(mapper)->CroppingOff();
+    this->Filter->CroppingOff();
+  }
+  this->Kind = kind;
+  this->IsTurned = false;
+  if (kind == CutKind::Plane)
+  {
+    this->PlacePlane();
+    mapper->AddClippingPlane(this->Plane);
+    this->Filter->AddClippingPlane(this->Plane);
+  }
+  else if (kind == CutKind::Box)
+  {
+    this->PlaceBox();
+  }
+  this->Apply();
+  this->ShowHandles();
+}
+
+void VolumeCut::TurnOver()
+{
+  if (this->Kind == CutKind::Plane)
+  {
+    double normal[3];
+    this->PlaneShape->GetNormal(normal);
+    this->PlaneShape->SetNormal(-normal[0], -normal[1], -normal[2]);
+  }
+  this->IsTurned = !this->IsTurned;
+  this->Apply();
+}
+
+const char* VolumeCut::ListKeys() const
+{
+  return this->HasBox
+    ? "Cut\nx\tplane; box; none\nX\tkeep the other part\nz\tfaces hold; are open\n"
+    : "Cut\nx\tplane; none\nX\tkeep the other part\nz\tfaces hold; are open\n";
+}
+
+void VolumeCut::GetAxis(int axis, double direction[3]) const
+{
+  for (int row = 0; row < 3; ++row)
+  {
+    direction[row] = this->Volume->GetMatrix()->GetElement(row, axis);
+  }
+  vtkMath::Normalize(direction);
+}
+
+void VolumeCut::PlacePlane()
+{
+  double sight[3];
+  this->Renderer->GetActiveCamera()->GetDirectionOfProjection(sight);
+  double normal[3] = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double direction[3];
+    this->GetAxis(axis, direction);
+    if (std::abs(vtkMath::Dot(direction, sight)) > std::abs(vtkMath::Dot(normal, sight)))
+    {
+      std::copy(direction, direction + 3, normal);
+    }
+  }
+  vtkMath::MultiplyScalar(normal, vtkMath::Dot(normal, sight) < 0.0 ? -1.0 : 1.0);
+  double centre[3];
+  vtkBoundingBox(this->Body).GetCenter(centre);
+  this->PlaneShape->PlaceWidget(this->Body);
+  this->PlaneShape->SetOrigin(centre);
+  this->PlaneShape->SetNormal(normal);
+}
+
+void VolumeCut::PlaceBox()
+{
+  constexpr double margin = 0.02; // of the body, towards the viewer
+  vtkNew<vtkMatrix4x4> toVolume;
+  vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toVolume);
+  vtkNew<vtkPoints> corners;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners->InsertNextPoint(
+      this->Body[corner & 1], this->Body[2 + (corner >> 1 & 1)], this->Body[4 + (corner >> 2 & 1)]);
+  }
+  double box[6];
+  BoundsIn(toVolume, corners, 8, box);
+  double sight[3];
+  this->Renderer->GetActiveCamera()->GetDirectionOfProjection(sight);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double direction[3];
+    this->GetAxis(axis, direction);
+    double* const ends = box + 2 * axis;
+    const double middle = 0.5 * (ends[0] + ends[1]);
+    const double more = margin * (ends[1] - ends[0]);
+    const bool isLow = vtkMath::Dot(direction, sight) > 0.0;
+    ends[0] = isLow ? ends[0] - more : middle;
+    ends[1] = isLow ? middle : ends[1] + more;
+  }
+  vtkNew<vtkTransform> place;
+  place->SetMatrix(this->Volume->GetMatrix());
+  this->BoxShape->PlaceWidget(box);
+  this->BoxShape->SetTransform(place);
+}
+
+void VolumeCut::ShowHandles()
+{
+  if (this->Interactor)
+  {
+    this->PlaneWidget->SetEnabled(this->Kind == CutKind::Plane);
+    this->BoxWidget->SetEnabled(this->Kind == CutKind::Box);
+  }
+}
+
+void VolumeCut::Apply()
+{
+  if (this->Kind == CutKind::Plane)
+  {
+    this->PlaneShape->GetPlane(this->Plane);
+  }
+  else if (this->Kind == CutKind::Box)
+  {
+    this->ApplyBox();
+  }
+}
+
+void VolumeCut::ApplyBox()
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper());
+  vtkImageData* const touched = this->Filter->GetTouchedImage();
+  vtkNew<vtkPolyData> box;
+  this->BoxShape->GetPolyData(box);
+  vtkNew<vtkMatrix4x4> toAxes;
+  double planes[6];
+  vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toAxes);
+  BoundsIn(toAxes, box->GetPoints(), 8, planes);
+  const int flags = this->IsTurned ? KEPT_INSIDE : KEPT_OUTSIDE;
+  mapper->SetCroppingRegionPlanes(planes);
+  mapper->SetCroppingRegionFlags(flags);
+  mapper->CroppingOn();
+  if (touched)
+  {
+    toAxes->Identity();
+    MakeWorldToData(touched, toAxes);
+    BoundsIn(toAxes, box->GetPoints(), 8, planes);
+    this->Filter->SetCroppingRegionPlanes(planes);
+    this->Filter->SetCroppingRegionFlags(flags);
+    this->Filter->CroppingOn();
+  }
+}
+} // namespace Explore

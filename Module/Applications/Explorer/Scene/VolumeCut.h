@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_VolumeCut_h
+#define Explore_VolumeCut_h
+
+#include "vtkBoxWidget2.h"
+#include "vtkCallbackCommand.h"
+#include "vtkImplicitPlaneWidget2.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeHapticsFilter.h"
+
+class vtkBoxRepresentation;
+
+namespace Explore
+{
+class PlaneHandles;
+
+enum class CutKind
+{
+  None,
+  Plane, // what is in front of it is cut away
+  Box    // a window into the volume, along the axes of its voxels
+};
+
+/// Cuts a volume open: what is cut away is neither seen nor felt. A plane or a box has handles,
+/// which take the mouse before the scene does:
+///
+///   plane      the ball pushes it, the arrow turns it
+///   box        the balls move its faces, the one in the middle moves it
+///
+///   x          plane, box, none; in front of the viewer
+///   X          the other part is cut away
+///   z          the faces of the cut hold like the material behind them, or are open
+class VolumeCut
+{
+public:
+  VolumeCut();
+  ~VolumeCut();
+  VolumeCut(const VolumeCut&) = delete;
+  VolumeCut& operator=(const VolumeCut&) = delete;
+
+  /// What is cut. The body (world bounds) is the part of the volume that is worth opening, and
+  /// `handles` a renderer over the volume with its camera. Without regions there is only the plane:
+  /// somebody else crops the mapper.
+  void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
+    const double body[6], bool hasRegions);
+
+  /// The interactor for handles and keys; null for none.
+  void SetInteractor(vtkRenderWindowInteractor* interactor);
+
+  /// Cuts away what is between the viewer and the middle of the body.
+  void SetKind(CutKind kind);
+  CutKind GetKind() const { return this->Kind; }
+  bool HasRegions() const { return this->HasBox; }
+  void TurnOver();
+
+  /// The list of keys, as in vtkHapticHeadUpDisplay::HelpText.
+  const char* ListKeys() const;
+
+private:
+  void PressKey();
+  void PlacePlane();
+  void PlaceBox();
+  void ShowHandles();
+  /// Lets the volume and the filter follow the handles.
+  void Apply();
+  void ApplyBox();
+  /// Directions of the voxels' axes, world, unit.
+  void GetAxis(int axis, double direction[3]) const;
+
+  vtkSmartPointer<vtkVolume> Volume;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  double Body[6] = { 0, 1, 0, 1, 0, 1 };
+  bool HasBox = true;
+  bool IsTurned = false; // the inside of the box is kept
+  CutKind Kind = CutKind::None;
+  vtkNew<vtkPlane> Plane;
+  vtkNew<PlaneHandles> PlaneShape;
+  vtkNew<vtkBoxRepresentation> BoxShape;
+  vtkNew<vtkImplicitPlaneWidget2> PlaneWidget;
+  vtkNew<vtkBoxWidget2> BoxWidget;
+  vtkNew<vtkCallbackCommand> DragObserver;
+  vtkNew<vtkCallbackCommand> KeyObserver;
+};
+} // namespace Explore
+
+#endif
