@@ -11,6 +11,7 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <string>
 #include <utility>
@@ -177,6 +178,40 @@ void vtkInteractorStyleHaptic::SetApplicationKeys(const char* keys)
 const char* vtkInteractorStyleHaptic::GetApplicationKeys()
 {
   return this->Internals->Interaction.Displays.ApplicationKeys.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::SetKey(const char* action, const char* keys)
+{
+  std::string error;
+  if (!this->Internals->Interaction.Keys.Set(action ? action : "", keys ? keys : "", error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::GetKey(const char* action)
+{
+  return this->Internals->Interaction.Keys.Get(action ? action : "");
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkInteractorStyleHaptic::GetKeyActions()
+{
+  static const vtkSmartPointer<vtkStringArray> actions = []
+  {
+    auto names = vtkSmartPointer<vtkStringArray>::New();
+    for (const std::string& name : KeyMap::ListActions())
+    {
+      names->InsertNextValue(name);
+    }
+    return names;
+  }();
+  return actions;
 }
 
 //------------------------------------------------------------------------------
@@ -408,8 +443,14 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
-  if (HasWindow(this->Interactor) &&
-    !this->Internals->Interaction.TypeKey(this->Interactor->GetKeyCode()))
+  if (!HasWindow(this->Interactor))
+  {
+    return;
+  }
+  // Not every platform tells the name of a key that was typed.
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string code(1, this->Interactor->GetKeyCode());
+  if (!this->Internals->Interaction.TypeKey(symbol ? symbol : code))
   {
     this->Superclass::OnChar();
   }
@@ -427,5 +468,9 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);
   os << indent << "ApplicationKeys: " << this->GetApplicationKeys() << "\n";
+  for (const std::string& action : KeyMap::ListActions())
+  {
+    os << indent << "Key of " << action << ": " << this->GetKey(action.c_str()) << "\n";
+  }
   os << indent << "Clutch: " << (this->GetClutch() ? "On" : "Off") << "\n";
 }

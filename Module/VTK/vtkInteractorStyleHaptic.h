@@ -24,7 +24,7 @@
  *   middle button         pans the camera
  *   Ctrl + wheel          zooms
  *
- * Keys, in any mode (besides those of vtkInteractorStyle):
+ * Keys, in any mode (besides those of vtkInteractorStyle), unless SetKey() has changed them:
  *
  *   t           touch mode on and off; it begins in front of the first surface under the pointer
  *   a           arm, so that force may flow, and disarm; touch mode on arms, too. Armed inside,
@@ -106,6 +106,7 @@ class vtkHapticDevice;
 class vtkHapticFunctionEditor;
 class vtkHapticHeadUpDisplay;
 class vtkHapticSliceView;
+class vtkStringArray;
 class vtkTable;
 class vtkVolume;
 
@@ -160,6 +161,27 @@ public:
    */
   void SetApplicationKeys(const char* keys);
   const char* GetApplicationKeys();
+  ///@}
+
+  ///@{
+  /**
+   * The keys of an action: names of X11, as vtkRenderWindowInteractor::GetKeySym() has them, with
+   * spaces between several of them. None ("") switch the action off; vtkInteractorStyle, or the
+   * application, then gets the key. False, with an error, if there is no such action, or if
+   * another one has the key. The hint and the list of keys tell the new ones.
+   *
+   *   style->SetKey("Touch", "Return"); // instead of t
+   *   style->SetKey("NextMethod", ""); // none
+   *
+   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, NextMode M, Help question
+   * F1, Text h, Graph g, Details d, Slices s, FunctionEditor v, NextFunction n, Propose p,
+   * DropProposal BackSpace, Labels l, Play space, FrameBefore Left, FrameAfter Right, Slower comma,
+   * Faster period, AtTheEnd b, RecenterWorkspace c, Clutch k, LargerWorkspace plus KP_Add,
+   * SmallerWorkspace minus KP_Subtract, Home Home.
+   */
+  bool SetKey(const char* action, const char* keys);
+  std::string GetKey(const char* action);
+  static vtkStringArray* GetKeyActions();
   ///@}
 
   /** The list of keys, with those of the application, for the scene as it is now. */

@@ -84,6 +84,7 @@ stays_open() {
 }
 if [ -n "${DISPLAY:-}" ]; then
   stays_open "$work/examples/drop-in" "$head"
+  stays_open "$work/examples/beside-style" "$head"
 fi
 
 # The headers that are installed are those of the public classes and of the seams for vendors' libraries and for

@@ -3,6 +3,7 @@
 #include "VTK/Scene/DisplayKeys.h"
 
 #include "VTK/Filter/HapticBaker.h"
+#include "VTK/Scene/KeyMap.h"
 #include "VTK/Scene/KeyTable.h"
 #include "VTK/Scene/TouchMode.h"
 
@@ -12,6 +13,16 @@
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Two lines, of which either may be empty. */
+std::string Join(const std::string& first, const std::string& second)
+{
+  return first.empty() || second.empty() ? first + second : first + "\n" + second;
+}
+
+} // namespace
 
 bool DisplayKeys::Press(const std::string& key)
 {
@@ -66,7 +77,13 @@ std::string DisplayKeys::ListKeys() const
     filter->GetNumberOfModes() > 0;
   parts.HasFrames = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
     HapticBaker(filter).FindFrameTimes().size() > 1;
-  return VolumeHaptics::ListKeys(parts) + this->ApplicationKeys;
+  return VolumeHaptics::ListKeys(parts, this->Keys) + this->ApplicationKeys;
+}
+
+std::string DisplayKeys::Tell(const char* before, const char* defaultKey, const char* after) const
+{
+  const std::string key = this->Keys.Name(defaultKey);
+  return key.empty() ? "" : before + key + after;
 }
 
 std::string DisplayKeys::FindHint()
@@ -78,7 +95,7 @@ std::string DisplayKeys::FindHint()
   }
   if (device->GetStatus() == vtkHapticDevice::FAULT && (this->Scene.IsReal() || this->Touch.IsOn()))
   {
-    return "Press a to go on";
+    return this->Tell("Press ", "a", " to go on");
   }
   const bool isTouching =
     this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;
@@ -89,13 +106,15 @@ std::string DisplayKeys::FindHint()
   this->HasTouched = this->HasTouched || (isTouching && device->GetContact() != 0);
   if (!isTouching)
   {
-    return this->Scene.IsVirtual()
-      ? "Put the pointer on the volume and press t to touch it\n? shows all keys"
-      : "Press a to feel the volume\n? shows all keys";
+    const std::string begin = this->Scene.IsVirtual()
+      ? this->Tell("Put the pointer on the volume and press ", "t", " to touch it")
+      : this->Tell("Press ", "a", " to feel the volume");
+    return Join(begin, this->Tell("", "question", " shows all keys"));
   }
   return this->HasTouched || !this->Scene.IsVirtual()
     ? ""
-    : "Move the mouse to stroke, turn the wheel to press\nEscape lets go";
+    : Join(
+        "Move the mouse to stroke, turn the wheel to press", this->Tell("", "Escape", " lets go"));
 }
 
 void DisplayKeys::UpdateHint()

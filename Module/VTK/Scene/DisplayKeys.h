@@ -14,14 +14,16 @@
 namespace VolumeHaptics
 {
 
+class KeyMap;
 class TouchMode;
 
 class DisplayKeys
 {
 public:
-  DisplayKeys(TouchedScene& scene, const TouchMode& touch)
+  DisplayKeys(TouchedScene& scene, const TouchMode& touch, const KeyMap& keys)
     : Scene(scene)
     , Touch(touch)
+    , Keys(keys)
   {
   }
 
@@ -37,9 +39,12 @@ public:
 
 private:
   std::string FindHint();
+  /** A line about the key of an action, by its default key; empty if it has none. */
+  std::string Tell(const char* before, const char* defaultKey, const char* after) const;
 
   TouchedScene& Scene;
   const TouchMode& Touch;
+  const KeyMap& Keys;
   bool WasTouching = false; ///< at the last call of UpdateHint
   bool HasTouched = false;  ///< since the touch mode, or arming, began
   std::string Shown;        ///< the last hint

@@ -35,7 +35,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Frames(Scene, Window, std::move(calls.DrawScene))
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
   , Touch(Scene, Window, Workspace)
-  , Displays(Scene, Touch)
+  , Displays(Scene, Touch, Keys)
   , Publisher(Scene)
   , Playback(Scene)
   , Modes(Scene)
@@ -269,10 +269,11 @@ bool HapticInteraction::TurnWheel(double steps)
 }
 
 //------------------------------------------------------------------------------
-bool HapticInteraction::PressKey(const std::string& key)
+bool HapticInteraction::PressKey(const std::string& pressed)
 {
   auto& scene = this->Scene;
-  if (this->Repeat.IsRepeat(key) && !KeyRepeat::MayRepeat(key))
+  const std::string key = this->Keys.Find(pressed);
+  if (key.empty() || (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key)))
   {
     return false;
   }
@@ -303,10 +304,9 @@ bool HapticInteraction::PressKey(const std::string& key)
   {
     this->Workspace.SetClutch(true);
   }
-  else if ((key == "plus" || key == "KP_Add" || key == "minus" || key == "KP_Subtract") &&
-    scene.Device)
+  else if ((key == "plus" || key == "minus") && scene.Device)
   {
-    const bool larger = key == "plus" || key == "KP_Add";
+    const bool larger = key == "plus";
     scene.Style->SetWorkspaceScale(
       this->Workspace.GetScale() * (larger ? WorkspaceStep : 1.0 / WorkspaceStep));
   }
@@ -335,10 +335,10 @@ bool HapticInteraction::PressKey(const std::string& key)
 }
 
 //------------------------------------------------------------------------------
-bool HapticInteraction::ReleaseKey(const std::string& key)
+bool HapticInteraction::ReleaseKey(const std::string& released)
 {
-  this->Repeat.NoteRelease(key);
-  if (key != "k")
+  this->Repeat.NoteRelease(released);
+  if (this->Keys.Find(released) != "k")
   {
     return false;
   }
@@ -347,12 +347,14 @@ bool HapticInteraction::ReleaseKey(const std::string& key)
 }
 
 //------------------------------------------------------------------------------
-bool HapticInteraction::TypeKey(char key) const
+bool HapticInteraction::TypeKey(const std::string& typed) const
 {
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
-  // animation, its p picks a prop, and its s shows surfaces.
-  return (this->Touch.IsOn() && key == 'f') || key == 'm' || key == 'M' ||
-    (key == 's' && this->Scene.Slices) || (key == 'p' && this->Scene.Editor);
+  // animation, its p picks a prop, its s shows surfaces, and what else an application may choose.
+  const std::string key = this->Keys.Find(typed);
+  return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
+    (key == "s" && this->Scene.Slices) || (key == "p" && this->Scene.Editor) ||
+    (!key.empty() && key != typed);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "VTK/Scene/HapticShownVolumes.h"
 #include "VTK/Scene/HapticStateWatch.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/KeyMap.h"
 #include "VTK/Scene/KeyRepeat.h"
 #include "VTK/Scene/ModeKeys.h"
 #include "VTK/Scene/PlaybackKeys.h"
@@ -81,12 +82,13 @@ public:
   bool ReleaseRightButton();
   /** `steps` count away from the viewer. */
   bool TurnWheel(double steps);
-  bool PressKey(const std::string& key);
-  bool ReleaseKey(const std::string& key);
+  /** Keys have X11's names. */
+  bool PressKey(const std::string& pressed);
+  bool ReleaseKey(const std::string& released);
   /**
    * True for a key that the superclass must not get, because it would do something else with it.
    */
-  bool TypeKey(char key) const;
+  bool TypeKey(const std::string& typed) const;
 
   ///@{
   /** See the style's functions of these names. */
@@ -103,6 +105,7 @@ public:
   SceneFrames Frames;
   WorkspaceControl Workspace;
   TouchMode Touch;
+  KeyMap Keys;
   DisplayKeys Displays;
   vtkNew<vtkTable> States; ///< of the last update
 

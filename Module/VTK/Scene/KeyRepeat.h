@@ -32,11 +32,10 @@ public:
     constexpr double soon = 0.015; // s
     return key == this->Released && ServoClock::SecondsSince(this->ReleaseTime) < soon;
   }
-  /** Whether a key that is held goes on step by step; others switch something once. */
+  /** Whether an action goes on step by step while its key, by default this one, is held. */
   static bool MayRepeat(const std::string& key)
   {
-    for (const char* const step :
-      { "plus", "KP_Add", "minus", "KP_Subtract", "comma", "period", "Left", "Right", "k" })
+    for (const char* const step : { "plus", "minus", "comma", "period", "Left", "Right", "k" })
     {
       if (key == step)
       {

@@ -2,78 +2,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/KeyTable.h"
 
+#include "VTK/Scene/KeyMap.h"
+
 #include <initializer_list>
+#include <vector>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
+/** A line for actions, by their default keys, or for the mouse. */
 struct KeyLine
 {
-  const char* Key;
+  std::vector<std::string> Keys;
+  const char* Meaning;
+};
+struct MouseLine
+{
+  const char* Motion;
   const char* Meaning;
 };
 
-std::string Join(std::initializer_list<KeyLine> lines)
+class KeyList
 {
-  std::string text;
-  for (const KeyLine& line : lines)
+public:
+  explicit KeyList(const KeyMap& keys)
+    : Keys(keys)
   {
-    text += std::string(line.Key) + "\t" + line.Meaning + "\n";
   }
-  return text;
-}
+  /** Is written before the next line, if there is one. */
+  void Begin(const char* title) { this->Title = title; }
+  void Add(std::initializer_list<KeyLine> lines)
+  {
+    for (const KeyLine& line : lines)
+    {
+      const std::string keys = this->Keys.Describe(line.Keys);
+      if (!keys.empty())
+      {
+        this->Add(keys, line.Meaning);
+      }
+    }
+  }
+  void AddMouse(std::initializer_list<MouseLine> lines)
+  {
+    for (const MouseLine& line : lines)
+    {
+      this->Add(line.Motion, line.Meaning);
+    }
+  }
+  const std::string& GetText() const { return this->Text; }
+
+private:
+  void Add(const std::string& key, const char* meaning)
+  {
+    this->Text += this->Title.empty() ? "" : this->Title + "\n";
+    this->Title.clear();
+    this->Text += key + "\t" + meaning + "\n";
+  }
+
+  const KeyMap& Keys;
+  std::string Title;
+  std::string Text;
+};
 
 } // namespace
 
-std::string ListKeys(const KeyedParts& parts)
+std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
 {
-  std::string text = "Touch\n" + Join({ { "t", "touch what is under the pointer; let go" } });
+  KeyList list(keys);
+  list.Begin("Touch");
+  list.Add({ { { "t" }, "touch what is under the pointer; let go" } });
   if (parts.HasMouse)
   {
-    text += Join({ { "mouse", "stroke" }, { "wheel", "press, and lift" },
+    list.AddMouse({ { "mouse", "stroke" }, { "wheel", "press, and lift" },
       { "Ctrl + mouse", "press, and lift" }, { "Shift", "five times finer" },
       { "left button", "the button of the device" },
       { "right button", "turn the view and keep touching" } });
   }
-  text += Join(
-    { { "a", "force on; off" }, { "Escape", "let go, force off" }, { "m", "the next method" } });
+  list.Add({ { { "a" }, "force on; off" }, { { "Escape" }, "let go, force off" },
+    { { "m" }, "the next method" } });
   if (parts.HasModes)
   {
-    text += Join({ { "M", "the next mode alone; all modes" } });
+    list.Add({ { { "M" }, "the next mode alone; all modes" } });
   }
-  text += "Display\n" +
-    Join({ { "?  F1", "these keys" }, { "h", "text" }, { "g", "graph" }, { "d", "details" } });
+  list.Begin("Display");
+  list.Add({ { { "question" }, "these keys" }, { { "h" }, "text" }, { { "g" }, "graph" },
+    { { "d" }, "details" } });
   if (parts.HasSlices)
   {
-    text += "Slices\n" +
-      Join({ { "s", "show; hide" }, { "click", "go there and touch" }, { "wheel", "across them" },
-        { "right drag", "window, level" } });
+    list.Begin("Slices");
+    list.Add({ { { "s" }, "show; hide" } });
+    list.AddMouse({ { "click", "go there and touch" }, { "wheel", "across them" },
+      { "right drag", "window, level" } });
   }
+  list.Begin("Materials");
   if (parts.HasEditor)
   {
-    text += "Materials\n" +
-      Join({ { "v", "function editor" }, { "n", "the next function" },
-        { "p", "propose functions; take them" }, { "Backspace", "drop the proposal" } });
+    list.Add({ { { "v" }, "function editor" }, { { "n" }, "the next function" },
+      { { "p" }, "propose functions; take them" }, { { "BackSpace" }, "drop the proposal" } });
   }
   if (parts.HasLabels)
   {
-    text += Join({ { "l", "materials of labels" } });
+    list.Add({ { { "l" }, "materials of labels" } });
   }
   if (parts.HasFrames)
   {
-    text += "Time\n" +
-      Join({ { "space", "play; hold" }, { "Left  Right", "the frame before; after" },
-        { ",  .", "half the speed; twice" }, { "b", "at the end: hold, repeat, turn back" } });
+    list.Begin("Time");
+    list.Add({ { { "space" }, "play; hold" }, { { "Left", "Right" }, "the frame before; after" },
+      { { "comma", "period" }, "half the speed; twice" },
+      { { "b" }, "at the end: hold, repeat, turn back" } });
   }
   if (parts.HasDevice)
   {
-    text += "Device\n" +
-      Join({ { "c", "workspace back to the focal point" }, { "k", "clutch, while held" },
-        { "+  -", "larger, smaller workspace" }, { "Home", "find the zero of the encoders" } });
+    list.Begin("Device");
+    list.Add({ { { "c" }, "workspace back to the focal point" }, { { "k" }, "clutch, while held" },
+      { { "plus", "minus" }, "larger, smaller workspace" },
+      { { "Home" }, "find the zero of the encoders" } });
   }
-  return text;
+  return list.GetText();
 }
 
 } // namespace VolumeHaptics

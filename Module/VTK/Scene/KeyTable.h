@@ -12,6 +12,8 @@
 namespace VolumeHaptics
 {
 
+class KeyMap;
+
 /** The parts of a scene that have keys of their own. */
 struct KeyedParts
 {
@@ -24,8 +26,11 @@ struct KeyedParts
   bool HasSlices = false;
 };
 
-/** As vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning. */
-std::string ListKeys(const KeyedParts& parts);
+/**
+ * As vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning. Actions
+ * without a key are left out.
+ */
+std::string ListKeys(const KeyedParts& parts, const KeyMap& keys);
 
 } // namespace VolumeHaptics
 

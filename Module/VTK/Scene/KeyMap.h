@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which keys do what in vtkInteractorStyleHaptic, as an application has chosen them.
+ */
+#ifndef KeyMap_h
+#define KeyMap_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * The parts of an interaction know an action by its default key, such as "t" for Touch. This turns
+ * the key that was pressed into that one.
+ */
+class KeyMap
+{
+public:
+  /** All actions, in the order of the style's documentation. */
+  static std::vector<std::string> ListActions();
+
+  /**
+   * Gives an action other keys: X11's names, with spaces between them; none switch it off. False
+   * with an error, which tells the cure, if there is no such action or another one has a key.
+   */
+  bool Set(const std::string& action, const std::string& keys, std::string& error);
+  /** The keys of an action; empty if it has none, or there is no such action. */
+  std::string Get(const std::string& action) const;
+
+  /** The default key of the action that a key has now; empty if it has none. */
+  std::string Find(const std::string& pressed) const;
+  /** What people read for the first key of an action, such as "?"; empty if it has none. */
+  std::string Name(const std::string& defaultKey) const;
+  /**
+   * The same for all keys of the actions with these default keys, such as "?  F1"; empty if none of
+   * them has a key.
+   */
+  std::string Describe(const std::vector<std::string>& defaultKeys) const;
+
+private:
+  std::map<std::string, std::string> Changed; ///< action -> keys
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Keys of the style that an application has changed. What VTK's own keys do is that of the
+ * documentation of vtkInteractorStyle: r resets the camera.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkStringArray.h>
+
+#include <set>
+#include <sstream>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleKeys : public StyleTest
+{
+protected:
+  StyleKeys()
+  {
+    this->Display->SetDevice(this->Device);
+    this->Style->SetHeadUpDisplay(this->Display);
+  }
+  void Start()
+  {
+    ASSERT_TRUE(this->Device->Open("virtual"));
+    ASSERT_TRUE(this->Device->Start());
+    this->Pointer(150, 150);
+  }
+  bool Lists(const std::string& line)
+  {
+    return ("\n" + this->Style->GetKeys()).find("\n" + line) != std::string::npos;
+  }
+  void Type(const char* key)
+  {
+    this->Press(key);
+    this->Interactor->SetKeyCode(key[0]);
+    this->Press(key, vtkCommand::CharEvent);
+  }
+
+  bool Says(const std::string& words)
+  {
+    return !this->Log.Errors.empty() && this->Log.Errors.back().find(words) != std::string::npos;
+  }
+
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+} // namespace
+
+TEST_F(StyleKeys, AreThoseThatAnApplicationChose)
+{
+  this->Start();
+  EXPECT_EQ(this->Style->GetKey("Touch"), "t");
+  EXPECT_TRUE(this->Style->SetKey("Touch", "r Return"));
+  this->Type("t");
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  double before[3];
+  this->Renderer->GetActiveCamera()->GetPosition(before);
+  this->Type("r");
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  double after[3];
+  this->Renderer->GetActiveCamera()->GetPosition(after);
+  EXPECT_TRUE(std::equal(before, before + 3, after)) << "VTK's own r would move it";
+  this->Type("Return");
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  this->Run(2);
+  EXPECT_NE(std::string(this->Display->GetHint()).find("press r to touch"), std::string::npos)
+    << this->Display->GetHint();
+  EXPECT_TRUE(this->Lists("r  Return\ttouch what is under the pointer"));
+}
+
+TEST_F(StyleKeys, AreLeftToVTKWithoutAKeyOfOurs)
+{
+  this->Start();
+  EXPECT_TRUE(this->Style->SetKey("NextMethod", ""));
+  const std::string method = this->Filter->GetMethodName();
+  this->Press("m");
+  EXPECT_EQ(method, this->Filter->GetMethodName());
+  EXPECT_FALSE(this->Lists("m\t"));
+  EXPECT_TRUE(this->Style->SetKey("NextMethod", "m"));
+  this->Press("m");
+  EXPECT_NE(method, this->Filter->GetMethodName());
+  EXPECT_TRUE(this->Lists("m\t"
+                          "the next method"));
+}
+
+TEST_F(StyleKeys, MoveWithTheirWordsOnTheScreen)
+{
+  this->Start();
+  EXPECT_TRUE(this->Style->SetKey("Help", "F2"));
+  EXPECT_TRUE(this->Style->SetKey("LetGo", ""));
+  this->Run(2);
+  EXPECT_NE(std::string(this->Display->GetHint()).find("\nF2 shows all keys"), std::string::npos);
+  this->Press("F1");
+  EXPECT_FALSE(this->Display->GetHelpVisibility());
+  this->Press("F2");
+  EXPECT_TRUE(this->Display->GetHelpVisibility());
+  this->Press("t");
+  this->Press("Escape");
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  this->Run(2);
+  EXPECT_STREQ(this->Display->GetHint(), "Move the mouse to stroke, turn the wheel to press");
+}
+
+TEST_F(StyleKeys, NobodyHasTwoActions)
+{
+  EXPECT_FALSE(this->Style->SetKey("Touch", "a"));
+  EXPECT_TRUE(this->Says("that of the action Arm already"));
+  EXPECT_EQ(this->Style->GetKey("Touch"), "t");
+  EXPECT_TRUE(this->Style->SetKey("Arm", ""));
+  EXPECT_TRUE(this->Style->SetKey("Touch", "a"));
+  EXPECT_FALSE(this->Style->SetKey("Jump", "j"));
+  EXPECT_TRUE(this->Says("no action \"Jump\""));
+  EXPECT_FALSE(this->Style->SetKey(nullptr, nullptr));
+}
+
+TEST_F(StyleKeys, AreAllDifferentByDefault)
+{
+  std::set<std::string> keys;
+  std::size_t count = 0;
+  vtkStringArray* const actions = vtkInteractorStyleHaptic::GetKeyActions();
+  for (vtkIdType i = 0; i < actions->GetNumberOfValues(); ++i)
+  {
+    std::istringstream words(this->Style->GetKey(actions->GetValue(i).c_str()));
+    for (std::string key; words >> key; ++count)
+    {
+      keys.insert(key);
+    }
+  }
+  EXPECT_GE(actions->GetNumberOfValues(), 20);
+  EXPECT_EQ(keys.size(), count);
+}
