@@ -288,9 +288,12 @@ public:
    * device's filter the image of the volume's mapper at the place where the volume's position,
    * orientation, scale and user matrix put it, the mapper's clipping planes and cropping, and the
    * opacity of the volume's property as its visibility (vtkHapticProperty::SetVisibilityFrom).
-   * Materials, method and the way faces of a cut feel stay the filter's own. A device without a
-   * filter gets one. An image that is placed by a matrix is felt with the values of its last
-   * update, at one time. nullptr ends it, and leaves the filter as it is then. Default: nullptr.
+   * Of a binary mask (vtkGPUVolumeRayCastMapper::SetMaskTypeToBinary) the filter gets the voxels
+   * as a label image, of which the label 0 is not felt, if it has no labels of its own; other
+   * masks colour voxels. Materials, method and the way faces of a cut feel stay the filter's own.
+   * A device without a filter gets one. An image that is placed by a matrix is felt with the
+   * values of its last update, at one time. nullptr ends it, and leaves the filter as it is then.
+   * Default: nullptr.
    */
   void TouchVolume(vtkVolume* volume);
   vtkVolume* GetTouchedVolume();

@@ -7,6 +7,7 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -52,8 +53,10 @@ const Difference Differences[] = {
     "of the interactor style, or give vtkVolumeHapticsFilter the mapper's planes with "
     "SetClippingPlanes()." },
   { 8,
-    "Its mapper has a mask input, but voxels that it hides are still felt. Cure: give them a "
-    "value that is not felt, for example with vtkImageMask, or remove the mask." },
+    "Its mapper has a mask that hides voxels, but they are still felt. Cure: TouchVolume() of the "
+    "interactor style, which follows a binary mask if vtkVolumeHapticsFilter has no labels of its "
+    "own, or give these voxels a label that is not felt (vtkHapticLabelTable::SetFelt()), or a "
+    "value, for example with vtkImageMask." },
   { 16,
     "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
     "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or SetVisibilityFrom() of the haptic "
@@ -163,6 +166,23 @@ bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
   return own != nullptr;
 }
 
+/** Whether a mapper's mask hides voxels: a binary one, or labels with an opacity of their own. */
+bool HidesByMask(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  return gpu && gpu->GetMaskInput() &&
+    (FindBinaryMask(mapper) || !property->GetLabelMapLabels().empty());
+}
+
+/** Whether a filter has a mapper's mask as a label image. */
+bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
+{
+  vtkImageData* const mask = FindBinaryMask(mapper);
+  auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
+  return mask && labels && HasSamplesOf(mask, labels) && filter->GetLabelTable() &&
+    !filter->GetLabelTable()->GetFelt(0);
+}
+
 bool HasTransferFunction2D(vtkVolumeProperty* property)
 {
   return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
@@ -215,11 +235,11 @@ unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData
   {
     return 0;
   }
-  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
   volume->ComputeMatrix();
   const bool isTrue[] = { IsPlacedElsewhere(volume->GetMatrix(), shown, image),
     IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
-    IsClipped(mapper, volume) && !FeelsClipping(filter, mapper), gpu && gpu->GetMaskInput(),
+    IsClipped(mapper, volume) && !FeelsClipping(filter, mapper),
+    HidesByMask(mapper, volume->GetProperty()) && !FeelsMask(filter, mapper),
     HasTransferFunction2D(volume->GetProperty()), this->HasBlanks(shown) };
   unsigned int differences = 0;
   for (std::size_t i = 0; i < std::size(Differences); ++i)

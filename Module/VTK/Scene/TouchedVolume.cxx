@@ -5,6 +5,8 @@
 #include "Core/Math/Vector3.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -28,6 +30,16 @@ bool IsSamePlace(vtkImageData* a, vtkImageData* b)
 }
 
 } // namespace
+
+TouchedVolume::TouchedVolume() = default;
+TouchedVolume::~TouchedVolume() = default;
+
+vtkImageData* FindBinaryMask(vtkVolumeMapper* mapper)
+{
+  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  const bool hides = gpu && gpu->GetMaskType() == vtkGPUVolumeRayCastMapper::BinaryMaskType;
+  return hides ? gpu->GetMaskInput() : nullptr;
+}
 
 bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
 {
@@ -101,6 +113,7 @@ void TouchedVolume::Update(vtkVolumeHapticsFilter* filter, const HapticShownFram
   }
   Crop(mapper, shown, filter);
   filter->SetClippingPlanes(mapper->GetClippingPlanes());
+  this->Mask(mapper, filter);
 }
 
 void TouchedVolume::Place(
@@ -146,6 +159,52 @@ void TouchedVolume::Crop(
     MapCropping(mapper, shown, felt, planes);
     filter->SetCroppingRegionPlanes(planes);
     filter->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+  }
+}
+
+void TouchedVolume::Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter)
+{
+  vtkImageData* const mask = FindBinaryMask(mapper);
+  vtkImageData* const felt = filter->GetTouchedImage();
+  vtkDataObject* const labels = filter->GetInputDataObject(3, 0);
+  const bool isOurs = labels == this->Labels;
+  // A mapper's mask has a voxel for each one of the image, whatever its own place.
+  const bool fits = mask && felt &&
+    std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, felt->GetDimensions());
+  if (!fits)
+  {
+    if (isOurs)
+    {
+      filter->SetLabelData(nullptr);
+      filter->SetLabelTable(nullptr);
+    }
+    return;
+  }
+  if (!isOurs && (labels || filter->GetLabelTable()))
+  {
+    return; // the style warns of it
+  }
+  const bool isOther = this->MaskImage != mask || this->MaskTime != mask->GetMTime();
+  if (isOther || !IsSamePlace(this->Labels, felt) ||
+    !std::equal(felt->GetExtent(), felt->GetExtent() + 6, this->Labels->GetExtent()))
+  {
+    this->Labels->ShallowCopy(mask);
+    this->Labels->SetExtent(felt->GetExtent());
+    this->Labels->SetOrigin(felt->GetOrigin());
+    this->Labels->SetSpacing(felt->GetSpacing());
+    this->Labels->SetDirectionMatrix(felt->GetDirectionMatrix());
+    this->MaskImage = mask;
+    this->MaskTime = mask->GetMTime();
+  }
+  if (!this->Unfelt)
+  {
+    this->Unfelt = vtkSmartPointer<vtkHapticLabelTable>::New();
+    this->Unfelt->SetFelt(0, false);
+  }
+  if (!isOurs)
+  {
+    filter->SetLabelData(this->Labels);
+    filter->SetLabelTable(this->Unfelt);
   }
 }
 

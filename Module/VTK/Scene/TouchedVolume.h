@@ -13,7 +13,9 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
+#include "vtkWeakPointer.h"
 
+class vtkHapticLabelTable;
 class vtkMatrix4x4;
 class vtkVolumeHapticsFilter;
 class vtkVolumeMapper;
@@ -24,24 +26,33 @@ namespace VolumeHaptics
 class TouchedVolume
 {
 public:
+  TouchedVolume();
+  ~TouchedVolume();
+
   /** The volume that is followed from now on; null for none, which leaves the filter as it is. */
   void Set(vtkVolume* volume) { this->Volume = volume; }
   vtkVolume* Get() const { return this->Volume; }
 
   /**
-   * Gives the filter the volume's image at its place, its opacity, its cropping and its clipping
-   * planes, as far as they have changed. Images of a moving volume, which the mapper shows in the
-   * place of its own input, are left alone.
+   * Gives the filter the volume's image at its place, its opacity, its cropping, its clipping
+   * planes and its binary mask, as far as they have changed. Images of a moving volume, which the
+   * mapper shows in the place of its own input, are left alone, and so are labels of the filter.
    */
   void Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
 
 private:
   void Place(vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
   static void Crop(vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
+  /** A mask becomes a label image, of which the label 0 is not felt. */
+  void Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter);
 
   vtkSmartPointer<vtkVolume> Volume;
   vtkNew<vtkImageData> Placed; ///< the image where the volume's matrix puts it
   vtkMTimeType PlacedTime = 0; ///< of the image, when that was placed
+  vtkNew<vtkImageData> Labels; ///< the mask where the image is
+  vtkWeakPointer<vtkImageData> MaskImage;
+  vtkMTimeType MaskTime = 0; ///< of the mask, when it became labels
+  vtkSmartPointer<vtkHapticLabelTable> Unfelt;
 };
 
 /**
@@ -49,6 +60,9 @@ private:
  * direction. False if voxels are no boxes there, because the matrix shears them.
  */
 bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed);
+
+/** The mask by which a mapper hides voxels; null if there is none of this kind. */
+vtkImageData* FindBinaryMask(vtkVolumeMapper* mapper);
 
 /** The planes of a mapper's regions, along the axes of the data of another image of its shape. */
 void MapCropping(

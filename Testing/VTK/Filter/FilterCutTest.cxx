@@ -7,6 +7,7 @@
 
 #include "Rigs/ApiRig.h"
 
+#include "vtkHapticSurfaceMode.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -109,4 +110,65 @@ TEST_F(FilterCut, WhatIsWrongIsNamed)
   this->Filter->CroppingOn();
   this->Filter->SetCroppingRegionPlanes(0, 5, 9, 3, 0, 20);
   this->ExpectError({ "along axis 1 are 9 and 3", "SetCroppingRegionPlanes()" });
+}
+
+namespace
+{
+/// Methods other than PROXY, on the path of ApiTest over a surface at z = 7.
+class FilterCutMethods : public FilterCut
+{
+protected:
+  void ExpectThatAPlaneEndsIt()
+  {
+    const double whole = this->Strongest();
+    EXPECT_GT(whole, 0.5);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(9.0, 0.0, 0.0);
+    plane->SetNormal(1.0, 0.0, 0.0);
+    this->Filter->AddClippingPlane(plane);
+    EXPECT_EQ(this->Strongest(), 0.0) << "x = 7 is cut away";
+    plane->SetNormal(-1.0, 0.0, 0.0);
+    EXPECT_NEAR(this->Strongest(), whole, 1e-12) << "the kept part feels as before";
+    this->Filter->RemoveAllClippingPlanes();
+    this->Filter->CroppingOn();
+    this->Filter->SetCroppingRegionPlanes(0, 5, 0, 20, 0, 20);
+    EXPECT_EQ(this->Strongest(), 0.0);
+    this->Filter->SetCroppingRegionPlanes(5, 9, 0, 20, 0, 20);
+    EXPECT_NEAR(this->Strongest(), whole, 1e-12);
+  }
+};
+} // namespace
+
+TEST_F(FilterCutMethods, TheMeshOfAnIsosurfaceEndsAtACut)
+{
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(700.0);
+  this->ExpectThatAPlaneEndsIt();
+}
+
+TEST_F(FilterCutMethods, ALocalSurfaceEndsAtACut)
+{
+  this->Filter->SetMethodToLocalSurface();
+  this->Filter->SetIsoValue(700.0);
+  this->ExpectThatAPlaneEndsIt();
+}
+
+TEST_F(FilterCutMethods, AForceFieldEndsAtACut)
+{
+  this->Filter->SetMethodToForceField();
+  this->ExpectThatAPlaneEndsIt();
+}
+
+TEST_F(FilterCutMethods, ThePapersSurfacesEndAtACut)
+{
+  this->Filter->SetSolverToPaper();
+  this->ExpectThatAPlaneEndsIt();
+}
+
+TEST_F(FilterCutMethods, SurfacesAmongModesEndAtACut)
+{
+  this->Filter->SetMethodToPrimitives();
+  vtkNew<vtkHapticSurfaceMode> mode;
+  this->Filter->AddMode(mode);
+  this->ExpectThatAPlaneEndsIt();
 }

@@ -20,6 +20,7 @@
 #include <vtkHapticVortexMode.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPlane.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkStringArray.h>
 
@@ -556,4 +557,26 @@ TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)
   this->Filter->SetMethodToLocalSurface();
   this->Filter->NextMethod();
   EXPECT_EQ(this->Filter->GetMethodName(), "proxy");
+}
+
+TEST_F(FilterModes, AFlowEndsAtACut)
+{
+  this->AddArray("flow", 3,
+    [](const Point&, double* v)
+    {
+      v[0] = 3.0;
+      v[1] = v[2] = 0.0;
+    });
+  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("flow"));
+  this->Follow(Line({ 8, 8, 12 }, { 8, 11, 12 }, 100));
+  ExpectNear(Last(this->Run(101), "Force"), { 0.0, -3.0 * SpringPerMm, 0.0 }, 1e-12);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 13.0);
+  plane->SetNormal(0.0, 0.0, 1.0);
+  this->Filter->AddClippingPlane(plane);
+  ExpectNear(Last(this->Run(101), "Force"), { 0.0, 0.0, 0.0 }, 0.0);
+  plane->SetNormal(0.0, 0.0, -1.0); // half a voxel in front of the face there is half of it
+  plane->SetOrigin(0.0, 0.0, 12.5);
+  this->Filter->SetCouplingStiffness(2000.0); // more than the mode's 2 N
+  ExpectNear(Last(this->Run(101), "Force"), { 0.0, -1.0, 0.0 }, 1e-9);
 }

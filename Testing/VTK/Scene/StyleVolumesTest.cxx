@@ -214,8 +214,71 @@ TEST_F(StyleVolumes, WithAMaskWarn)
   vtkNew<vtkImageData> mask;
   mask->SetDimensions(this->Ball->GetDimensions());
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper)->SetMaskInput(mask);
+  auto* const mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
+  mapper->SetMaskInput(mask);
+  mapper->SetMaskTypeToLabelMap();
+  EXPECT_EQ(this->CountWarnings(), 0U) << "labels only colour voxels";
+  vtkNew<vtkPiecewiseFunction> hidden;
+  this->Volume->GetProperty()->SetLabelScalarOpacity(1, hidden);
+  EXPECT_EQ(this->CountWarnings("mask"), 1U) << "unless they have an opacity";
+  mapper->SetMaskInput(nullptr);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  mapper->SetMaskTypeToBinary();
+  mapper->SetMaskInput(mask);
   EXPECT_EQ(this->CountWarnings("mask"), 1U);
+}
+
+// Forces are those of ThatAreTouchedAreFeltWhereTheyAre: 3 mm behind the surface at 32 mm.
+TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
+{
+  auto* const mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(this->Mapper);
+  vtkNew<vtkImageData> mask;
+  mask->SetDimensions(this->Ball->GetDimensions()); // at another place, which does not count
+  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
+  {
+    mask->GetPointData()->GetScalars()->SetTuple1(
+      i, this->Ball->GetPoint(i)[0] > 0.0 ? 0.0 : 255.0);
+  }
+  mapper->SetMaskTypeToBinary();
+  mapper->SetMaskInput(mask);
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  const auto forceAt = [&](double x)
+  {
+    vtkNew<vtkPolyData> path;
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i <= 120; ++i)
+    {
+      points->InsertNextPoint(x * (40.0 - 0.1 * i) / 29.0, 0.0, 0.0);
+    }
+    path->SetPoints(points);
+    this->Filter->SetPathData(path);
+    this->Filter->Update();
+    vtkDataArray* const force = this->Filter->GetOutput()->GetPointData()->GetArray("Force");
+    return force && force->GetNumberOfTuples() == 121 ? force->GetComponent(110, 0) : HUGE_VAL;
+  };
+  EXPECT_EQ(forceAt(29.0), 0.0) << "hidden";
+  EXPECT_NEAR(forceAt(-29.0), -500.0 * 0.003, 0.1);
+  // Where the volume goes, the mask goes, too.
+  this->Volume->RotateZ(180.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_NEAR(forceAt(29.0), 500.0 * 0.003, 0.1);
+  EXPECT_EQ(forceAt(-29.0), 0.0);
+  // What is painted into it counts at once.
+  mask->GetPointData()->GetScalars()->Fill(1.0);
+  mask->Modified();
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_NEAR(forceAt(-29.0), -500.0 * 0.003, 0.1);
+  mapper->SetMaskInput(nullptr);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), nullptr);
+  EXPECT_EQ(this->Filter->GetLabelTable(), nullptr);
+  // Labels of the filter's own are not replaced.
+  this->Filter->SetLabelData(mask);
+  mapper->SetMaskInput(mask);
+  EXPECT_EQ(this->CountWarnings("mask"), 1U);
+  EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), mask);
 }
 
 TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
