@@ -313,7 +313,7 @@ int vtkVolumeHapticsFilter::RequestUpdateExtent(
     input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
     input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), isFirst ? 1 : 0);
     input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    if ((port == 0 || port == 3) && input->Has(Pipeline::WHOLE_EXTENT()))
+    if (input->Has(Pipeline::WHOLE_EXTENT()))
     {
       constexpr int none[] = { 0, -1, 0, -1, 0, -1 };
       input->Set(

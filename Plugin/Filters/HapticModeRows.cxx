@@ -14,6 +14,7 @@
 #include "vtkHapticVectorFollowMode.h"
 #include "vtkHapticVectorFrontMode.h"
 #include "vtkHapticVortexMode.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -84,22 +85,51 @@ constexpr ModeOfRow ModesOfRows[] = {
   { "GuideInside", &MakeGuide<vtkHapticGuideMode::INSIDE>, nullptr },
 };
 
-/** Gives polygons or, without any, lines to a guide; what is wrong if that can't be. */
-std::string FillGuide(vtkPolyData* data, vtkHapticGuideMode* guide)
+/**
+ * The distances of an image, the active scalars or an array, as a field; null without any. One that
+ * is not computed yet has nothing, and is filled again when it is.
+ */
+vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& array)
 {
-  if (!data)
+  vtkPointData* const points = image->GetPointData();
+  vtkDataArray* const distances =
+    array.empty() ? points->GetScalars() : points->GetArray(array.c_str());
+  const bool isThere = distances && distances->GetNumberOfComponents() == 1;
+  if (!isThere && image->GetNumberOfPoints() > 0)
   {
-    return "has nothing that guides. Choose polygons or lines as Surface";
+    return nullptr;
   }
-  const bool isPath =
-    data->GetNumberOfLines() > 0 && data->GetNumberOfPolys() == 0 && data->GetNumberOfStrips() == 0;
+  auto field = vtkSmartPointer<vtkImageData>::New();
+  field->CopyStructure(image);
+  field->GetPointData()->SetScalars(distances);
+  return field;
+}
+
+/** Gives polygons, lines or distances to a guide; what is wrong if that can't be. */
+std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGuideMode* guide)
+{
+  if (auto* const image = vtkImageData::SafeDownCast(data))
+  {
+    guide->SetDistanceField(MakeField(image, array));
+    return guide->GetDistanceField()
+      ? ""
+      : "guides by the image that is the Surface, which has no such point array of one component. "
+        "Name the array of its distances, or give it active scalars";
+  }
+  auto* const shape = vtkPolyData::SafeDownCast(data);
+  if (!shape)
+  {
+    return "has nothing that guides. Choose polygons or lines as Surface, or an image of distances";
+  }
+  const bool isPath = shape->GetNumberOfLines() > 0 && shape->GetNumberOfPolys() == 0 &&
+    shape->GetNumberOfStrips() == 0;
   if (isPath && guide->GetSide() != vtkHapticGuideMode::SURFACE)
   {
     return "is about a side, but the Surface has lines, which have none. Give the kind Guide, or "
            "choose polygons as Surface";
   }
-  guide->SetPath(isPath ? data : nullptr);
-  guide->SetSurface(isPath ? nullptr : data);
+  guide->SetPath(isPath ? shape : nullptr);
+  guide->SetSurface(isPath ? nullptr : shape);
   return {};
 }
 
@@ -299,7 +329,7 @@ void HapticModeRows::AddRow(
     mode->SetArrayName(array.c_str());
     if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
     {
-      flaw = FillGuide(vtkPolyData::SafeDownCast(this->Guide.Data), guide);
+      flaw = FillGuide(this->Guide.Data, array, guide);
     }
     if (!ReadFunction(strength, mode->GetStrength()) ||
       (found->GetSecond && !ReadFunction(second, found->GetSecond(mode))))

@@ -20,9 +20,9 @@ class vtkHapticMode;
 class vtkVolumeHapticsFilter;
 
 /**
- * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the surface of the
- * filter's port 2, and an empty array of a preset is found in the data of port 0, so that modes are
- * made anew if these change.
+ * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the shape or the distances
+ * of the filter's port 2, and an empty array of a preset is found in the data of port 0, so that
+ * modes are made anew if these change.
  */
 class HapticModeRows
 {

@@ -353,6 +353,17 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkPVVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const int isKnown = this->Superclass::FillInputPortInformation(port, info);
+  if (port == 2)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  }
+  return isKnown;
+}
+
+//------------------------------------------------------------------------------
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {

@@ -93,12 +93,12 @@ public:
   ///@{
   /**
    * Rows of texts, a vtkHapticMode each: its kind (VectorFollow, VectorFront, VectorFrontTwoSided,
-   * Vortex, Shear, TensorFollow, Ridge, RidgeDark, Surface, and the polygons of port 2 as Guide,
-   * GuideOutside or GuideInside, or its lines as Guide), the point array (empty: the active vectors
-   * or tensors), its Strength, and the second function of kinds that have one (Push, AxisStrength,
-   * SheetStrength). A function is a number of newtons, pairs such as "0 0, 0.5 2" of what it
-   * depends on and newtons, or empty for the mode's default. A row that can't be read is an error,
-   * and the output is empty.
+   * Vortex, Shear, TensorFollow, Ridge, RidgeDark, Surface, and what port 2 has as Guide,
+   * GuideOutside or GuideInside: polygons, an image of distances, or lines as Guide), the point
+   * array (empty: the active vectors, tensors or distances), its Strength, and the second function
+   * of kinds that have one (Push, AxisStrength, SheetStrength). A function is a number of newtons,
+   * pairs such as "0 0, 0.5 2" of what it depends on and newtons, or empty for the mode's default.
+   * A row that can't be read is an error, and the output is empty.
    */
   void AddModeRow(
     const char* kind, const char* array, const char* strength, const char* secondStrength);
@@ -128,6 +128,8 @@ protected:
   vtkPVVolumeHapticsFilter();
   ~vtkPVVolumeHapticsFilter() override;
 
+  /** Port 2 also takes an image, whose distances guide: see AddModeRow. */
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -171,7 +171,15 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Displacements = this->Filter->DisplacementArrayName;
   options.Modes = this->Filter->Modes;
   options.Cut = this->Filter->Cut.get();
-  options.Surface = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0));
+  vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
+  options.Surface = vtkPolyData::SafeDownCast(surface);
+  if (surface && !options.Surface && this->Filter->Method == vtkVolumeHapticsFilter::SURFACE_PROXY)
+  {
+    error = std::string("The surface (input port 2) is a ") + surface->GetClassName() +
+      ", which has no triangles. Give it a vtkPolyData, or nothing: then the isosurface at the "
+      "IsoValue is touched.";
+    return nullptr;
+  }
   return BuildHapticModel(image, scalars, this->Filter->GetProperty(), options, error);
 }
 

@@ -126,6 +126,34 @@ def check_guides():
     check_error(["Guide", "", "9", ""], '"Guide"', "Choose polygons or lines as Surface")
 
 
+def check_distances():
+    """An image of the distances from that sphere. A B-spline of distances r is higher by 1 / (3 r), so that the hand is
+    held at 4.932 mm; with a device, too."""
+    held = 4.932
+    touch.Surface = simple.Calculator(Input=simple.Wavelet(), Function="mag(coords) - 5", ResultArrayName="distance")
+    touch.Path = simple.Line(Point1=[3.0, 0.1, 0.2], Point2=[6.0, 0.1, 0.2], Resolution=300)
+    inside, outside = 0.5 * (held - 3.0), 0.5 * (held - 6.0)
+    for kind, array, first, last in (("Guide", "distance", inside, outside), ("Guide", "", inside, outside),
+                                     ("GuideOutside", "distance", inside, 0.0), ("GuideInside", "distance", 0.0, outside)):
+        report = update([kind, array, "9", ""])
+        live.check(not report, kind, report)
+        force = vtk_to_numpy(servermanager.Fetch(touch).GetPointData().GetArray("Force"))[:, 0]
+        live.check(abs(force[0] - first) < 0.01 and abs(force[-1] - last) < 0.01, kind, array, force[0], force[-1])
+    check_error(["Guide", "distances", "9", ""], '"distances"', "Name the array of its distances")
+    touch.Method = "Surface proxy"
+    report = update([])
+    live.check("vtkImageData" in report and "no triangles" in report, "distances are no polygons", report)
+    touch.Method = "Primitives"
+    touch.Modes = ["Guide", "distance", "9", ""]
+    device = simple.HapticDevice(Touch=touch)
+    live.press(device, [6.0, 0.1, 0.2], [3.0, 0.1, 0.2])
+    live.check(live.poll(device, lambda: abs(device.Force[0] - inside) < 0.01), "a device's hand is held at the distance 0",
+               list(device.Force), device.StatusText)
+    device.Running = 0
+    simple.Delete(device)
+    touch.Surface = None
+
+
 def press(data=None, voxels=21**3):
     """Until the device's hand is held."""
     touch.Modes = ["VectorFollow", "flow", str(STRENGTH), ""]
@@ -187,5 +215,6 @@ else:
     check_error(["Shear", "flow", "1 N", ""], "Shear", "number of newtons")
     check_presets()
     check_guides()
+    check_distances()
     press()
     press_grids()
