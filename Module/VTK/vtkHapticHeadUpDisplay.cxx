@@ -314,7 +314,9 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
     return device->GetStatusText();
   }
   const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
-  const std::string tissue = label.empty() ? self.GetTissueName(device->GetSurfaceValue()) : label;
+  // Modes have no surface with a value.
+  const bool isByValue = label.empty() && !FindModes(device);
+  const std::string tissue = isByValue ? self.GetTissueName(device->GetSurfaceValue()) : label;
   std::string text;
   for (const std::string& line :
     { DescribeStatus(device), DescribeTouch(device, tissue), DescribeCut(device),
@@ -459,8 +461,10 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
 int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
+  // Below the text, unless this leaves less than half of the height.
   const int* const size = viewport->GetSize();
-  this->Keys->Show(self.HelpText, size[0], size[1]);
+  const int below = this->FindTextEnd(self, viewport) - Gap;
+  this->Keys->Show(self.HelpText, size[0], 2 * below > size[1] ? below : size[1]);
   return this->Help->RenderOverlay(viewport);
 }
 

@@ -64,8 +64,6 @@ namespace
 {
 /// Of the stylus: its length, when StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
-/// Of what is followed: its radius, in radii of the proxy.
-constexpr double FollowedRadii = 0.22;
 /// Of arrows: the longest one, when MaximumArrowLength is 0, in radii of the proxy.
 constexpr double ArrowRadii = 30.0;
 /// Where a second head ends, in parts of its arrow.
@@ -208,7 +206,7 @@ void vtkHapticRepresentation::UpdateMarkers()
   }
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
-    this->FollowedReach, FollowedRadii * this->Radius);
+    this->FollowedReach, this->Radius);
   std::ostringstream text;
   text << "1 N = " << 1.0 / this->ForceScale << " " << this->WorldUnitName;
   d.ScaleText->SetInput(text.str().c_str());

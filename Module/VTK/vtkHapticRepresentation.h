@@ -150,7 +150,8 @@ public:
   /**
    * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
    * line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs.
-   * Default on. See vtkHapticDevice::GetFollowed.
+   * Default on. A tensor is an ellipsoid, which is longer than the proxy. See
+   * vtkHapticDevice::GetFollowed.
    */
   vtkSetMacro(FollowedVisibility, bool);
   vtkGetMacro(FollowedVisibility, bool);

@@ -51,7 +51,7 @@ void AddHead(
   Explore::SetVolumeLook(values, head->GetProperty());
   renderer->AddVolume(head);
   Explore::FitCamera(renderer, Explore::MakeViewFrame(values.Centre, "-y", "+z"), values.BodyBounds,
-    Share * Width / Height);
+    Share * Width / Height, false);
   renderer->GetActiveCamera()->Zoom(1.2); // The box has corners, a head has none.
 }
 } // namespace

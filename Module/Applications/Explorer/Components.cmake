@@ -9,6 +9,7 @@ set(Explore_VTK_COMPONENTS
   CommonMath
   CommonSystem
   FiltersCore
+  FiltersGeometry
   FiltersSources
   IOCore
   IOEnSight
@@ -70,6 +71,7 @@ set(Explore_SOURCES
   Volume/DicomHeader.cxx
   Volume/DicomSeries.cxx
   Volume/GridLoader.cxx
+  Volume/GridOutline.cxx
   Volume/LabelLoader.cxx
   Volume/LargeLoader.cxx
   Volume/VolumeChecks.cxx

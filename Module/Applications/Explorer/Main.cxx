@@ -72,7 +72,8 @@ Explore::SceneOptions MakeLook(
   look.Height = HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
-  look.Anatomical = exploration.Values.Kind != Explore::VolumeKind::Other;
+  const Explore::VolumeKind kind = exploration.Values.Kind;
+  look.Anatomical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
   return look;
 }
 

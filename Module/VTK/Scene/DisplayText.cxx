@@ -3,6 +3,8 @@
 #include "VTK/Scene/DisplayText.h"
 
 #include "vtkHapticDevice.h"
+#include "vtkHapticMode.h"
+#include "vtkHapticSurfaceMode.h"
 #include "vtkMath.h"
 #include "vtkPlaneCollection.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -17,6 +19,29 @@ namespace
 
 /** Less is not felt, N. */
 constexpr double LeastForce = 0.005;
+
+bool AreModesFelt(vtkVolumeHapticsFilter* filter)
+{
+  return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
+}
+
+/** Whether modes are felt, none of which is a surface on which a hand rests. */
+bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
+{
+  if (!AreModesFelt(filter))
+  {
+    return false;
+  }
+  for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+  {
+    vtkHapticMode* const mode = filter->GetMode(i);
+    if (mode->GetActive() && vtkHapticSurfaceMode::SafeDownCast(mode))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 } // namespace
 
@@ -49,13 +74,18 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
     return {};
   }
   std::ostringstream text;
-  if (contact == 0)
+  if (AreOnlyFieldsFelt(device->GetVolumeHaptics()))
   {
-    text << "Pushed by ";
+    static const char* const guidance[] = { "Pushed", "Held", "Guided", "Guided" };
+    text << guidance[contact] << (tissue.empty() ? "" : " in ") << tissue;
   }
-  text << contacts[contact] << (tissue.empty() ? "the volume" : tissue) << ", " << std::fixed
-       << std::setprecision(2) << force << " N of at most " << std::defaultfloat
-       << std::setprecision(3) << device->GetMaximumForce() << " N";
+  else
+  {
+    text << (contact == 0 ? "Pushed by " : contacts[contact])
+         << (tissue.empty() ? "the volume" : tissue);
+  }
+  text << ", " << std::fixed << std::setprecision(2) << force << " N of at most "
+       << std::defaultfloat << std::setprecision(3) << device->GetMaximumForce() << " N";
   return text.str();
 }
 
@@ -75,8 +105,12 @@ std::string DescribeCut(vtkHapticDevice* device)
 std::string DescribeDetails(vtkHapticDevice* device)
 {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << "Value " << device->GetSurfaceValue() << ", "
-       << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
+  text << std::fixed << std::setprecision(0);
+  if (!AreModesFelt(device->GetVolumeHaptics()))
+  {
+    text << "Value " << device->GetSurfaceValue() << ", ";
+  }
+  text << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
   return text.str();
 }
 

@@ -22,14 +22,14 @@ std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
  * Such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The tissue may
- * be empty.
+ * be empty. Where modes are felt, none of which is a surface, nothing is rested on: "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue);
 
 /** Whether the faces of a cut hold; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
 
-/** The value in the surface, and how the servo keeps time. */
+/** The value in the surface, if there is one, and how the servo keeps time. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics

@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
@@ -22,6 +23,10 @@ namespace
 {
 
 constexpr double FrontOpacity = 0.4;
+constexpr double TensorOpacity = 0.75;
+/** In radii of the proxy: the radius of lines, and the least length of tensors. */
+constexpr double LineRadii = 0.22;
+constexpr double TensorRadii = 10.0;
 /** The opacity of lines behind other objects, as that of markers. */
 constexpr double HiddenOpacity = 0.35;
 
@@ -67,11 +72,18 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   this->Ellipsoids->SetInputData(this->Tensors);
   this->Ellipsoids->SetSourceConnection(sphere->GetOutputPort());
   this->Ellipsoids->ColorGlyphsOff();
-  this->EllipsoidMapper->SetInputConnection(this->Ellipsoids->GetOutputPort());
+  // Where eigenvectors are left-handed, VTK turns glyphs inside out.
+  this->Outward->SetInputConnection(this->Ellipsoids->GetOutputPort());
+  this->Outward->AutoOrientNormalsOn();
+  this->Outward->SplittingOff();
+  this->EllipsoidMapper->SetInputConnection(this->Outward->GetOutputPort());
   this->EllipsoidMapper->ScalarVisibilityOff();
   this->EllipsoidActor->SetMapper(this->EllipsoidMapper);
-  this->EllipsoidActor->GetProperty()->SetAmbient(0.3);
-  this->EllipsoidActor->GetProperty()->SetDiffuse(0.7);
+  this->EllipsoidActor->ForceOpaqueOn();
+  this->EllipsoidActor->GetProperty()->SetOpacity(TensorOpacity);
+  this->EllipsoidActor->GetProperty()->BackfaceCullingOn();
+  this->EllipsoidActor->GetProperty()->SetAmbient(0.5);
+  this->EllipsoidActor->GetProperty()->SetDiffuse(0.6);
 }
 
 FollowedScene::~FollowedScene() = default;
@@ -92,7 +104,23 @@ void FollowedScene::Update(vtkHapticDevice* device, double reach, double radius)
     }
     this->Draw();
   }
-  this->Tubes->SetRadius(radius);
+  this->Tubes->SetRadius(LineRadii * radius);
+  this->ScaleTensors(radius);
+}
+
+void FollowedScene::ScaleTensors(double radius)
+{
+  vtkDataArray* const tensors = this->Tensors->GetPointData()->GetTensors();
+  double longest = 0.0;
+  for (vtkIdType i = 0; tensors && i < tensors->GetNumberOfTuples(); ++i)
+  {
+    double nine[9];
+    tensors->GetTuple(i, nine);
+    // The norm is the largest eigenvalue, or up to 1.7 times that.
+    longest = std::max(longest, vtkMath::Norm(nine, 9));
+  }
+  this->Ellipsoids->SetScaleFactor(
+    longest > 0.0 ? std::max(1.0, TensorRadii * radius / longest) : 1.0);
 }
 
 void FollowedScene::Draw()
@@ -162,15 +190,16 @@ void FollowedScene::RenderOpaque(vtkViewport* viewport)
   {
     this->Solid->RenderOpaqueGeometry(viewport);
   }
-  if (this->Tensors->GetNumberOfPoints() > 0)
-  {
-    this->EllipsoidActor->RenderOpaqueGeometry(viewport);
-  }
 }
 
 void FollowedScene::RenderFronts(vtkViewport* viewport)
 {
-  if (this->HasFronts())
+  // First, so that a front through the middle of it hides no half.
+  if (this->Tensors->GetNumberOfPoints() > 0)
+  {
+    this->EllipsoidActor->RenderOpaqueGeometry(viewport);
+  }
+  if (this->Shapes->GetNumberOfPolys() > 0)
   {
     this->Fronts->RenderOpaqueGeometry(viewport);
   }
@@ -197,6 +226,10 @@ void FollowedScene::AddTo(vtkBoundingBox& box)
   if (this->Lines->GetNumberOfLines() > 0)
   {
     box.AddBounds(this->Lines->GetBounds());
+  }
+  if (this->Tensors->GetNumberOfPoints() > 0)
+  {
+    box.AddBounds(this->EllipsoidMapper->GetBounds());
   }
 }
 

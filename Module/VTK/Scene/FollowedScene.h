@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkTensorGlyph.h"
 #include "vtkTubeFilter.h"
 
@@ -31,12 +32,18 @@ public:
   FollowedScene(const Color* colors, std::size_t count);
   ~FollowedScene();
 
-  /** Shows the latest state; nothing without a device. The radius is in world units. */
+  /** Shows the latest state; nothing without a device. The proxy's radius is in world units. */
   void Update(vtkHapticDevice* device, double reach, double radius);
 
   void RenderOpaque(vtkViewport* viewport);
-  bool HasFronts() const { return this->Shapes->GetNumberOfPolys() > 0; }
-  /** Draws the discs, which let through what is behind them, as far as nothing is before them. */
+  bool HasFronts() const
+  {
+    return this->Shapes->GetNumberOfPolys() > 0 || this->Tensors->GetNumberOfPoints() > 0;
+  }
+  /**
+   * Draws discs and ellipsoids, which let through what is behind them, as far as nothing is before
+   * them.
+   */
   void RenderFronts(vtkViewport* viewport);
   /** Draws the faint copy of the lines. */
   void RenderHidden(vtkViewport* viewport);
@@ -46,6 +53,8 @@ public:
 private:
   void Draw();
   void DrawTensors();
+  /** Tensors are longer than the proxy, so that one sees where they point. */
+  void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;
   vtkNew<vtkPolyData> Lines; ///< with the rims of fronts
@@ -53,6 +62,7 @@ private:
   vtkNew<vtkTubeFilter> Tubes;
   vtkNew<vtkPolyData> Tensors;
   vtkNew<vtkTensorGlyph> Ellipsoids;
+  vtkNew<vtkPolyDataNormals> Outward;
   vtkNew<vtkPolyDataMapper> LineMapper;
   vtkNew<vtkPolyDataMapper> DiscMapper;
   vtkNew<vtkActor> Solid;

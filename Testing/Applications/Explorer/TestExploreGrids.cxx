@@ -4,6 +4,8 @@
 // are linear, so that every way of resampling gives the same numbers as the formulas; and what a
 // hand feels of them is the flow, without being asked for it.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -17,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLDataObjectWriter.h"
@@ -98,6 +101,54 @@ void ExpectFormulas(const std::string& path)
   Expect(chosen.Flow.empty(), "whoever wants pressures does not follow the flow");
 }
 
+/// Of a block: its 12 edges, as many lines each as cells, and nothing but them.
+void ExpectOutline(const std::string& path)
+{
+  const vtkSmartPointer<vtkPolyData> outline = Explore::LoadVolumes({ path }).Outline;
+  double bounds[6] = { 0, 0, 0, 0, 0, 0 };
+  if (outline)
+  {
+    outline->GetBounds(bounds);
+  }
+  bool isEdge = outline && outline->GetNumberOfLines() == 12 * (EDGE - 1);
+  for (vtkIdType i = 0; isEdge && i < outline->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    outline->GetPoint(i, x);
+    int borders = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      borders += std::abs(std::abs(x[a]) - 10.0) < 1e-6 ? 1 : 0;
+    }
+    isEdge = borders >= 2;
+  }
+  Expect(isEdge && bounds[0] == -10.0 && bounds[1] == 10.0 && bounds[5] == 10.0,
+    path + " has its edges as outline");
+}
+
+/// A block that is swollen to a ball, which has no edges: its outline is a box.
+void ExpectBox()
+{
+  const vtkSmartPointer<vtkStructuredGrid> ball = MakeBlock(-10.0, false);
+  for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    ball->GetPoint(i, x);
+    const double square[3] = { 0.01 * x[0] * x[0], 0.01 * x[1] * x[1], 0.01 * x[2] * x[2] };
+    for (int a = 0; a < 3; ++a)
+    {
+      const double b = square[(a + 1) % 3];
+      const double c = square[(a + 2) % 3];
+      x[a] *= std::sqrt(1.0 - 0.5 * b - 0.5 * c + b * c / 3.0);
+    }
+    ball->GetPoints()->SetPoint(i, x);
+  }
+  const std::string path = WriteGrid("ball.vts", ball);
+  const vtkSmartPointer<vtkPolyData> outline = Explore::LoadVolumes({ path }).Outline;
+  Expect(outline && outline->GetNumberOfLines() == 12 && outline->GetNumberOfPoints() == 8,
+    "a ball has a box around it");
+}
+
 void ExpectGridError(
   const std::string& path, const std::string& fault, const std::string& array = "")
 {
@@ -135,6 +186,9 @@ int TestExploreGrids(int argc, char* argv[])
   const std::string cells = WriteGrid("block.vtu", append->GetOutput());
   ExpectFormulas(cells);
   ExpectFormulas(WriteGrid("block.vts", whole));
+  ExpectOutline(cells);
+  ExpectOutline(folder + "/block.vts");
+  ExpectBox();
   ExpectFormulas(WriteGrid("blocks.vtm", blocks));
 
   const Explore::Exploration e =
@@ -144,12 +198,19 @@ int TestExploreGrids(int argc, char* argv[])
     "the flow is followed");
   vtkDataArray* const force = e.Trace->GetPointData()->GetArray("ModeForce_0");
   Expect(force && force->GetMaxNorm() > 0.01, "the flow is felt");
+  Expect(e.Values.Kind == Explore::VolumeKind::Field && Explore::MakeTissueTable(e.Values).empty(),
+    "a flow has no tissues");
+  const std::string told = Explore::Summarise(e);
+  Expect(told.find("background") == std::string::npos && told.find("tissue") == std::string::npos &&
+      told.find("Contact state") != std::string::npos,
+    "and the summary names none: " + told);
 
   // What has no flow is felt as an image is.
   const std::string still = WriteGrid("still.vts", MakeBlock(-10.0, false));
   const Explore::Exploration plain =
     Explore::ExploreVolume(Explore::LoadVolumes({ still }), Explore::Settings());
   Expect(plain.Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY, "a grid has surfaces, too");
+  Expect(Explore::Summarise(plain).find(", value ") != std::string::npos, "which have values");
 
   ExpectGridError(cells, "take one of 'U'", "T");
   for (const char* const name : { "words.vtu", "words.vtm", "words.vtk", "words.case" })

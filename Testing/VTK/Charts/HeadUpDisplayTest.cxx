@@ -9,8 +9,10 @@
 
 #include "Rigs/DeviceRig.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticLabelTable.h>
+#include <vtkHapticVectorFollowMode.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 
@@ -168,6 +170,36 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   }
   this->Display->RemoveAllTissues();
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
+}
+
+/// A flow along x holds a hand that goes 2 mm along z with 1 N; and there is no surface.
+TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
+{
+  vtkNew<vtkDoubleArray> flow;
+  flow->SetName("flow");
+  flow->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
+  {
+    flow->InsertNextTuple3(1.0, 0.0, 0.0);
+  }
+  this->Image->GetPointData()->AddArray(flow);
+  vtkNew<vtkHapticVectorFollowMode> follow;
+  follow->SetArrayName("flow");
+  this->Filter->AddMode(follow);
+  this->Filter->SetMethodToPrimitives();
+  this->Display->AddTissue("everything", -1e9, 1e9);
+  this->Display->SetDevice(this->Device);
+  this->Display->DetailsVisibilityOn();
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(7.0));
+  const auto says = [&](const char* words)
+  { return this->Display->GetText().find(words) != std::string::npos; };
+  EXPECT_TRUE(this->Wait([&] { return says("Held, 1.00 N of at most 10 N\n"); }))
+    << this->Display->GetText();
+  EXPECT_TRUE(says(" ticks/s, ")) << this->Display->GetText();
+  EXPECT_FALSE(says("Value ")) << this->Display->GetText();
+  EXPECT_FALSE(says("everything")) << this->Display->GetText();
 }
 
 TEST_F(HeadUpDisplay, NamesTheLabelThatIsTouched)

@@ -4,15 +4,13 @@
 // What modes hold the hand on: the stream line through the proxy, the core of the vortex, a guide
 // and a front. A helix around z: its lines keep their distance from the axis, and climb in
 // proportion to the angle; its core is the axis.
-#include "Factories.h"
+#include "FollowedHand.h"
 
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticRepresentation.h>
 #include <vtkHapticVectorFollowMode.h>
 #include <vtkHapticVectorFrontMode.h>
 #include <vtkHapticVortexMode.h>
@@ -22,17 +20,13 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkRegressionTestImage.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeHapticsFilter.h>
 
-#include <chrono>
 #include <cmath>
 #include <initializer_list>
-#include <iostream>
-#include <thread>
+
+using scenetest::Fail;
 
 namespace
 {
@@ -64,12 +58,6 @@ vtkSmartPointer<vtkPolyData> MakeGuide()
   auto guide = vtkSmartPointer<vtkPolyData>::New();
   guide->SetPoints(points);
   return guide;
-}
-
-bool Fail(const char* what, double is, double should)
-{
-  std::cerr << what << " is " << is << ", and should be " << should << ".\n";
-  return false;
 }
 
 /// The lines: of mode 0 a helix through the proxy, of mode 1 the axis, of mode 2 the guide.
@@ -128,17 +116,9 @@ int TestFollowedModes(int argc, char* argv[])
   filter->AddMode(front);
   filter->SetMethodToPrimitives();
   vtkNew<vtkHapticDevice> device;
-  device->SetVolumeHaptics(filter);
-  device->Open("virtual");
-  device->SetVirtualTip(9.0, -3.0, -2.0);
-  if (!device->Start())
+  if (!scenetest::FeelAt(filter, 9.0, -3.0, -2.0, device))
   {
     return EXIT_FAILURE;
-  }
-  while (device->GetTick() < 20)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    device->UpdateState();
   }
   vtkNew<vtkPolyData> shapes;
   device->GetFollowed(shapes, 48.0);
@@ -146,21 +126,5 @@ int TestFollowedModes(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
-
-  vtkNew<vtkHapticRepresentation> hand;
-  hand->SetDevice(device);
-  hand->SetScaleTextVisibility(false);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(0.16, 0.19, 0.24);
-  renderer->AddViewProp(hand);
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetSize(300, 300);
-  window->AddRenderer(renderer);
-  renderer->GetActiveCamera()->SetPosition(18.0, -70.0, 30.0);
-  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
-  renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
-  renderer->ResetCameraClippingRange(-30.0, 30.0, -30.0, 30.0, -30.0, 30.0);
-  window->Render();
-  return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+  return scenetest::CompareFollowed(device, 18.0, -70.0, 30.0, argc, argv);
 }

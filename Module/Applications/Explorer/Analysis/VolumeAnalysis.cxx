@@ -99,13 +99,18 @@ void SetThresholds(Explore::Analysis& analysis, const std::vector<float>& values
   analysis.DeepThreshold = analysis.Low + (cuts[1] + 1) * width;
 }
 
-void SetKind(Explore::Analysis& analysis, int scalarType)
+void SetKind(Explore::Analysis& analysis, int scalarType, bool isField)
 {
   std::ostringstream reason;
   reason << "values " << analysis.Range[0] << " to " << analysis.Range[1];
   const bool whole = scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
-  if (analysis.Range[0] <= -500.0 && analysis.Range[0] >= -4096.0 && analysis.Range[1] >= 300.0 &&
-    analysis.Range[1] <= 40000.0)
+  if (isField)
+  {
+    analysis.Kind = Explore::VolumeKind::Field;
+    reason << " of a field: thresholds from the histogram";
+  }
+  else if (analysis.Range[0] <= -500.0 && analysis.Range[0] >= -4096.0 &&
+    analysis.Range[1] >= 300.0 && analysis.Range[1] <= 40000.0)
   {
     analysis.Kind = Explore::VolumeKind::CT;
     reason << " look like Hounsfield units: taken for CT";
@@ -136,12 +141,12 @@ void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 
 namespace Explore
 {
-Analysis AnalyseVolume(vtkImageData* image)
+Analysis AnalyseVolume(vtkImageData* image, bool isField)
 {
   Analysis analysis;
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   scalars->GetFiniteRange(analysis.Range, 0);
-  SetKind(analysis, scalars->GetDataType());
+  SetKind(analysis, scalars->GetDataType(), isField);
   std::vector<float> values = SampleValues(scalars);
   analysis.Low = Percentile(values, 0.005);
   analysis.High = Percentile(values, 0.995);

@@ -13,6 +13,7 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
+  Field,    // of a simulation: there are no tissues
   Other
 };
 
@@ -31,8 +32,9 @@ struct Analysis
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
-/// Everything except the position of the body. A large volume is sampled sparsely.
-Analysis AnalyseVolume(vtkImageData* image);
+/// Everything except the position of the body. A large volume is sampled sparsely. The values of a
+/// field have no meaning of their own, whatever they look like.
+Analysis AnalyseVolume(vtkImageData* image, bool isField = false);
 
 /// Adds the position of the voxels above the outer threshold: Centre and BodyBounds.
 void MeasureBody(Analysis& analysis, vtkImageData* image);

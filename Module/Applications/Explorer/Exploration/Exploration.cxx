@@ -51,7 +51,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   Exploration result;
   tell("Finding the body", 0.4);
   result.Input = volume;
-  result.Values = AnalyseVolume(volume.Image);
+  result.Values = AnalyseVolume(volume.Image, volume.IsField);
   vtkNew<vtkVolumeHapticsFilter> filter;
   result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
   FitThresholds(filter->GetProperty(), result.Values);

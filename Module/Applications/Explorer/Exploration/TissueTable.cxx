@@ -80,6 +80,10 @@ std::vector<Tissue> MakeTissueTable(const Analysis& analysis)
       { "muscle, organ", 17.5, 90.0 }, { "contrast medium, cartilage", 90.0, 300.0 },
       { "bone", 300.0, ENDLESS } };
   }
+  if (analysis.Kind == VolumeKind::Field)
+  {
+    return {};
+  }
   return { { "background", -ENDLESS, analysis.OuterThreshold },
     { "body, darker", analysis.OuterThreshold, analysis.DeepThreshold },
     { "body, brighter", analysis.DeepThreshold, ENDLESS } };

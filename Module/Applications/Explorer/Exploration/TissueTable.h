@@ -22,10 +22,11 @@ struct Tissue
   double To;   // exclusive
 };
 
-/// CT: the project's Hounsfield table; else the classes by the histogram's thresholds.
+/// CT: the project's Hounsfield table; else the classes by the histogram's thresholds. A field has
+/// none.
 std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 
-/// The row of the table that holds the value.
+/// The row of a table, which is not empty, that holds the value.
 std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
 /// Sets the functions of a filter's property. "auto" takes the preset for Hounsfield units, else

@@ -63,6 +63,18 @@ struct Share
   }
 };
 
+/// Whether the trace has values of surfaces. Modes have none.
+bool HasSurfaces(const Exploration& e)
+{
+  return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
+}
+
+/// The tissues that can be told by the values of surfaces.
+std::vector<Explore::Tissue> FindTissues(const Exploration& e)
+{
+  return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();
+}
+
 double PathLength(vtkDataArray* positions)
 {
   double length = 0.0;
@@ -150,24 +162,28 @@ void WritePhases(std::ostream& out, const Exploration& e, const Columns& columns
 
 void WriteContacts(std::ostream& out, const Exploration& e, const Columns& columns)
 {
-  const std::vector<Explore::Tissue> tissues = Explore::MakeTissueTable(e.Values);
+  const std::vector<Explore::Tissue> tissues = FindTissues(e);
   std::vector<Share> states(4), touched(tissues.size());
   vtkIdType contact = 0;
   for (vtkIdType i = 0; i < columns.Count; ++i)
   {
     const int state = columns.State(i);
     states[state].Add(columns.Newtons(i));
-    if (state > 0)
+    contact += state > 0 ? 1 : 0;
+    if (state > 0 && !tissues.empty())
     {
       const double value = columns.SurfaceValue->GetComponent(i, 0);
       touched[Explore::FindTissue(tissues, value)].Add(columns.Newtons(i));
-      contact += 1;
     }
   }
   WriteHeader(out, "Contact state");
   for (int state = 0; state < 4; ++state)
   {
     WriteRow(out, CONTACTS[state], states[state], 1.0 / e.ServoRate, columns.Count);
+  }
+  if (tissues.empty())
+  {
+    return;
   }
   WriteHeader(out, "Contact by tissue");
   for (std::size_t i = 0; i < tissues.size(); ++i)
@@ -191,15 +207,23 @@ void WriteLargest(std::ostream& out, const Exploration& e, const Columns& column
   {
     doing = where >= phase.First && where < phase.Last ? phase.Name : doing;
   }
-  const std::vector<Explore::Tissue> tissues = Explore::MakeTissueTable(e.Values);
+  const std::vector<Explore::Tissue> tissues = FindTissues(e);
   const double value = columns.SurfaceValue->GetComponent(where, 0);
   double proxy[3];
   e.Trace->GetPoint(where, proxy);
   out << "\nLargest force\n  " << std::fixed << std::setprecision(2) << columns.Newtons(where)
       << " N at " << columns.Time->GetComponent(where, 0) << " s (" << doing << "), proxy at ("
-      << std::setprecision(1) << proxy[0] << ", " << proxy[1] << ", " << proxy[2] << "), on "
-      << tissues[Explore::FindTissue(tissues, value)].Name << " (value " << std::setprecision(0)
-      << value << ")\n";
+      << std::setprecision(1) << proxy[0] << ", " << proxy[1] << ", " << proxy[2] << ")";
+  if (!tissues.empty())
+  {
+    out << ", on " << tissues[Explore::FindTissue(tissues, value)].Name << " (value "
+        << std::setprecision(0) << value << ")";
+  }
+  else if (HasSurfaces(e))
+  {
+    out << ", value " << std::defaultfloat << std::setprecision(4) << value;
+  }
+  out << "\n";
 }
 } // namespace
 

@@ -7,6 +7,7 @@
 #include "Applications/Explorer/View/SceneCamera.h"
 #include "VTK/Scene/SoftwareOpenGL.h"
 
+#include "vtkActor.h"
 #include "vtkAnnotatedCubeActor.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
@@ -14,6 +15,8 @@
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
@@ -116,6 +119,20 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   scene.MapperName = gpu ? "vtkGPUVolumeRayCastMapper" : "vtkFixedPointVolumeRayCastMapper";
 }
 
+void AddOutline(vtkRenderer* renderer, vtkPolyData* outline)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(outline);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  actor->GetProperty()->SetColor(0.72, 0.78, 0.86);
+  actor->GetProperty()->SetLineWidth(1.5f);
+  actor->GetProperty()->LightingOff();
+  renderer->AddActor(actor);
+}
+
 void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatomical)
 {
   vtkNew<vtkAnnotatedCubeActor> cube;
@@ -192,6 +209,11 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   // A volume that moves is shown as it is felt.
   const bool isMoving = exploration.Input.Frames != nullptr;
   AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
+  vtkPolyData* const outline = exploration.Input.Outline;
+  if (outline)
+  {
+    AddOutline(scene.Renderer, outline);
+  }
   if (!options.Interactive)
   {
     AddTrail(scene.Renderer, scene.Overlay, exploration.Trace, analysis.MetersPerWorldUnit,
@@ -201,6 +223,7 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   AddCaption(scene.Renderer, options.Caption, options.Height);
 
   const double width = options.Width * (1.0 - options.SliceShare);
-  FitCamera(scene.Renderer, exploration.View, analysis.BodyBounds, width / options.Height);
+  const double* const seen = outline ? outline->GetBounds() : analysis.BodyBounds;
+  FitCamera(scene.Renderer, exploration.View, seen, width / options.Height, outline != nullptr);
 }
 } // namespace Explore

@@ -8,16 +8,19 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
 using Explore::Analysis;
 
+using Colour = std::array<double, 3>;
+
 struct Stop
 {
   double Value;
   double Opacity; // of 4 mm of it
-  double Colour[3];
+  Colour Seen;
 };
 
 template <std::size_t N>
@@ -27,7 +30,7 @@ void Apply(const Stop (&stops)[N], vtkVolumeProperty* property)
   vtkNew<vtkPiecewiseFunction> opacity;
   for (const Stop& stop : stops)
   {
-    colour->AddRGBPoint(stop.Value, stop.Colour[0], stop.Colour[1], stop.Colour[2]);
+    colour->AddRGBPoint(stop.Value, stop.Seen[0], stop.Seen[1], stop.Seen[2]);
     opacity->AddPoint(stop.Value, stop.Opacity);
   }
   property->SetColor(colour);
@@ -54,13 +57,21 @@ void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
+  // Tissues, or from slow to fast.
+  const Colour colours[2][5] = {
+    { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
+      { 0.98, 0.90, 0.82 } },
+    { { 0.23, 0.32, 0.62 }, { 0.20, 0.50, 0.68 }, { 0.18, 0.62, 0.63 }, { 0.45, 0.77, 0.50 },
+      { 0.98, 0.91, 0.36 } },
+  };
+  const auto& of = colours[analysis.Kind == Explore::VolumeKind::Field];
   const Stop stops[] = {
-    { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, { 0.70, 0.48, 0.40 } },
-    { outer - edge, 0.00, { 0.70, 0.48, 0.40 } },
-    { outer + edge, 0.30, { 0.86, 0.62, 0.51 } },
-    { deep, 0.30, { 0.88, 0.66, 0.56 } },
-    { deep + edge, 0.55, { 0.92, 0.76, 0.67 } },
-    { std::max(analysis.High, deep + 2.0 * edge), 0.80, { 0.98, 0.90, 0.82 } },
+    { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
+    { outer - edge, 0.00, of[0] },
+    { outer + edge, 0.30, of[1] },
+    { deep, 0.30, of[2] },
+    { deep + edge, 0.55, of[3] },
+    { std::max(analysis.High, deep + 2.0 * edge), 0.80, of[4] },
   };
   Apply(stops, property);
 }

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double VIEW_ANGLE = 24.0; // degrees: a long lens, so that a head is not distorted
 constexpr double MARGIN = 0.88;     // of the distance: a box is larger than its content
+constexpr double BOX_MARGIN = 1.05; // where the box itself is seen
 } // namespace
 
 namespace Explore
@@ -28,7 +29,8 @@ void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance)
   renderer->ResetCameraClippingRange();
 }
 
-void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect)
+void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
+  bool isBoxSeen)
 {
   ViewFrame middle = view;
   middle.Centre = vtkVector3d(
@@ -44,6 +46,6 @@ void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds
     distance =
       std::max(distance, offset.Dot(view.Toward) + std::max(along, across / aspect) / slope);
   }
-  AimCamera(renderer, middle, MARGIN * distance);
+  AimCamera(renderer, middle, (isBoxSeen ? BOX_MARGIN : MARGIN) * distance);
 }
 } // namespace Explore

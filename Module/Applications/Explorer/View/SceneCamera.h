@@ -13,8 +13,10 @@ namespace Explore
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
 /// The same with a distance from the middle of the box at which all of it is just visible in a
-/// picture of this aspect (width / height).
-void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect);
+/// picture of this aspect (width / height). If the box itself is not seen, its content may be a
+/// little smaller.
+void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
+  bool isBoxSeen);
 } // namespace Explore
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Volume/GridOutline.h"
 #include "VTK/Large/DataSetParts.h"
 
 #include "vtkCellData.h"
@@ -237,9 +238,11 @@ Volume ReadGrid(const std::string& path)
   const std::vector<vtkDataSet*> parts = VolumeHaptics::FindParts(data);
   volume.Image = Resample(data, MakeFrame(path, parts, volume));
   FillOutside(volume.Image);
+  volume.Outline = MakeGridOutline(parts);
   const std::string active = FindActive(parts);
   volume.Image->GetPointData()->SetActiveScalars(active.empty() ? nullptr : active.c_str());
   volume.IsGrid = true;
+  volume.IsField = true;
   return volume;
 }
 } // namespace Explore

@@ -67,7 +67,7 @@ bool VolumeFields::Take(vtkImageData* image)
   return !isScalar;
 }
 
-void VolumeFields::TakeWith(const std::string& name, const std::string& path, vtkImageData* image)
+bool VolumeFields::TakeWith(const std::string& name, const std::string& path, vtkImageData* image)
 {
   this->Collect(image);
   vtkPointData* const points = image->GetPointData();
@@ -86,6 +86,7 @@ void VolumeFields::TakeWith(const std::string& name, const std::string& path, vt
   const vtkSmartPointer<vtkDataArray> shown =
     IsField(array) ? MakeMagnitude(array) : vtkSmartPointer<vtkDataArray>(array);
   points->SetScalars(shown);
+  return IsField(array);
 }
 
 std::string VolumeFields::FindFlow(vtkImageData* image, const std::string& name)

@@ -20,9 +20,9 @@ public:
   /// An image that has no active scalars, but a field, gets the magnitude of its first field as
   /// scalars, so that there is something to be seen. Returns whether it did.
   bool Take(vtkImageData* image);
-  /// The same, with the values of a point array, or the magnitude of a field, as scalars. Throws
-  /// InputError, with the arrays that there are, if it is not there.
-  void TakeWith(const std::string& name, const std::string& path, vtkImageData* image);
+  /// The same, with the values of a point array, or the magnitude of a field, as scalars. Returns
+  /// whether it is a field. Throws InputError, with the arrays that there are, if it is not there.
+  bool TakeWith(const std::string& name, const std::string& path, vtkImageData* image);
   /// The first vectors, or those of a name if there is one; empty if there are none.
   static std::string FindFlow(vtkImageData* image, const std::string& name);
   /// Gives the fields to the image that was made of the other one, along the axes of the world.

@@ -268,10 +268,12 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
   if (!array.empty() || !volume.Flow.empty())
   {
     // What is felt is seen.
-    fields.TakeWith(array.empty() ? volume.Flow : array, path, volume.Image);
+    const std::string& shown = array.empty() ? volume.Flow : array;
+    volume.IsField = fields.TakeWith(shown, path, volume.Image) || volume.IsField;
   }
   else if (fields.Take(volume.Image))
   {
+    volume.IsField = true;
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }
   CheckVolume(path, volume);

@@ -7,6 +7,7 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -32,7 +33,9 @@ struct Volume
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
-  bool IsGrid = false;   // resampled from cells
+  bool IsGrid = false;  // resampled from cells
+  bool IsField = false; // its values are those of a grid or the magnitude of a field, of no tissue
+  vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   std::string Flow = {}; // the vectors of a grid, which are followed without another wish
 };
 

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_GridOutline_h
+#define Explore_GridOutline_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkDataSet;
+
+namespace Explore
+{
+/// Lines that show where the cells of a grid are: the sharp edges and the open ends of the surfaces
+/// of its parts or, if these have none, the box around all of them.
+vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts);
+} // namespace Explore
+
+#endif
