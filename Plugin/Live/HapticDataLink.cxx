@@ -92,6 +92,7 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   vtkVolumeProperty* const seen = vtkSMPropertyHelper(proxy, "FollowOpacity").GetAsInt()
     ? this->Opacity.Find(volume, filter)
     : nullptr;
+  this->Crop.Follow(seen ? this->Opacity.GetRepresentation() : nullptr, filter);
   filter->GetProperty()->SetVisibilityFrom(this->Visibility ? this->Visibility.Get() : seen);
 }
 

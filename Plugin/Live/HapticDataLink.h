@@ -7,6 +7,7 @@
 #ifndef HapticDataLink_h
 #define HapticDataLink_h
 
+#include "HapticCropLink.h"
 #include "HapticFrameLink.h"
 #include "HapticImageLink.h"
 #include "HapticLargeLink.h"
@@ -74,6 +75,7 @@ private:
   HapticImageLink Labels;
   HapticRegionLink Region; // if the data are on a server
   HapticOpacityLink Opacity;
+  HapticCropLink Crop;
   vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the one that Opacity finds
   double ViewTime = 0.0;                         // s, of the data
 };

@@ -73,8 +73,7 @@ bool Shows(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter)
       ShowsComponent(representation, filter->GetProperty()->GetComponent()));
 }
 
-vtkPiecewiseFunction* OpacityIn(
-  vtkSMProxy* view, vtkSMProxy* volume, vtkVolumeHapticsFilter* filter)
+vtkSMProxy* FindRepresentation(vtkSMProxy* view, vtkSMProxy* volume, vtkVolumeHapticsFilter* filter)
 {
   const vtkSMPropertyHelper shown(view, "Representations", true);
   for (unsigned int i = 0; i < shown.GetNumberOfElements(); ++i)
@@ -85,13 +84,17 @@ vtkPiecewiseFunction* OpacityIn(
       vtkSMPropertyHelper(representation, "Input", true).GetAsProxy() == volume &&
       Shows(representation, filter))
     {
-      vtkSMProxy* const function =
-        vtkSMPropertyHelper(representation, "ScalarOpacityFunction", true).GetAsProxy();
-      return function ? vtkPiecewiseFunction::SafeDownCast(function->GetClientSideObject())
-                      : nullptr;
+      return representation;
     }
   }
   return nullptr;
+}
+
+vtkPiecewiseFunction* GetOpacity(vtkSMProxy* representation)
+{
+  vtkSMProxy* const function =
+    vtkSMPropertyHelper(representation, "ScalarOpacityFunction", true).GetAsProxy();
+  return function ? vtkPiecewiseFunction::SafeDownCast(function->GetClientSideObject()) : nullptr;
 }
 
 } // namespace
@@ -99,6 +102,7 @@ vtkPiecewiseFunction* OpacityIn(
 vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter)
 {
   this->View = nullptr;
+  this->Representation = nullptr;
   vtkSMSessionProxyManager* const manager = volume ? volume->GetSessionProxyManager() : nullptr;
   if (!manager || !filter)
   {
@@ -118,11 +122,13 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
   }
   for (vtkSMProxy* const view : views)
   {
-    vtkPiecewiseFunction* const opacity =
-      view && view->GetProperty("Representations") ? OpacityIn(view, volume, filter) : nullptr;
-    if (opacity)
+    vtkSMProxy* const representation = view && view->GetProperty("Representations")
+      ? FindRepresentation(view, volume, filter)
+      : nullptr;
+    if (vtkPiecewiseFunction* const opacity = representation ? GetOpacity(representation) : nullptr)
     {
       this->View = view;
+      this->Representation = representation;
       // One function for any touched component.
       this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);

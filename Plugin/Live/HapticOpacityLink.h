@@ -31,8 +31,12 @@ public:
   /** The view in which it was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
+  /** The representation; null if there is none. */
+  vtkSMProxy* GetRepresentation() const { return this->Representation; }
+
 private:
   vtkNew<vtkVolumeProperty> Property;
+  vtkWeakPointer<vtkSMProxy> Representation;
   vtkWeakPointer<vtkSMProxy> View;
 };
 

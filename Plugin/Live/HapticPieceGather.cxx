@@ -19,7 +19,7 @@ namespace VolumeHapticsLive
 namespace
 {
 
-constexpr int Tag = 78232;
+constexpr int PieceTag = 78232;
 
 /** The part of a box that is in another one; false if there is none. */
 bool Intersect(const int a[6], const int b[6], int both[6])
@@ -44,11 +44,11 @@ template <typename T>
 void SendNumbers(vtkMultiProcessController* controller, const std::vector<T>& numbers, int to)
 {
   const auto size = static_cast<vtkIdType>(numbers.size());
-  controller->Send(&size, 1, to, Tag);
+  controller->Send(&size, 1, to, PieceTag);
   if (size > 0)
   {
     controller->Send(reinterpret_cast<const char*>(numbers.data()),
-      size * static_cast<vtkIdType>(sizeof(T)), to, Tag);
+      size * static_cast<vtkIdType>(sizeof(T)), to, PieceTag);
   }
 }
 
@@ -56,12 +56,12 @@ template <typename T>
 std::vector<T> ReceiveNumbers(vtkMultiProcessController* controller, int from)
 {
   vtkIdType size = 0;
-  controller->Receive(&size, 1, from, Tag);
+  controller->Receive(&size, 1, from, PieceTag);
   std::vector<T> numbers(static_cast<std::size_t>(size));
   if (size > 0)
   {
-    controller->Receive(
-      reinterpret_cast<char*>(numbers.data()), size * static_cast<vtkIdType>(sizeof(T)), from, Tag);
+    controller->Receive(reinterpret_cast<char*>(numbers.data()),
+      size * static_cast<vtkIdType>(sizeof(T)), from, PieceTag);
   }
   return numbers;
 }
@@ -188,7 +188,7 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
     {
       copySamples(array, piece->GetExtent(), part, both);
       this->Controller->Send(static_cast<const char*>(part->GetVoidPointer(0)),
-        part->GetDataSize() * part->GetDataTypeSize(), 0, Tag);
+        part->GetDataSize() * part->GetDataTypeSize(), 0, PieceTag);
     }
     output->Initialize();
     return true;
@@ -204,7 +204,7 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
     if (!extent.empty())
     {
       this->Controller->Receive(static_cast<char*>(part->GetVoidPointer(0)),
-        CountOf(extent.data()) * this->Components * part->GetDataTypeSize(), from, Tag);
+        CountOf(extent.data()) * this->Components * part->GetDataTypeSize(), from, PieceTag);
       copySamples(part, extent.data(), whole, region);
       Note(extent.data(), region, isThere);
     }

@@ -21,7 +21,7 @@ namespace VolumeHapticsLive
 namespace
 {
 
-constexpr int Tag = 78231;
+constexpr int MessageTag = 78231;
 /**
  * A message is sent in parts of this size (bytes), so that one that does not fit into memory can be
  * skipped.
@@ -250,11 +250,11 @@ bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>&
     return SendMessage(controller,
       PackError("The region around the tip is too large to be sent. Lower MaximumRegionVoxels."));
   }
-  bool isSent = controller->Send(&size, 1, 1, Tag) != 0;
+  bool isSent = controller->Send(&size, 1, 1, MessageTag) != 0;
   for (vtkIdType start = 0; isSent && start < size; start += PartSize)
   {
-    isSent =
-      controller->Send(message.data() + start, std::min(PartSize, size - start), 1, Tag) != 0;
+    isSent = controller->Send(
+               message.data() + start, std::min(PartSize, size - start), 1, MessageTag) != 0;
   }
   return isSent;
 }
@@ -262,7 +262,7 @@ bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>&
 bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& message)
 {
   vtkIdType size = 0;
-  if (!controller->Receive(&size, 1, 1, Tag) || size <= 0 || size > MostBytes)
+  if (!controller->Receive(&size, 1, 1, MessageTag) || size <= 0 || size > MostBytes)
   {
     return false;
   }
@@ -280,7 +280,7 @@ bool ReceiveMessage(vtkMultiProcessController* controller, std::vector<char>& me
   for (vtkIdType start = 0; isGood && start < size; start += PartSize)
   {
     char* const to = message.data() + (isKept ? start : 0);
-    isGood = controller->Receive(to, std::min(PartSize, size - start), 1, Tag) != 0;
+    isGood = controller->Receive(to, std::min(PartSize, size - start), 1, MessageTag) != 0;
   }
   if (!isKept)
   {

@@ -102,6 +102,7 @@ bool vtkHapticViewLink::Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProx
   d.Style->SetDeviceProxy(device);
   interactor->SetInteractorStyle(d.Style);
   d.Style->SetView(view);
+  d.Style->SetSlicesFollowTip(this->SlicesFollowTip);
   this->Watch();
   return true;
 }
@@ -266,11 +267,28 @@ bool vtkHapticViewLink::GetTouchMode() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticViewLink::SetSlicesFollowTip(bool on)
+{
+  this->SlicesFollowTip = on;
+  if (vtkHapticViewStyle* const style = this->Internals->Style)
+  {
+    style->SetSlicesFollowTip(on);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticViewLink::GetSlicesFollowTip() const
+{
+  return this->SlicesFollowTip;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticViewLink::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->GetView() << "\n";
   os << indent << "DeviceProxy: " << this->GetDeviceProxy() << "\n";
   os << indent << "Style: " << this->GetStyle() << "\n";
+  os << indent << "SlicesFollowTip: " << (this->SlicesFollowTip ? "On" : "Off") << "\n";
   os << indent << "Reason: " << this->GetReason() << "\n";
 }

@@ -67,6 +67,15 @@ public:
   bool GetTouchMode() const;
   ///@}
 
+  ///@{
+  /**
+   * Whether the slices of Orthographic Slice Views follow the tip: see
+   * vtkHapticViewStyle::SetSlicesFollowTip. Default on.
+   */
+  void SetSlicesFollowTip(bool on);
+  bool GetSlicesFollowTip() const;
+  ///@}
+
 protected:
   vtkHapticViewLink();
   ~vtkHapticViewLink() override;
@@ -78,6 +87,8 @@ private:
   void Watch();
   void OnEvent(vtkObject* caller, unsigned long event, void* data);
   void End(const char* reason);
+
+  bool SlicesFollowTip = true;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticViewStyle.h"
 
+#include "HapticSlices.h"
+#include "vtkHapticDevice.h"
+
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
@@ -12,10 +15,15 @@
 #include "vtkSMTrace.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkHapticViewStyle);
 
 //------------------------------------------------------------------------------
-vtkHapticViewStyle::vtkHapticViewStyle() = default;
+vtkHapticViewStyle::vtkHapticViewStyle()
+  : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkHapticViewStyle::~vtkHapticViewStyle() = default;
@@ -63,8 +71,20 @@ void vtkHapticViewStyle::OnTimer()
   if (this->Interactor)
   {
     this->Superclass::OnTimer();
+    this->MoveSlices();
   }
   this->IsBusy = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::MoveSlices()
+{
+  vtkHapticDevice* const device = this->GetDevice();
+  if (this->SlicesFollowTip && this->View && this->DeviceProxy && device && device->IsRunning())
+  {
+    this->Slices->Follow(
+      this->View->GetSession(), this->DeviceProxy->GetFilter(), device->GetTipPosition());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +102,12 @@ void vtkHapticViewStyle::OnKeyPress()
 {
   const char* const symbol = this->Interactor->GetKeySym();
   const std::string key = symbol ? symbol : "";
-  if (key == "a" && this->DeviceProxy)
+  const auto isKeyOf = [&](const char* action)
+  {
+    return !key.empty() &&
+      (" " + this->GetKey(action) + " ").find(" " + key + " ") != std::string::npos;
+  };
+  if (isKeyOf("Arm") && this->DeviceProxy)
   {
     const bool isArmed = vtkSMPropertyHelper(this->DeviceProxy, "Armed").GetAsInt() != 0;
     this->SetArmed(!isArmed && !this->GetClutch());
@@ -90,11 +115,11 @@ void vtkHapticViewStyle::OnKeyPress()
     return;
   }
   this->Superclass::OnKeyPress();
-  if (key == "t" && (!this->GetTouchMode() || !this->GetClutch()))
+  if (isKeyOf("Touch") && (!this->GetTouchMode() || !this->GetClutch()))
   {
     this->SetArmed(this->GetTouchMode());
   }
-  else if (key == "m")
+  else if (isKeyOf("NextMethod"))
   {
     this->TellMethod();
   }
@@ -142,5 +167,6 @@ void vtkHapticViewStyle::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->View.GetPointer() << "\n";
+  os << indent << "SlicesFollowTip: " << (this->SlicesFollowTip ? "On" : "Off") << "\n";
   os << indent << "DeviceProxy: " << this->DeviceProxy.GetPointer() << "\n";
 }

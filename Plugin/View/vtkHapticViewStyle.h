@@ -20,6 +20,12 @@
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkWeakPointer.h" // for vtkWeakPointer
 
+#include <memory> // for std::unique_ptr
+
+namespace VolumeHaptics
+{
+class HapticSlices;
+}
 class vtkSMHapticDeviceProxy;
 class vtkSMRenderViewProxy;
 
@@ -36,6 +42,16 @@ public:
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the slices of Orthographic Slice Views of the view's session follow the tip when it
+   * moves. Default on.
+   */
+  vtkSetMacro(SlicesFollowTip, bool);
+  vtkGetMacro(SlicesFollowTip, bool);
+  vtkBooleanMacro(SlicesFollowTip, bool);
   ///@}
 
   /** Sets the property Armed of the device's proxy. */
@@ -58,9 +74,12 @@ private:
   void operator=(const vtkHapticViewStyle&) = delete;
 
   void TellMethod();
+  void MoveSlices();
 
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
+  bool SlicesFollowTip = true;
+  std::unique_ptr<VolumeHaptics::HapticSlices> Slices;
   bool IsBusy = false; ///< a timer may fire while a view that renders waits for its server
 };
 

@@ -35,6 +35,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
   // All of it is in the client: nothing has to be sent.
+  this->Link->SetSlicesFollowTip(vtkSMPropertyHelper(this, "SlicesFollowTip").GetAsInt() != 0);
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {
     this->Link->Detach();

@@ -7,10 +7,11 @@ without this plugin.
 """
 
 import sys
+import time
 
 from paraview import simple
 
-from view import force, hands, make_link, press, run
+from view import force, hands, lead_out, make_link, press, run, wait_until
 
 
 def detach(view, device, link):
@@ -63,6 +64,28 @@ def delete_device(view, device, link):
     simple.Delete(device)
     assert link.Attached == 0 and force(device) == 0.0, "the device is deleted, and force is left"
     assert view.GetInteractor().GetInteractorStyle() is style and not hands(view)
+
+
+def slices(view, device, link):
+    """Those of an Orthographic Slice View follow the tip within the volume, and stay at rest."""
+    sliced = simple.CreateView("OrthographicSliceView", ViewSize=[200, 200])
+    simple.Show(simple.FindSource("Head"), sliced)
+    simple.Render(sliced)
+    link.Attached = 1
+    press(view, device)
+    wait_until(view, lambda: list(sliced.SlicePosition) == [-25, -70, 45], "the slices did not follow the tip")
+    bounds = simple.FindSource("Head").GetDataInformation().GetBounds()
+    device.Armed = 0
+    device.VirtualTip = [-25, bounds[2] - 20, 45]
+    wait_until(view, lambda: list(sliced.SlicePosition) == [-25, bounds[2], 45], "the slices left the volume")
+    sliced.SlicePosition = [0, 0, 0]
+    for _ in range(50):
+        view.GetInteractor().ProcessEvents()
+        time.sleep(0.005)
+    assert list(sliced.SlicePosition) == [0, 0, 0], "a tip at rest has moved the slices"
+    link.SlicesFollowTip = 0
+    lead_out(view, device)
+    assert list(sliced.SlicePosition) == [0, 0, 0], "the slices follow although they should not"
 
 
 def end_session(view, device, link):

@@ -67,7 +67,7 @@ def press(view, device):
 
 def run(case):
     """A case of a test, with a view of a head, a device that touches that, and the link between them."""
-    head = simple.XMLImageDataReader(FileName=[sys.argv[2]])
+    head = simple.XMLImageDataReader(registrationName="Head", FileName=[sys.argv[2]])
     touch = simple.VolumeHaptics(Input=head, Preset="CT contrast")
     device = simple.HapticDevice(Touch=touch)
     view = simple.CreateRenderView(ViewSize=[300, 300])

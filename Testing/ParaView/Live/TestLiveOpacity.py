@@ -29,6 +29,22 @@ seen = felt()
 live.check(seen > 0.5, "what is seen is felt", seen)
 opacity.Points = HIDDEN
 live.check(felt() == 0.0, "what is hidden is not", list(device.ComputedForce))
+
+# What is cropped is not shown either: a box of the bounds, -10 to 10, scaled and moved.
+opacity.Points = SEEN
+shown.CroppingScale = [0.1, 1, 1]
+live.check(abs(felt() - seen) < 0.01, "as long as it is not used", list(device.ComputedForce), seen)
+shown.UseCropping = 1
+live.check(felt() == 0.0, "the box ends at x = -1", list(device.ComputedForce))
+shown.CroppingScale = [0.5, 1, 1]
+shown.CroppingOrigin = [-5, 0, 0]
+live.check(abs(felt() - seen) < 0.01, "the box goes from -10 to 0", list(device.ComputedForce), seen)
+shown.CroppingOrigin = [5, 0, 0]
+live.check(felt() == 0.0, "the box begins at 0", list(device.ComputedForce))
+shown.UseCropping = 0
+live.check(abs(felt() - seen) < 0.01, "all of it is there again", list(device.ComputedForce), seen)
+opacity.Points = HIDDEN
+
 device.FollowOpacity = 0
 live.check(abs(felt() - seen) < 0.01, "unless the device does not follow", list(device.ComputedForce), seen)
 device.FollowOpacity = 1
