@@ -9,6 +9,7 @@ option(VolumeHaptics_USE_RENDERING "Build what draws the scene and what follows 
 set(VolumeHaptics_RENDERING_CLASSES
   vtkHapticFunctionEditor
   vtkHapticHeadUpDisplay
+  vtkHapticMeasurementRepresentation
   vtkHapticRegionPicture
   vtkHapticRepresentation
   vtkHapticSliceView

@@ -17,6 +17,7 @@
 #include "vtkContextScene.h"
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticMeasurements.h"
 #include "vtkHapticMode.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -28,6 +29,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -91,6 +93,21 @@ std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
   return lines;
 }
 
+/** Their names and values, one a line, and what is being measured. */
+std::string ListMeasurements(vtkHapticMeasurements* measurements)
+{
+  constexpr vtkIdType most = 8;
+  const vtkIdType count = measurements->GetNumberOfMeasurements();
+  const vtkIdType first = std::max<vtkIdType>(count - most, 0);
+  std::string text = first > 0 ? "... " + std::to_string(first) + " more\n" : std::string();
+  for (vtkIdType i = first; i < count; ++i)
+  {
+    text += measurements->GetText(i) + "\n";
+  }
+  text += measurements->GetUnfinishedText();
+  return !text.empty() && text.back() == '\n' ? text.substr(0, text.size() - 1) : text;
+}
+
 /** A line on the time of a volume that moves; empty without one. */
 std::string DescribeTime(vtkHapticDevice* device)
 {
@@ -136,6 +153,8 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticModeList Modes;
   vtkNew<vtkTable> PlotTable; // the table for the caller
   int CanDraw = -1;           // not known yet
+  vtkSmartPointer<vtkHapticMeasurements> Measurements;
+  std::vector<std::array<double, 4>> Covered; // boxes of the last frame, as Covers has them
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
@@ -189,6 +208,32 @@ void vtkHapticHeadUpDisplay::SetDevice(vtkHapticDevice* device)
 vtkHapticDevice* vtkHapticHeadUpDisplay::GetDevice()
 {
   return this->Internals->Device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::SetMeasurements(vtkHapticMeasurements* measurements)
+{
+  if (this->Internals->Measurements != measurements)
+  {
+    this->Internals->Measurements = measurements;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticMeasurements* vtkHapticHeadUpDisplay::GetMeasurements()
+{
+  return this->Internals->Measurements;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHeadUpDisplay::Covers(const double box[4])
+{
+  const auto& all = this->Internals->Covered;
+  return this->GetVisibility() &&
+    std::any_of(all.begin(), all.end(),
+      [box](const std::array<double, 4>& drawn)
+      { return box[0] < drawn[1] && drawn[0] < box[1] && box[2] < drawn[3] && drawn[2] < box[3]; });
 }
 
 //------------------------------------------------------------------------------
@@ -296,9 +341,16 @@ std::string vtkHapticHeadUpDisplay::GetPlotTitle()
 //------------------------------------------------------------------------------
 std::string vtkHapticHeadUpDisplay::GetText()
 {
-  const std::string status = this->Internals->GetStatus(*this);
-  const char* const between = status.empty() || this->Notice.empty() ? "" : "\n";
-  return status + between + this->Notice;
+  auto& d = *this->Internals;
+  // The list of keys takes their place.
+  const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
+  std::string text;
+  for (const std::string& part : { d.GetStatus(*this),
+         isListed ? ListMeasurements(d.Measurements) : std::string(), this->Notice })
+  {
+    text += text.empty() || part.empty() ? part : "\n" + part;
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +396,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   }
   auto& d = *this->Internals;
   d.Modes.Hide();
+  d.Covered.clear();
   const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
   // The list of keys takes the place of the plot, and says more than the hint.
   if (this->HelpVisibility && !this->HelpText.empty() && d.FindContext(*this))
@@ -373,6 +426,9 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     this->Text->RenderOpaqueGeometry(viewport);
     drawn += this->Text->RenderOverlay(viewport);
     this->Text->GetSize(viewport, size);
+    const int* const view = viewport->GetSize();
+    this->Covered.push_back({ 0.0, 0.02 * view[0] + size[0] + Gap,
+      TextTop * view[1] - size[1] - Gap, static_cast<double>(view[1]) });
   }
   this->TextHeight = size[1];
   return drawn +
@@ -406,7 +462,10 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
       break;
     }
   }
-  this->Hint->SetDisplayPosition(view[0] / 2, this->FindTextEnd(self, viewport) - Gap);
+  const double top = this->FindTextEnd(self, viewport) - Gap;
+  this->Hint->SetDisplayPosition(view[0] / 2, static_cast<int>(top));
+  this->Covered.push_back(
+    { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, top - size[1], top });
   this->Hint->RenderOpaqueGeometry(viewport);
   return this->Hint->RenderOverlay(viewport);
 }
@@ -454,7 +513,10 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   {
     this->Drawn = now;
   }
-  return this->Picture.Render(viewport, this->Chart.GetActor(), this->Chart.GetCorner(), isStale);
+  const int* const corner = this->Chart.GetCorner();
+  this->Covered.push_back(
+    { 0.0, static_cast<double>(corner[0]), 0.0, static_cast<double>(corner[1]) });
+  return this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale);
 }
 
 //------------------------------------------------------------------------------
@@ -486,6 +548,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Device: " << this->GetDevice() << "\n";
   PrintSettings(os, indent, this, DisplaySettings);
+  os << indent << "Measurements: " << this->GetMeasurements() << "\n";
   os << indent << "Notice: " << this->Notice << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
   os << indent << "HelpText: " << this->HelpText << "\n";

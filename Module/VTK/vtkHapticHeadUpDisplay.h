@@ -32,6 +32,7 @@
 #include <string> // for std::string
 
 class vtkHapticDevice;
+class vtkHapticMeasurements;
 class vtkTable;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticHeadUpDisplay : public vtkProp
@@ -84,6 +85,22 @@ public:
   vtkSetMacro(DetailsVisibility, vtkTypeBool);
   vtkGetMacro(DetailsVisibility, vtkTypeBool);
   vtkBooleanMacro(DetailsVisibility, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Measurements whose names and values are listed below the text: the last eight, and what is
+   * being measured. Default nullptr.
+   */
+  void SetMeasurements(vtkHapticMeasurements* measurements);
+  vtkHapticMeasurements* GetMeasurements();
+  ///@}
+
+  ///@{
+  /** Whether the measurements are listed. Default on. */
+  vtkSetMacro(MeasurementsVisibility, vtkTypeBool);
+  vtkGetMacro(MeasurementsVisibility, vtkTypeBool);
+  vtkBooleanMacro(MeasurementsVisibility, vtkTypeBool);
   ///@}
 
   ///@{
@@ -154,6 +171,12 @@ public:
    */
   int FindMode(int x, int y);
 
+  /**
+   * Whether text, hint or plot, as they were drawn last, cover a part of a box of the viewport
+   * (pixels from its lower left corner: left, right, bottom, top). The list of keys covers all.
+   */
+  bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
+
   ///@{
   /** For the renderer. */
   int RenderOverlay(vtkViewport* viewport) override;
@@ -169,6 +192,7 @@ protected:
   vtkTypeBool TextVisibility = 1;
   vtkTypeBool DetailsVisibility = 0;
   vtkTypeBool HintVisibility = 1;
+  vtkTypeBool MeasurementsVisibility = 1;
   vtkTypeBool HelpVisibility = 0;
   std::string Notice;
   std::string Hint;

@@ -47,6 +47,7 @@ struct vtkHapticMeasurements::vtkInternals
   List Items;
   std::vector<List> Before; ///< for Undo, the last change at the end
   std::vector<List> After;  ///< for Redo
+  Measurement Unfinished;   ///< without points: there is none
 
   void Change(List items)
   {
@@ -375,6 +376,48 @@ bool vtkHapticMeasurements::Redo()
   d.After.pop_back();
   this->Modified();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticMeasurements::SetUnfinished(int kind, vtkPolyData* shape)
+{
+  auto& d = *this->Internals;
+  const bool isThere = shape && kind >= POINT && kind <= AREA;
+  if (isThere || !d.Unfinished.Points.empty())
+  {
+    d.Unfinished = isThere ? ReadShape(static_cast<MeasuredKind>(kind), shape) : Measurement();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticMeasurements::GetUnfinished(vtkPolyData* shape)
+{
+  if (shape)
+  {
+    CopyShape(this->Internals->Unfinished, shape);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticMeasurements::GetUnfinishedKind()
+{
+  return static_cast<int>(this->Internals->Unfinished.Kind);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticMeasurements::GetUnfinishedText()
+{
+  const Measurement& begun = this->Internals->Unfinished;
+  if (begun.Points.empty())
+  {
+    return {};
+  }
+  const std::string name = VolumeHaptics::GetKindName(begun.Kind);
+  const int wanted = CountPoints(begun.Kind);
+  return name + ": " +
+    (wanted > 0 ? std::to_string(begun.Points.size()) + " of " + std::to_string(wanted) + " points"
+                : DescribeValue(begun, this->MetersPerWorldUnit) + " so far");
 }
 
 //------------------------------------------------------------------------------

@@ -149,6 +149,18 @@ public:
 
   ///@{
   /**
+   * What is being measured, for displays: the points that there are already, or the path or area as
+   * it grows. It is no part of the list, files or changes, and nullptr ends it. The text tells the
+   * value so far, and what is missing, such as "Distance: 1 of 2 points".
+   */
+  void SetUnfinished(int kind, vtkPolyData* shape);
+  void GetUnfinished(vtkPolyData* shape);
+  int GetUnfinishedKind();
+  std::string GetUnfinishedText();
+  ///@}
+
+  ///@{
+  /**
    * All measurements as polydata: vertices, lines and triangles with the cell array Measurement
    * (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is known; and the
    * field arrays MeasurementName, MeasurementKind, MeasurementValue and MeasurementUnit.

@@ -128,6 +128,21 @@ vtkHapticSliceView* vtkInteractorStyleHaptic::GetSliceView()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::SetMeasurements(vtkHapticMeasurements* measurements)
+{
+  if (this->Internals->Interaction.SetMeasurements(measurements))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticMeasurements* vtkInteractorStyleHaptic::GetMeasurements()
+{
+  return this->Internals->Interaction.Scene.Measurements;
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::SetTouchMode(bool on)
 {
   this->Internals->Interaction.Touch.Set(on);
@@ -465,6 +480,7 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeadUpDisplay: " << scene.Display.GetPointer() << "\n";
   os << indent << "FunctionEditor: " << scene.Editor.GetPointer() << "\n";
   os << indent << "SliceView: " << scene.Slices.GetPointer() << "\n";
+  os << indent << "Measurements: " << scene.Measurements.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);
   os << indent << "ApplicationKeys: " << this->GetApplicationKeys() << "\n";

@@ -48,6 +48,24 @@
  *   Backspace   drop the proposal
  *   s           slices: on and off
  *
+ * Keys of measurements (SetMeasurements), which take the position of the proxy while something is
+ * touched:
+ *
+ *   P           a point
+ *   D           the ends of a distance, one after the other
+ *   A           the points of an angle; the second one is its corner
+ *   L           a path begins, and ends: a sample each tick while something is touched, or as far
+ *               apart as vtkHapticMeasurements::SetPathSpacing says
+ *   B           a brush begins to paint an area, and ends: a part of the isosurface of
+ *               SURFACE_PROXY, or for other methods of the one halfway between the values at the
+ *               proxy and in the surface, where the brush begins; see
+ *               vtkHapticMeasurements::AddPaintedArea
+ *   Z and Y     undo, and do it again; a point that was set for D or A first
+ *   Delete      remove the last measurement
+ *   I           the list in the head-up display: on and off
+ *
+ * Escape ends a path and an area, and drops points that are no distance or angle yet.
+ *
  * In a slice (SetSliceView):
  *
  *   left button           goes there: it begins the touch mode there, or leads the tip there, which
@@ -105,6 +123,7 @@
 class vtkHapticDevice;
 class vtkHapticFunctionEditor;
 class vtkHapticHeadUpDisplay;
+class vtkHapticMeasurements;
 class vtkHapticSliceView;
 class vtkStringArray;
 class vtkTable;
@@ -156,6 +175,16 @@ public:
 
   ///@{
   /**
+   * The list that keys fill with what is measured by touch, told above; optional. The application
+   * shows it with a vtkHapticMeasurementRepresentation, and lists it with
+   * vtkHapticHeadUpDisplay::SetMeasurements. Default nullptr: no such keys.
+   */
+  void SetMeasurements(vtkHapticMeasurements* measurements);
+  vtkHapticMeasurements* GetMeasurements();
+  ///@}
+
+  ///@{
+  /**
    * Keys of the application for the list of keys, as in vtkHapticHeadUpDisplay::HelpText; they
    * stand below those of the style. Default empty.
    */
@@ -173,11 +202,12 @@ public:
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none
    *
-   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, NextMode M, Help question
-   * F1, Text h, Graph g, Details d, Slices s, FunctionEditor v, NextFunction n, Propose p,
-   * DropProposal BackSpace, Labels l, Play space, FrameBefore Left, FrameAfter Right, Slower comma,
-   * Faster period, AtTheEnd b, RecenterWorkspace c, Clutch k, LargerWorkspace plus KP_Add,
-   * SmallerWorkspace minus KP_Subtract, Home Home.
+   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, NextMode M, Help
+   * question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path L, Area
+   * B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
+   * Propose p, DropProposal BackSpace, Labels l, Play space, FrameBefore Left, FrameAfter Right,
+   * Slower comma, Faster period, AtTheEnd b, RecenterWorkspace c, Clutch k, LargerWorkspace plus
+   * KP_Add, SmallerWorkspace minus KP_Subtract, Home Home.
    */
   bool SetKey(const char* action, const char* keys);
   std::string GetKey(const char* action);

@@ -262,7 +262,7 @@ void CopyShape(const Measurement& measurement, vtkPolyData* shape)
   {
     maker.AddVertex(0);
   }
-  else if (measurement.Triangles.empty())
+  else if (measurement.Triangles.empty() && !measurement.Points.empty())
   {
     maker.AddLine(measurement, 0);
   }

@@ -73,6 +73,7 @@ std::string DisplayKeys::ListKeys() const
   parts.HasEditor = scene.Editor != nullptr;
   parts.HasLabels = scene.Editor && scene.Editor->GetLabelTable();
   parts.HasSlices = scene.Slices != nullptr;
+  parts.HasMeasurements = scene.Measurements != nullptr;
   parts.HasModes = filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
     filter->GetNumberOfModes() > 0;
   parts.HasFrames = filter && filter->GetTimeUnitsPerSecond() != 0.0 &&

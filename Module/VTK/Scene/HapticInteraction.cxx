@@ -41,6 +41,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Modes(Scene)
   , Editor(Scene, Frames)
   , Slices(Scene, Touch)
+  , Measure(Scene, Frames)
 {
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
@@ -119,8 +120,21 @@ bool HapticInteraction::SetFunctionEditor(vtkHapticFunctionEditor* editor)
 }
 
 //------------------------------------------------------------------------------
+bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
+{
+  if (this->Scene.Measurements == measurements)
+  {
+    return false;
+  }
+  this->Measure.End();
+  this->Scene.Measurements = measurements;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void HapticInteraction::LetGo()
 {
+  this->Measure.End();
   this->Touch.Set(false);
   if (this->Scene.Device)
   {
@@ -284,6 +298,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   else if (key == "Escape")
   {
     this->Displays.HideKeys();
+    this->Measure.End();
     this->Touch.Set(false);
     if (scene.Device)
     {
@@ -326,7 +341,8 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     // Frames.Draw below shows it.
   }
-  else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key))
+  else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
+    !this->Measure.Press(key))
   {
     return false;
   }
@@ -354,7 +370,7 @@ bool HapticInteraction::TypeKey(const std::string& typed) const
   const std::string key = this->Keys.Find(typed);
   return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
     (key == "s" && this->Scene.Slices) || (key == "p" && this->Scene.Editor) ||
-    (!key.empty() && key != typed);
+    (key == "P" && this->Scene.Measurements) || (!key.empty() && key != typed);
 }
 
 //------------------------------------------------------------------------------
@@ -461,6 +477,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     scene.Display->AddStates(this->States);
   }
+  this->Measure.Follow(this->States);
   for (const unsigned long event : this->Watch.Watch(this->States))
   {
     this->Frames.NoteEvent();

@@ -16,6 +16,7 @@
 #include "VTK/Scene/HapticWindowWatch.h"
 #include "VTK/Scene/KeyMap.h"
 #include "VTK/Scene/KeyRepeat.h"
+#include "VTK/Scene/MeasureKeys.h"
 #include "VTK/Scene/ModeKeys.h"
 #include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
@@ -64,6 +65,7 @@ public:
   /** False if it is the same as before. */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
+  bool SetMeasurements(vtkHapticMeasurements* measurements);
   ///@}
 
   /** Stops observing the device and the editor, before the style is deleted. */
@@ -124,6 +126,7 @@ private:
   ModeKeys Modes;
   EditorKeys Editor;
   SliceMouse Slices;
+  MeasureKeys Measure;
   HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
   TouchedVolume Touched;

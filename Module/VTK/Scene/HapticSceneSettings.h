@@ -3,8 +3,8 @@
 /**
  * @file
  * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticRegionPicture,
- * vtkHapticSliceView, vtkHapticXRController and vtkInteractorStyleHaptic, one row each: see
- * HapticSetting.h.
+ * vtkHapticMeasurementRepresentation, vtkHapticSliceView, vtkHapticXRController and
+ * vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
  */
 #ifndef HapticSceneSettings_h
 #define HapticSceneSettings_h
@@ -12,6 +12,7 @@
 #include "VTK/Baking/HapticSetting.h"
 
 #include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticMeasurementRepresentation.h"
 #include "vtkHapticRegionPicture.h"
 #include "vtkHapticRepresentation.h"
 #include "vtkHapticSliceView.h"
@@ -24,6 +25,7 @@ namespace VolumeHaptics
 using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
 using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
 using PictureSetting = HapticSetting<vtkHapticRegionPicture>;
+using MeasurementViewSetting = HapticSetting<vtkHapticMeasurementRepresentation>;
 using SliceViewSetting = HapticSetting<vtkHapticSliceView>;
 using XRControllerSetting = HapticSetting<vtkHapticXRController>;
 using StyleSetting = HapticSetting<vtkInteractorStyleHaptic>;
@@ -84,6 +86,8 @@ inline constexpr DisplaySetting All[] = {
     "ticks it has missed. Default off."),
   HapticFlagMacro(HintVisibility, true, NotBaked, "Whether the hint is shown. Default on."),
   HapticFlagMacro(HelpVisibility, false, NotBaked, "Whether HelpText is shown. Default off."),
+  HapticFlagMacro(
+    MeasurementsVisibility, true, NotBaked, "Whether the measurements are listed. Default on."),
 };
 } // namespace DisplaySettingRows
 
@@ -96,6 +100,20 @@ inline constexpr PictureSetting All[] = {
     "The most voxels of the box, 1000 to 2^30. Default 262144."),
 };
 } // namespace PictureSettingRows
+
+namespace MeasurementViewSettingRows
+{
+using Owner = vtkHapticMeasurementRepresentation;
+
+inline constexpr MeasurementViewSetting All[] = {
+  HapticNumberMacro(Radius, 1e-9, VTK_DOUBLE_MAX, 1.0, "", NotBaked,
+    "Radius of points, world units. Default 1; lines are in proportion."),
+  HapticFlagMacro(
+    LabelVisibility, true, NotBaked, "Whether names and values are shown. Default on."),
+  HapticFlagMacro(HiddenVisibility, true, NotBaked,
+    "Whether measurements behind a surface or inside the volume show through. Default on."),
+};
+} // namespace MeasurementViewSettingRows
 
 namespace SliceViewSettingRows
 {
@@ -160,6 +178,7 @@ inline constexpr StyleSetting All[] = {
 inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
 inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
 inline constexpr const auto& PictureSettings = PictureSettingRows::All;
+inline constexpr const auto& MeasurementViewSettings = MeasurementViewSettingRows::All;
 inline constexpr const auto& SliceViewSettings = SliceViewSettingRows::All;
 inline constexpr const auto& XRControllerSettings = XRControllerSettingRows::All;
 inline constexpr const auto& StyleSettings = StyleSettingRows::All;

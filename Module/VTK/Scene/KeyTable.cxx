@@ -96,6 +96,14 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
     list.AddMouse({ { "click", "go there and touch" }, { "wheel", "across them" },
       { "right drag", "window, level" } });
   }
+  if (parts.HasMeasurements)
+  {
+    list.Begin("Measure where you touch");
+    list.Add({ { { "P" }, "a point" }, { { "D" }, "a distance: both ends" },
+      { { "A" }, "an angle: end, corner, end" }, { { "L" }, "a line: begin; end" },
+      { { "B" }, "a painted area: begin; end" }, { { "z", "Z" }, "undo; redo" },
+      { { "Delete" }, "remove the last one" }, { { "I" }, "list" } });
+  }
   list.Begin("Materials");
   if (parts.HasEditor)
   {

@@ -24,6 +24,7 @@ struct KeyedParts
   bool HasModes = false;
   bool HasFrames = false;
   bool HasSlices = false;
+  bool HasMeasurements = false;
 };
 
 /**

@@ -12,6 +12,7 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticMeasurements.h"
 #include "vtkHapticSliceView.h"
 #include "vtkSmartPointer.h"
 
@@ -23,7 +24,7 @@ namespace VolumeHaptics
 {
 
 /**
- * The parts of a HapticInteraction share it. The application may set each of the four objects to
+ * The parts of a HapticInteraction share it. The application may set each of the objects to
  * null at any time, also in an observer of an event that a part causes.
  */
 class TouchedScene
@@ -39,6 +40,7 @@ public:
   vtkSmartPointer<vtkHapticHeadUpDisplay> Display;
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
+  vtkSmartPointer<vtkHapticMeasurements> Measurements;
 
   /**
    * The renderer of the last button event, or the default one, or the window's first. VTK has no

@@ -16,6 +16,7 @@ TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
   ExpectHeadersBehave<vtkHapticRegionPicture>(PictureSettings);
+  ExpectHeadersBehave<vtkHapticMeasurementRepresentation>(MeasurementViewSettings);
   ExpectHeadersBehave<vtkHapticSliceView>(SliceViewSettings);
   ExpectHeadersBehave<vtkHapticXRController>(XRControllerSettings);
   ExpectHeadersBehave<vtkInteractorStyleHaptic>(StyleSettings);
@@ -33,6 +34,7 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   }
   ExpectRows("vtkHapticHeadUpDisplay", display);
   ExpectRows("vtkHapticRegionPicture", Names(PictureSettings));
+  ExpectRows("vtkHapticMeasurementRepresentation", Names(MeasurementViewSettings));
   std::vector<std::string> slices = Names(SliceViewSettings);
   slices.emplace_back("Unit"); // a text
   ExpectRows("vtkHapticSliceView", slices);
@@ -47,6 +49,7 @@ TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
   ExpectComments("vtkHapticRegionPicture", PictureSettings);
+  ExpectComments("vtkHapticMeasurementRepresentation", MeasurementViewSettings);
   ExpectComments("vtkHapticSliceView", SliceViewSettings);
   ExpectComments("vtkHapticXRController", XRControllerSettings);
   ExpectComments("vtkInteractorStyleHaptic", StyleSettings);

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticMeasurementRepresentation
+ * @brief   measurements in the scene, with their names and values
+ *
+ * One prop that draws a vtkHapticMeasurements: points as spheres, distances, angles and paths as
+ * lines, areas as patches, each with a label; and in white what is being measured. What is behind a
+ * surface or inside a volume shows through, faintly. Labels keep out of each other's way, and out
+ * of that of a head-up display; one for which there is no room is not shown.
+ *
+ *   representation->SetMeasurements(measurements);
+ *   representation->SetHeadUpDisplay(display); // optional
+ *   renderer->AddViewProp(representation);
+ *
+ * Needs VTK::RenderingFreeType in the application.
+ *
+ * @sa vtkHapticMeasurements, vtkInteractorStyleHaptic
+ */
+#ifndef vtkHapticMeasurementRepresentation_h
+#define vtkHapticMeasurementRepresentation_h
+
+#include "vtkProp.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkHapticHeadUpDisplay;
+class vtkHapticMeasurements;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticMeasurementRepresentation : public vtkProp
+{
+public:
+  static vtkHapticMeasurementRepresentation* New();
+  vtkTypeMacro(vtkHapticMeasurementRepresentation, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The list that is shown. Default nullptr: nothing. */
+  void SetMeasurements(vtkHapticMeasurements* measurements);
+  vtkHapticMeasurements* GetMeasurements();
+  ///@}
+
+  ///@{
+  /** A head-up display in the same viewport, which no label covers. Default nullptr. */
+  void SetHeadUpDisplay(vtkHapticHeadUpDisplay* display);
+  vtkHapticHeadUpDisplay* GetHeadUpDisplay();
+  ///@}
+
+  ///@{
+  /** Radius of points, world units. Default 1; lines are in proportion. */
+  vtkSetClampMacro(Radius, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Whether names and values are shown. Default on. */
+  vtkSetMacro(LabelVisibility, bool);
+  vtkGetMacro(LabelVisibility, bool);
+  vtkBooleanMacro(LabelVisibility, bool);
+  ///@}
+
+  ///@{
+  /** Whether measurements behind a surface or inside the volume show through. Default on. */
+  vtkSetMacro(HiddenVisibility, bool);
+  vtkGetMacro(HiddenVisibility, bool);
+  vtkBooleanMacro(HiddenVisibility, bool);
+  ///@}
+
+  /** The number of labels that the last frame had room for. */
+  int GetNumberOfShownLabels();
+
+  ///@{
+  /** For the renderer. */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkHapticMeasurementRepresentation();
+  ~vtkHapticMeasurementRepresentation() override;
+
+  double Radius = 1.0;
+  bool LabelVisibility = true;
+  bool HiddenVisibility = true;
+
+private:
+  vtkHapticMeasurementRepresentation(const vtkHapticMeasurementRepresentation&) = delete;
+  void operator=(const vtkHapticMeasurementRepresentation&) = delete;
+
+  void Build();
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
