@@ -148,6 +148,21 @@ def test_slices_lie_beside_the_scene(window, hands):
     assert hand.plotter.renderer.GetViewport() == (0.0, 0.0, 1.0, 1.0)
 
 
+def test_keys_measure_where_the_ball_is_touched(window, hands, tmp_path):
+    hand = hands()
+    hand.push()
+    hand.press("P")
+    measurements = hand.haptics.measurements
+    assert measurements.GetNumberOfMeasurements() == 1
+    point = [0.0, 0.0, 0.0]
+    measurements.GetPoint(0, 0, point)
+    assert 19 < np.linalg.norm(point) < 25
+    assert measurements.WriteFile(str(tmp_path / "ball.mrk.json"))
+    assert hand.plotter.renderer.HasViewProp(hand.haptics.measured)
+    hand.haptics.close()
+    assert not hand.plotter.renderer.HasViewProp(hand.haptics.measured)
+
+
 def test_closing_the_plotter_stops_everything(window, hands):
     hand = hands()
     hand.push()

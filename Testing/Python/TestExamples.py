@@ -60,6 +60,17 @@ def test_document_python(document, capsys):
     assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)
 
 
+def test_document_measuring(document, tmp_path, capsys):
+    (code,) = re.findall(r"```python\n(.*?)```", document("measuring.md"), re.DOTALL)
+    names = {}
+    exec(compile(code.replace("/tmp/", f"{tmp_path}/"), "measuring.md", "exec"), names)
+    assert "width: 120 mm" in capsys.readouterr().out
+    assert (tmp_path / "head.mrk.json").exists()
+    # A strip of 40 mm and two half discs; the forehead is curved, which makes it a little more.
+    flat = 2 * 10.0 * 40.0 + math.pi * 10.0**2
+    assert 0.97 * flat < names["measured"].GetValue(2) < 1.15 * flat
+
+
 def test_document_live_device(document):
     """The script of "A live device", alone and as printed, feels the head and lets go of it."""
     section = document("devices.md").split("\n## A live device\n")[1].split("\n## ")[0]

@@ -44,6 +44,7 @@ set(Explore_SOURCES
   Exploration/ModeChoice.cxx
   Exploration/TissueTable.cxx
   Live/LiveRun.cxx
+  Live/SavedMeasurements.cxx
   Live/TouchScene.cxx
   Live/WindowSound.cxx
   Options.cxx

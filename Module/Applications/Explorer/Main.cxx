@@ -110,7 +110,8 @@ void Touch(
   look.Cut = options.Cut;
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
   look.Caption.clear(); // its place belongs to the head-up display
-  Explore::RunTouchWindow(window, exploration, look, options.Device, options.Setup, options.Sound);
+  Explore::RunTouchWindow(window, exploration, look, options.Device,
+    { options.Setup, options.Measurements, options.Sound });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)

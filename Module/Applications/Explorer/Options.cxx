@@ -129,6 +129,17 @@ bool IsSoundFile(const std::string& name)
     ".wav";
 }
 
+void CheckMeasurementsFile(const std::string& name)
+{
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+  if (ending != ".csv" && ending != ".vtp" && ending != ".json")
+  {
+    throw InputError("--measurements " + name, "is no name of a file of measurements",
+      "take one that ends in .csv, .vtp or .mrk.json");
+  }
+}
+
 /// Into a file, or with an empty name on the loudspeakers.
 void SetSound(Options& options, const std::string& file)
 {
@@ -214,6 +225,11 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   else if (name == "--setup")
   {
     options.Setup = value;
+  }
+  else if (name == "--measurements")
+  {
+    CheckMeasurementsFile(value);
+    options.Measurements = value;
   }
   else if (name == "--stereo")
   {
@@ -340,6 +356,10 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --newtons X[,Y]   a stick's force at full scale along its axes, N (100): measure it, most have much
                     less; Y is 0 if only the first axis has a motor, as that of a wheel
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
+  --measurements FILE
+                    of the window: points, distances, angles, lines and areas that you measure by touch (keys P,
+                    D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
+                    .vtp, or .mrk.json for 3D Slicer
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes

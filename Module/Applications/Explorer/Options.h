@@ -28,6 +28,7 @@ struct Options
   bool Pictures = false;       // even if there is a display
   DeviceChoice Device;         // of the window
   std::string Setup;           // file of the window's functions, settings and camera
+  std::string Measurements;    // file of what is measured in the window
   std::string Stereo;          // of the window
   bool Slices = false;         // of the window
   CutKind Cut = CutKind::None; // of the window

@@ -23,6 +23,8 @@ from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
     vtkHapticHeadUpDisplay,
+    vtkHapticMeasurementRepresentation,
+    vtkHapticMeasurements,
     vtkHapticRegionPicture,
     vtkHapticRegionSource,
     vtkHapticRepresentation,
@@ -52,6 +54,8 @@ class Haptics:
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
     frames: the vtkHapticFrameSource of a volume that moves; None without one.
     slices: the vtkHapticSliceView beside the scene; None without slices=True.
+    measurements: the vtkHapticMeasurements that keys fill with what is measured by touch.
+    measured: the vtkHapticMeasurementRepresentation, which shows them in the scene.
 
     PyVista's enable_*_style() and a chart that takes the mouse put another style in the place of this one: that
     ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
@@ -65,6 +69,8 @@ class Haptics:
         self.head_up_display = vtkHapticHeadUpDisplay()
         self.frames: vtkHapticFrameSource | None = None
         self.slices: vtkHapticSliceView | None = None
+        self.measurements = vtkHapticMeasurements()
+        self.measured = vtkHapticMeasurementRepresentation()
         self.closed = False
         self._owns_device = True
         self._plotter = weakref.ref(plotter)
@@ -90,6 +96,7 @@ class Haptics:
         if renderer is not None:
             renderer.RemoveViewProp(self.representation)
             renderer.RemoveViewProp(self.head_up_display)
+            renderer.RemoveViewProp(self.measured)
             if self._outline is not None:
                 renderer.RemoveViewProp(self._outline)
         if self._picture is not None:
@@ -116,6 +123,13 @@ class Haptics:
             prop.SetDevice(self.device)
             prop.UseBoundsOff()  # cameras and axes frame the volume, wherever the hand is
             renderer.AddViewProp(prop)
+        self.measured.UseBoundsOff()
+        self.measured.SetMeasurements(self.measurements)
+        self.measured.SetHeadUpDisplay(self.head_up_display)
+        self.measurements.SetMetersPerWorldUnit(self.filter.GetMetersPerWorldUnit())
+        self.head_up_display.SetMeasurements(self.measurements)
+        renderer.AddViewProp(self.measured)
+        self.style.SetMeasurements(self.measurements)
         self.style.SetDevice(self.device)
         self.style.SetHeadUpDisplay(self.head_up_display)
         self.style.SetDefaultRenderer(renderer)
@@ -384,6 +398,8 @@ def add_haptics(
         _start(haptics, device)
         length = image.GetLength()
         haptics.representation.SetRadius(SIZE * length)
+        haptics.measured.SetRadius(0.6 * SIZE * length)
+        haptics.measurements.SetPathSpacing(0.5 * min(image.GetSpacing()))
         haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
         if isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None:

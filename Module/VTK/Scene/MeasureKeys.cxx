@@ -102,11 +102,11 @@ bool MeasureKeys::Press(const std::string& key)
   {
     this->BeginOrEnd(key == "L" ? MeasuredKind::Path : MeasuredKind::Area);
   }
-  else if (key == "z")
+  else if (key == "Z")
   {
     this->Undo();
   }
-  else if (key == "Z")
+  else if (key == "Y")
   {
     list->Redo();
   }

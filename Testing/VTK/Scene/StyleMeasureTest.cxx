@@ -244,12 +244,12 @@ TEST_F(StyleMeasure, ChangesAreUndone)
   this->Push();
   this->Press("P");
   this->Press("D");
-  this->Press("z");
+  this->Press("Z");
   EXPECT_EQ(this->List->GetUnfinishedText(), "") << "the point of the distance goes first";
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 1);
-  this->Press("z");
-  EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
   this->Press("Z");
+  EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);
+  this->Press("Y");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 1);
   this->Press("Delete");
   EXPECT_EQ(this->List->GetNumberOfMeasurements(), 0);

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/WindowSound.h"
 
 #include "vtkCallbackCommand.h"
@@ -41,6 +42,16 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
     touch.Display->AddTissue(tissue.Name.c_str(), tissue.From, tissue.To);
   }
   touch.Scene.Overlay->AddViewProp(touch.Display);
+
+  touch.Measurements->SetMetersPerWorldUnit(analysis.MetersPerWorldUnit);
+  // Half a voxel: 3D Slicer can't work with a point each millisecond.
+  const double* const spacing = exploration.Input.Image->GetSpacing();
+  touch.Measurements->SetPathSpacing(0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
+  touch.Measured->SetMeasurements(touch.Measurements);
+  touch.Measured->SetHeadUpDisplay(touch.Display);
+  touch.Measured->SetRadius(0.0018 / analysis.MetersPerWorldUnit);
+  touch.Scene.Renderer->AddViewProp(touch.Measured);
+  touch.Display->SetMeasurements(touch.Measurements);
 
   touch.Editor->SetProperty(exploration.Filter->GetProperty());
   touch.Editor->SetVolumeProperty(touch.Scene.Look);
@@ -143,6 +154,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   touch.Style->SetDevice(touch.Device);
   touch.Style->SetHeadUpDisplay(touch.Display);
   touch.Style->SetFunctionEditor(touch.Editor);
+  touch.Style->SetMeasurements(touch.Measurements);
   touch.Style->SetDefaultRenderer(touch.Scene.Renderer);
   if (vtkHapticFrameSource* const frames = exploration.Input.Frames)
   {
@@ -154,8 +166,9 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
 }
 
 void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
-  const SceneOptions& options, const DeviceChoice& device, const std::string& setup, bool sound)
+  const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted)
 {
+  const std::string& setup = wanted.Setup;
   TouchScene touch;
   touch.Scene.Window = window;
   BuildTouchScene(touch, exploration, options, device);
@@ -173,14 +186,17 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
       "take --cut plane, or leave --large out");
   }
   touch.Cut.SetKind(options.Cut);
+  SavedMeasurements saved(touch, wanted.Measurements);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(touch.Scene.Window);
   interactor->SetInteractorStyle(touch.Style);
   touch.Cut.SetInteractor(interactor);
-  auto heard = sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
+  saved.SaveByKey(interactor);
+  auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
   const std::string keys = touch.Cut.ListKeys();
+  const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
   touch.Style->SetApplicationKeys(
-    (keys + "Window\n3\tstereo\n" + (sound ? "o\tsound on; off\n" : "") + "q\tclose\n").c_str());
+    (keys + "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n").c_str());
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
@@ -188,6 +204,7 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
+  saved.SaveAtEnd();
   if (!setup.empty() && !touch.Setup->Save(setup.c_str()))
   {
     throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");

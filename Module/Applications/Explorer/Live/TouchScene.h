@@ -8,12 +8,15 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticMeasurementRepresentation.h"
+#include "vtkHapticMeasurements.h"
 #include "vtkHapticRepresentation.h"
 #include "vtkHapticSetup.h"
 #include "vtkHapticSliceView.h"
 #include "vtkInteractorStyleHaptic.h"
 
 #include <array>
+#include <string>
 
 namespace Explore
 {
@@ -39,6 +42,8 @@ struct TouchScene
   vtkNew<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkHapticSliceView> Slices;
   VolumeCut Cut;
+  vtkNew<vtkHapticMeasurements> Measurements;
+  vtkNew<vtkHapticMeasurementRepresentation> Measured;
   vtkNew<vtkHapticSetup> Setup;
   vtkNew<vtkInteractorStyleHaptic> Style;
 };
@@ -48,11 +53,18 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// Shows the scene in a window, with sound or without, and returns when it is closed. With a setup
-/// file: loads it first, if there is one, and saves it at the end. Throws InputError if it can't be
-/// read.
+/// Of the window; files that are not named are neither read nor written.
+struct WindowOptions
+{
+  std::string Setup;
+  std::string Measurements;
+  bool Sound = false;
+};
+
+/// Shows the scene in a window and returns when it is closed. Loads the files first, if they are
+/// there, and saves them at the end. Throws InputError if one can't be read.
 void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
-  const SceneOptions& options, const DeviceChoice& device, const std::string& setup, bool sound);
+  const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore
 
 #endif
