@@ -250,13 +250,25 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::TouchVolume(vtkVolume* volume)
 {
-  this->Internals->Interaction.TouchVolume(volume);
+  this->Internals->Interaction.Touched.Set(volume);
 }
 
 //------------------------------------------------------------------------------
 vtkVolume* vtkInteractorStyleHaptic::GetTouchedVolume()
 {
-  return this->Internals->Interaction.GetTouchedVolume();
+  return this->Internals->Interaction.Touched.Get();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
+{
+  return this->Internals->Interaction.Touched.Add(volume, filter);
+}
+
+//------------------------------------------------------------------------------
+int vtkInteractorStyleHaptic::GetNumberOfTouchedVolumes()
+{
+  return this->Internals->Interaction.Touched.GetCount();
 }
 
 //------------------------------------------------------------------------------

@@ -128,6 +128,7 @@ class vtkHapticSliceView;
 class vtkStringArray;
 class vtkTable;
 class vtkVolume;
+class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
 {
@@ -327,6 +328,20 @@ public:
    */
   void TouchVolume(vtkVolume* volume);
   vtkVolume* GetTouchedVolume();
+  ///@}
+
+  ///@{
+  /**
+   * Feel another volume, too, such as an MRI beside a CT, each by a filter of its own with its
+   * materials and method. The hand feels one of them at a time: that whose surface comes first
+   * along the line of sight, where the touch mode begins and then ahead of the tip. This changes
+   * only in the air and a voxel away from surfaces, so that no force steps; GetTouchedVolume() is
+   * the one that is felt, and the device's filter is its filter. The first volume is that of
+   * TouchVolume(), or of the first call; TouchVolume() ends all others. False, with an error, if
+   * something is missing or the filter feels another volume.
+   */
+  bool AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
+  int GetNumberOfTouchedVolumes();
   ///@}
 
   /**

@@ -10,9 +10,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
-#include "vtkVolumeMapper.h"
 
 #include <utility>
 
@@ -36,6 +34,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
   , Touch(Scene, Window, Workspace)
   , Displays(Scene, Touch, Keys)
+  , Touched(Scene, ShownFrames)
   , Publisher(Scene)
   , Playback(Scene)
   , Modes(Scene)
@@ -43,6 +42,8 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Slices(Scene, Touch)
   , Measure(Scene, Frames)
 {
+  this->Touch.BeforeLanding = [this](vtkRenderer* renderer, const Vector3& through)
+  { this->Touched.ChooseAt(renderer, through); };
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<HapticInteraction*>(self)->Touch.StopBeginning(); });
@@ -435,7 +436,12 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  this->FollowVolume();
+  this->Touched.Follow();
+  this->Touched.ChooseAhead(renderer);
+  if (scene.Device != device)
+  {
+    return false;
+  }
   this->Publisher.Update(isPlaced);
 
   if (renderer && scene.Device == device)
@@ -491,40 +497,6 @@ bool HapticInteraction::UpdateHaptics()
   // An observer of the events may have ended the loop.
   this->Window.Look();
   return isNew;
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::TouchVolume(vtkVolume* volume)
-{
-  if (volume && !this->Scene.Device)
-  {
-    vtkErrorWithObjectMacro(this->Scene.Style,
-      "There is no device to touch a volume with: call SetDevice() before TouchVolume().");
-    return;
-  }
-  if (volume && !vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
-  {
-    vtkErrorWithObjectMacro(this->Scene.Style,
-      "The volume has no mapper that shows an image: call vtkVolume::SetMapper(), for example with "
-      "a vtkGPUVolumeRayCastMapper, before TouchVolume().");
-    return;
-  }
-  this->Touched.Set(volume);
-  if (volume && !this->Scene.Device->GetVolumeHaptics())
-  {
-    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
-  }
-  this->FollowVolume();
-}
-
-//------------------------------------------------------------------------------
-void HapticInteraction::FollowVolume()
-{
-  if (vtkVolumeHapticsFilter* const filter =
-        this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr)
-  {
-    this->Touched.Update(filter, this->ShownFrames);
-  }
 }
 
 //------------------------------------------------------------------------------

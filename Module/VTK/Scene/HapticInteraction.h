@@ -23,7 +23,7 @@
 #include "VTK/Scene/SliceMouse.h"
 #include "VTK/Scene/TouchMode.h"
 #include "VTK/Scene/TouchedScene.h"
-#include "VTK/Scene/TouchedVolume.h"
+#include "VTK/Scene/TouchedVolumes.h"
 #include "VTK/Scene/WorkspaceControl.h"
 
 #include "vtkNew.h"
@@ -34,7 +34,6 @@
 
 class vtkCallbackCommand;
 class vtkObject;
-class vtkVolume;
 
 namespace VolumeHaptics
 {
@@ -96,8 +95,6 @@ public:
   /** See the style's functions of these names. */
   bool UpdateHaptics();
   void CheckShownVolumes();
-  void TouchVolume(vtkVolume* volume);
-  vtkVolume* GetTouchedVolume() const { return this->Touched.Get(); }
   bool NextMethod();
   ///@}
 
@@ -109,12 +106,11 @@ public:
   TouchMode Touch;
   KeyMap Keys;
   DisplayKeys Displays;
+  HapticShownFrames ShownFrames;
+  TouchedVolumes Touched;
   vtkNew<vtkTable> States; ///< of the last update
 
 private:
-  /** Gives the filter what the touched volume shows now. */
-  void FollowVolume();
-
   void LeaveDevice();
   /** Draws the scene if the mouse has changed what the slices show; true. */
   bool DrawSlices();
@@ -127,9 +123,7 @@ private:
   EditorKeys Editor;
   SliceMouse Slices;
   MeasureKeys Measure;
-  HapticShownFrames ShownFrames;
   HapticShownVolumes Volumes;
-  TouchedVolume Touched;
   HapticStateWatch Watch;
   int Reader = 0;       ///< the number of this reader of the device's states
   double Updated = 0.0; ///< the device's time (s) at the last update

@@ -84,6 +84,10 @@ void TouchMode::Begin(const Vector3* at)
     const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
     const int pointer[2] = { interactor->GetEventPosition()[0], interactor->GetEventPosition()[1] };
     start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    if (this->BeforeLanding)
+    {
+      this->BeforeLanding(renderer, start);
+    }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
       // A mesh that is made in the background is not waited for.

@@ -9,6 +9,8 @@
 
 #include "VTK/Scene/TouchedScene.h"
 
+#include <functional>
+
 namespace VolumeHaptics
 {
 
@@ -52,6 +54,9 @@ public:
   void MoveInPlane(const int from[2], const int to[2]);
   /** The share of a motion that is made: less with Shift. */
   double GetFineness() const;
+
+  /** Called, if there is one, before a tip lands on what is along the line of sight there. */
+  std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
 
 private:
   /** Where `at` tells; or if it is null, in front of the first surface under the pointer. */

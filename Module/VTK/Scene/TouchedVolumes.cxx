@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/TouchedVolumes.h"
+
+#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Scene/HapticViewRay.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkVolumeMapper.h"
+
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double Pause = 0.1; // s between choices, each of which walks along a line
+
+} // namespace
+
+bool TouchedVolumes::CanTouch(vtkVolume* volume) const
+{
+  if (!this->Scene.Device)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "There is no device to touch a volume with: call SetDevice() before TouchVolume().");
+    return false;
+  }
+  if (!vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The volume has no mapper that shows an image: call vtkVolume::SetMapper(), for example with "
+      "a vtkGPUVolumeRayCastMapper, before TouchVolume().");
+    return false;
+  }
+  return true;
+}
+
+void TouchedVolumes::Set(vtkVolume* volume)
+{
+  if (volume && !this->CanTouch(volume))
+  {
+    return;
+  }
+  this->All.clear();
+  if (!volume)
+  {
+    return;
+  }
+  if (!this->Scene.Device->GetVolumeHaptics())
+  {
+    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
+  }
+  this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr });
+  this->All.back().Volume->Set(volume);
+  this->Follow();
+}
+
+bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
+{
+  if (!volume || !filter)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "Another volume to be touched takes a vtkVolume and a vtkVolumeHapticsFilter of its own, and "
+      "one of them is missing. Cure: AddTouchedVolume(volume, filter).");
+    return false;
+  }
+  if (!this->CanTouch(volume))
+  {
+    return false;
+  }
+  for (Entry& entry : this->All)
+  {
+    // The first one may have the device's.
+    entry.Filter = entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
+    if (entry.Filter == filter)
+    {
+      vtkErrorWithObjectMacro(this->Scene.Style,
+        "This filter feels another volume already. Cure: a vtkVolumeHapticsFilter for each "
+        "volume.");
+      return false;
+    }
+  }
+  if (this->All.empty())
+  {
+    this->Scene.Device->SetVolumeHaptics(filter);
+  }
+  this->All.push_back({ std::make_unique<TouchedVolume>(), filter });
+  this->All.back().Volume->Set(volume);
+  this->Follow();
+  return true;
+}
+
+vtkVolume* TouchedVolumes::Get() const
+{
+  vtkVolumeHapticsFilter* const felt =
+    this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
+  for (const Entry& entry : this->All)
+  {
+    if (!entry.Filter || entry.Filter == felt)
+    {
+      return entry.Volume->Get();
+    }
+  }
+  return nullptr;
+}
+
+void TouchedVolumes::Follow()
+{
+  if (!this->Scene.Device)
+  {
+    return;
+  }
+  for (const Entry& entry : this->All)
+  {
+    vtkVolumeHapticsFilter* const filter =
+      entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
+    if (filter)
+    {
+      entry.Volume->Update(filter, this->Pictures);
+    }
+  }
+}
+
+void TouchedVolumes::Feel(vtkVolumeHapticsFilter* filter)
+{
+  if (filter && this->Scene.Device->GetVolumeHaptics() != filter)
+  {
+    const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+    device->SetVolumeHaptics(filter);
+    device->Publish();
+  }
+}
+
+void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
+{
+  if (this->All.size() < 2)
+  {
+    return;
+  }
+  vtkVolumeHapticsFilter* first = nullptr;
+  double least = HUGE_VAL;
+  for (const Entry& entry : this->All)
+  {
+    Vector3 landing;
+    if (FindFirstContact(renderer, through, entry.Filter, landing))
+    {
+      const double depth = Dot(landing - through, LineOfSight(renderer, through));
+      first = depth < least ? entry.Filter.Get() : first;
+      least = std::fmin(depth, least);
+    }
+  }
+  this->Feel(first);
+}
+
+void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
+{
+  const double now = vtkTimerLog::GetUniversalTime();
+  if (this->All.size() < 2 || !renderer || this->Scene.Device->GetContact() != 0 ||
+    now - this->ChosenTime < Pause)
+  {
+    return;
+  }
+  vtkVolumeHapticsFilter* const felt = this->Scene.Device->GetVolumeHaptics();
+  vtkImageData* const image = felt ? felt->GetTouchedImage() : nullptr;
+  const double voxel = image ? SmallestSpacing(image) : 0.0;
+  const Vector3 tip = this->Scene.GetTip();
+  if (Norm(tip - this->ChosenTip) < 0.5 * voxel)
+  {
+    return;
+  }
+  this->ChosenTip = tip;
+  this->ChosenTime = now;
+  vtkVolumeHapticsFilter* nearest = nullptr;
+  double least = HUGE_VAL;
+  double own = HUGE_VAL;
+  for (const Entry& entry : this->All)
+  {
+    Vector3 contact;
+    Vector3 normal;
+    if (!FindContactAhead(renderer, tip, entry.Filter, contact, normal))
+    {
+      continue;
+    }
+    const double distance = Norm(contact - tip);
+    own = entry.Filter == felt ? distance : own;
+    nearest = distance < least ? entry.Filter.Get() : nearest;
+    least = std::fmin(distance, least);
+  }
+  // Near a surface, the hand may have touched it since the last state.
+  if (least > voxel && own - least > voxel)
+  {
+    this->Feel(nearest);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The volumes that a hand can touch, each with a filter of its own, and which of them it feels.
+ */
+#ifndef TouchedVolumes_h
+#define TouchedVolumes_h
+
+#include "VTK/Scene/TouchedScene.h"
+#include "VTK/Scene/TouchedVolume.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+
+namespace VolumeHaptics
+{
+
+/**
+ * The servo feels one volume at a time: that whose surface is the first one ahead of the tip, along
+ * the line of sight. It changes only in the air, a voxel away from any surface, so that no force
+ * steps; the device's rate limits a drag that begins.
+ */
+class TouchedVolumes
+{
+public:
+  TouchedVolumes(TouchedScene& scene, const HapticShownFrames& pictures)
+    : Scene(scene)
+    , Pictures(pictures)
+  {
+  }
+
+  ///@{
+  /** See TouchVolume and AddTouchedVolume of the style. */
+  void Set(vtkVolume* volume);
+  bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
+  ///@}
+  /** The volume that is felt; null if there is none. */
+  vtkVolume* Get() const;
+  int GetCount() const { return static_cast<int>(this->All.size()); }
+
+  /** Gives the filters what their volumes show now. */
+  void Follow();
+  /** Feels the volume that is the first one along the line of sight through a position. */
+  void ChooseAt(vtkRenderer* renderer, const Vector3& through);
+  /** Feels the volume that is the first one ahead of the tip, if nothing is touched. */
+  void ChooseAhead(vtkRenderer* renderer);
+
+private:
+  struct Entry
+  {
+    std::unique_ptr<TouchedVolume> Volume;
+    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's
+  };
+  /** Whether a volume can be touched; if not, tells why. */
+  bool CanTouch(vtkVolume* volume) const;
+  /** The device feels by this filter from now on. */
+  void Feel(vtkVolumeHapticsFilter* filter);
+
+  TouchedScene& Scene;
+  const HapticShownFrames& Pictures;
+  std::vector<Entry> All;
+  Vector3 ChosenTip; ///< the tip when it was chosen last
+  double ChosenTime = 0.0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

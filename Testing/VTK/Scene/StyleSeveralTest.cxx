@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Several volumes in a scene, each with a filter of its own. They are balls with a radius of 30 mm,
+ * so that where a hand meets them follows from their centres.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkVolume.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleSeveral : public StyleTest
+{
+protected:
+  StyleSeveral()
+  {
+    this->OtherFilter->GetProperty()->DeepCopy(this->Filter->GetProperty());
+    this->Show(this->Volume, this->Ball);
+    this->Show(this->Other, MakeBall());
+    this->Renderer->GetActiveCamera()->SetParallelScale(150.0); // a pixel is 1 mm
+    this->Device->SetAttentionTime(0.0);                        // the machine may be busy
+    this->Device->Open("virtual");
+    this->Device->Start();
+    this->Style->TouchVolume(this->Volume);
+  }
+  void Show(vtkVolume* volume, vtkImageData* image)
+  {
+    vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+    mapper->SetInputData(image);
+    volume->SetMapper(mapper);
+    this->Renderer->AddVolume(volume);
+  }
+  bool FeelsOther() { return this->Device->GetVolumeHaptics() == this->OtherFilter; }
+  /// Notes the force of a state, and how it changes while the other volume takes over.
+  void Watch(vtkTable* states, vtkIdType row)
+  {
+    constexpr int after = 50; // states
+    if (row == 0 && this->FeltOther != this->FeelsOther())
+    {
+      this->FeltOther = this->FeelsOther();
+      this->Since = 0;
+      ++this->Changes;
+      this->ContactAtChange = states->GetValueByName(0, "Contact").ToInt();
+    }
+    double force[3];
+    vtkDataArray::SafeDownCast(states->GetColumnByName("Force"))->GetTuple(row, force);
+    if (++this->Since <= after)
+    {
+      const double step = std::sqrt(vtkMath::Distance2BetweenPoints(force, this->Force));
+      this->LargestStep = std::max(this->LargestStep, step);
+    }
+    std::copy(force, force + 3, this->Force);
+  }
+
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkVolume> Other;
+  vtkNew<vtkVolumeHapticsFilter> OtherFilter;
+  double Force[3] = {};
+  double LargestStep = 0.0; ///< N
+  bool FeltOther = true;
+  int Changes = 0;
+  int ContactAtChange = 0;
+  int Since = 1000; ///< states since the last change
+};
+} // namespace
+
+TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
+{
+  this->Other->SetPosition(70.0, 0.0, 0.0);
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 2);
+  this->Pointer(150 + 70, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_TRUE(this->FeelsOther());
+  EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
+  // As for one volume, the surface is where the material two voxels ahead begins.
+  EXPECT_NEAR(this->Device->GetTipPosition()[0], 70.0, 1.0);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+  this->Style->TouchModeOff();
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_FALSE(this->FeelsOther());
+  EXPECT_EQ(this->Style->GetTouchedVolume(), this->Volume);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+  EXPECT_TRUE(this->Log.Warnings.empty());
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 1) << "ends the others";
+}
+
+TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
+{
+  // In front of the first one, with 10 mm of air between them; it gives way to 0.5 N.
+  this->Other->SetPosition(0.0, 0.0, 70.0);
+  vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
+  strength->RemoveAllPoints();
+  strength->AddPoint(0.0, 0.0);
+  strength->AddPoint(0.1, 0.5);
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->RunUntilFullyArmed();
+  EXPECT_TRUE(this->FeelsOther());
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 102.5, 0.6);
+  const auto see = [this](vtkTable* states, vtkIdType row) { this->Watch(states, row); };
+  bool hasFeltOther = false;
+  for (int i = 0; i < 120 && this->Device->GetTipPosition()[2] > 28.0; ++i)
+  {
+    this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+    this->Run(20, see);
+    hasFeltOther = hasFeltOther || (this->FeelsOther() && this->Device->GetContact() != 0);
+  }
+  EXPECT_TRUE(hasFeltOther);
+  EXPECT_FALSE(this->FeelsOther());
+  EXPECT_EQ(this->Changes, 1);
+  EXPECT_EQ(this->ContactAtChange, 0);
+  EXPECT_LT(this->LargestStep, 0.02) << "N";
+  EXPECT_NE(this->Device->GetContact(), 0) << "the ball behind is touched";
+  EXPECT_GT(vtkMath::Norm(this->Force), 1.0) << "500 N/m times 2 mm or more";
+  EXPECT_TRUE(this->Style->GetTouchMode()) << "no fault";
+}
+
+TEST_F(StyleSeveral, WhatIsMissingIsTold)
+{
+  EXPECT_FALSE(this->Style->AddTouchedVolume(this->Other, nullptr));
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors.back().find("of its own"), std::string::npos);
+  EXPECT_FALSE(this->Style->AddTouchedVolume(this->Other, this->Filter));
+  ASSERT_EQ(this->Log.Errors.size(), 2U);
+  EXPECT_NE(this->Log.Errors.back().find("feels another volume"), std::string::npos);
+  vtkNew<vtkVolume> empty;
+  EXPECT_FALSE(this->Style->AddTouchedVolume(empty, this->OtherFilter));
+  ASSERT_EQ(this->Log.Errors.size(), 3U);
+  EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 1);
+  this->Log.Errors.clear();
+}
