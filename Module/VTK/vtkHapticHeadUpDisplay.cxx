@@ -230,10 +230,10 @@ vtkHapticMeasurements* vtkHapticHeadUpDisplay::GetMeasurements()
 bool vtkHapticHeadUpDisplay::Covers(const double box[4])
 {
   const auto& all = this->Internals->Covered;
-  return this->GetVisibility() &&
-    std::any_of(all.begin(), all.end(),
-      [box](const std::array<double, 4>& drawn)
-      { return box[0] < drawn[1] && drawn[0] < box[1] && box[2] < drawn[3] && drawn[2] < box[3]; });
+  const auto overlaps = [box](const std::array<double, 4>& drawn)
+  { return box[0] < drawn[1] && drawn[0] < box[1] && box[2] < drawn[3] && drawn[2] < box[3]; };
+  const bool isHelp = this->HelpVisibility && !this->HelpText.empty();
+  return this->GetVisibility() && (isHelp || std::any_of(all.begin(), all.end(), overlaps));
 }
 
 //------------------------------------------------------------------------------
@@ -345,7 +345,9 @@ std::string vtkHapticHeadUpDisplay::GetText()
   // The list of keys takes their place.
   const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
   std::string text;
-  for (const std::string& part : { d.GetStatus(*this),
+  const std::string recorded =
+    this->RecordingText.empty() ? "" : "Recording " + this->RecordingText;
+  for (const std::string& part : { recorded, d.GetStatus(*this),
          isListed ? ListMeasurements(d.Measurements) : std::string(), this->Notice })
   {
     text += text.empty() || part.empty() ? part : "\n" + part;
@@ -550,6 +552,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   PrintSettings(os, indent, this, DisplaySettings);
   os << indent << "Measurements: " << this->GetMeasurements() << "\n";
   os << indent << "Notice: " << this->Notice << "\n";
+  os << indent << "RecordingText: " << this->RecordingText << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
   os << indent << "HelpText: " << this->HelpText << "\n";
   os << indent << "States: " << this->GetNumberOfStates() << "\n";

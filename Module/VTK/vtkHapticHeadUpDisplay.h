@@ -146,6 +146,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * What is being recorded, such as "movie.ogv, 0:12", for the first line of the text. Default
+   * empty.
+   */
+  vtkSetStdStringFromCharMacro(RecordingText);
+  vtkGetCharFromStdStringMacro(RecordingText);
+  ///@}
+
+  ///@{
   /** A notice for the user, shown below the text until it is set to empty. Default empty. */
   vtkSetStdStringFromCharMacro(Notice);
   vtkGetCharFromStdStringMacro(Notice);
@@ -195,6 +204,7 @@ protected:
   vtkTypeBool MeasurementsVisibility = 1;
   vtkTypeBool HelpVisibility = 0;
   std::string Notice;
+  std::string RecordingText;
   std::string Hint;
   std::string HelpText;
 

@@ -28,7 +28,7 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   representation.insert(representation.end(), { "WorldUnitName", "TrailArrayName" }); // texts
   ExpectRows("vtkHapticRepresentation", representation);
   std::vector<std::string> display = Names(DisplaySettings);
-  for (const char* text : { "HelpText", "Hint", "Notice" })
+  for (const char* text : { "HelpText", "Hint", "Notice", "RecordingText" })
   {
     display.emplace_back(text);
   }
