@@ -46,11 +46,13 @@ set(Explore_SOURCES
   Live/LiveRun.cxx
   Live/SavedMeasurements.cxx
   Live/TouchScene.cxx
+  Live/WindowRecorder.cxx
   Live/WindowSound.cxx
   Options.cxx
   Path/PolarGrid.cxx
   Path/SurfaceMap.cxx
   Path/TipPathPlanner.cxx
+  Record/DemoScript.cxx
   Report/ForcePicture.cxx
   Report/ReportFiles.cxx
   Report/TraceSound.cxx
@@ -80,6 +82,14 @@ set(Explore_SOURCES
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx
   Volume/VolumeSeries.cxx)
+
+# The movies of key F9. The project looks for the module beside the components.
+if (VTK_IOOggTheora_FOUND)
+  list(APPEND Explore_VTK_COMPONENTS IOOggTheora)
+  list(APPEND Explore_SOURCES Record/TheoraFile.cxx)
+else ()
+  list(APPEND Explore_SOURCES Record/NoMovieFile.cxx)
+endif ()
 
 # The sound of --sound. PulseAudio's library is used if it is found.
 include("${CMAKE_CURRENT_LIST_DIR}/../../UseLibrary.cmake")

@@ -111,7 +111,7 @@ void Touch(
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
   look.Caption.clear(); // its place belongs to the head-up display
   Explore::RunTouchWindow(window, exploration, look, options.Device,
-    { options.Setup, options.Measurements, options.Sound });
+    { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)

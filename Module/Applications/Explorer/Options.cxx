@@ -4,6 +4,8 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/Record/DemoScript.h"
+#include "Applications/Explorer/Record/MovieFile.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/View/StereoModes.h"
 
@@ -140,6 +142,19 @@ void CheckMeasurementsFile(const std::string& name)
   }
 }
 
+void CheckMovieFile(const std::string& name)
+{
+  if (vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) != ".ogv")
+  {
+    throw InputError("--movie " + name, "is no name of a movie", "take one that ends in .ogv");
+  }
+  if (!Explore::MovieFile::IsAvailable())
+  {
+    throw InputError("--movie", "this program was built with a VTK that writes no movies",
+      "build it with a VTK that has the module IOOggTheora, as Debian's has");
+  }
+}
+
 /// Into a file, or with an empty name on the loudspeakers.
 void SetSound(Options& options, const std::string& file)
 {
@@ -230,6 +245,16 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   {
     CheckMeasurementsFile(value);
     options.Measurements = value;
+  }
+  else if (name == "--script")
+  {
+    Explore::ReadDemoScript(value); // throws, if it has to, before anything is computed
+    options.Script = value;
+  }
+  else if (name == "--movie")
+  {
+    CheckMovieFile(value);
+    options.Movie = value;
   }
   else if (name == "--stereo")
   {
@@ -360,6 +385,10 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     of the window: points, distances, angles, lines and areas that you measure by touch (keys P,
                     D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
                     .vtp, or .mrk.json for 3D Slicer
+  --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
+                    begins and ends one, F10 a recording of the touch, and F12 takes a picture
+  --script FILE     of the window: a demonstration, lines with a time (s) and an event, such as
+                    "1.0 key t", "1.5 wheel 3", "2.0 stroke 0.7 0.5 1.5", "9 key q": see recording.md
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes

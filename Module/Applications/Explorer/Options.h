@@ -29,6 +29,8 @@ struct Options
   DeviceChoice Device;         // of the window
   std::string Setup;           // file of the window's functions, settings and camera
   std::string Measurements;    // file of what is measured in the window
+  std::string Script;          // of the window: a demonstration
+  std::string Movie;           // of the window, from its beginning to its end
   std::string Stereo;          // of the window
   bool Slices = false;         // of the window
   CutKind Cut = CutKind::None; // of the window

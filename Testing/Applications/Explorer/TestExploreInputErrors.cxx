@@ -3,6 +3,7 @@
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
+#include "Applications/Explorer/Record/DemoScript.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 
@@ -17,6 +18,7 @@
 #include <array>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -96,6 +98,54 @@ void ExpectNewtons()
     }
   }
 }
+/// Files that the window writes, and demonstrations: an option, its value, and what its error says.
+void ExpectWindowFiles()
+{
+  const auto isRefused = [](std::string option, std::string value, const std::string& wanted)
+  {
+    std::string words[] = { "explore", "head.vti", std::move(option), std::move(value) };
+    char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
+    std::string message = "nothing";
+    try
+    {
+      Explore::ParseOptions(4, arguments);
+    }
+    catch (const Explore::InputError& error)
+    {
+      message = error.what();
+    }
+    if (message.find(wanted) == std::string::npos || message.find("Cure: ") == std::string::npos)
+    {
+      std::cerr << words[2] << " '" << words[3] << "' said: " << message << "\n";
+      ++failures;
+    }
+  };
+  isRefused("--measurements", "head.txt", "ends in .csv, .vtp or .mrk.json");
+  isRefused("--movie", "head.mp4", "ends in .ogv");
+  isRefused("--script", folder + "/missing.txt", "name a file that is there");
+  const auto isNoScript = [&isRefused](const std::string& text, const std::string& wanted)
+  { isRefused("--script", Text("demo.txt", text), wanted); };
+  isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is no time");
+  isNoScript("soon key t\n", "line 1: 'soon' is no time");
+  isNoScript("1 jump\n", "'jump' is no event");
+  isNoScript("1 move 0.5\n", "two shares of the window");
+  isNoScript("1 move 0.5 1.5\n", "two shares of the window");
+  isNoScript("1 stroke 0.5 0.5\n", "a duration in seconds");
+  isNoScript("1 wheel 1.5\n", "a whole number of steps");
+  isNoScript("# a comment\n1 key\n", "line 2: its event is not complete");
+  isNoScript("1 press middle\n", "takes left or right");
+  isNoScript("1 key t now\n", "'now' is one word too many");
+  const std::vector<Explore::DemoEvent> events = Explore::ReadDemoScript(
+    Text("demo.txt", "# t\n0.5 move 0.25 0.5 # here\n\n2 wheel -3\n2 stroke 1 0 1.5\n9 key q\n"));
+  using Kind = Explore::DemoEvent::Kind;
+  if (events.size() != 4 || events[0].Time != 0.5 || events[0].Place[0] != 0.25 ||
+    events[1].What != Kind::Wheel || events[1].Steps != -3 || events[2].Duration != 1.5 ||
+    events[3].What != Kind::Key || events[3].Name != "q")
+  {
+    std::cerr << "A script was read wrongly.\n";
+    ++failures;
+  }
+}
 } // namespace
 
 int TestExploreInputErrors(int argc, char* argv[])
@@ -105,6 +155,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
 
   ExpectNewtons();
+  ExpectWindowFiles();
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
   ExpectRefusal(Text("notes.txt", "hello"), "ending that is not known");

@@ -6,7 +6,9 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
+#include "Applications/Explorer/Live/WindowRecorder.h"
 #include "Applications/Explorer/Live/WindowSound.h"
+#include "Applications/Explorer/Record/DemoScript.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -192,15 +194,22 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   interactor->SetInteractorStyle(touch.Style);
   touch.Cut.SetInteractor(interactor);
   saved.SaveByKey(interactor);
+  auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
+  auto script = wanted.Script.empty()
+    ? nullptr
+    : std::make_unique<DemoScript>(ReadDemoScript(wanted.Script), interactor);
   auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
   const std::string keys = touch.Cut.ListKeys();
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys(
-    (keys + "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n").c_str());
+  touch.Style->SetApplicationKeys((keys + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" +
+    sound + "S\tsave measurements\nq\tclose\n")
+                                    .c_str());
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
   interactor->Start();
+  script.reset();
+  recorder.reset();
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();

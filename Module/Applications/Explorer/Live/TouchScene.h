@@ -58,6 +58,8 @@ struct WindowOptions
 {
   std::string Setup;
   std::string Measurements;
+  std::string Script;
+  std::string Movie;
   bool Sound = false;
 };
 

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/WindowRecorder.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Report/ReportFiles.h"
+
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+/// The first of name-001.png, name-002.png and so on that is free.
+std::string FindFree(const std::string& name, const std::string& ending)
+{
+  for (int number = 1;; ++number)
+  {
+    std::ostringstream file;
+    file << name << "-" << std::setw(3) << std::setfill('0') << number << ending;
+    if (!vtksys::SystemTools::FileExists(file.str()))
+    {
+      return file.str();
+    }
+  }
+}
+} // namespace
+
+namespace Explore
+{
+WindowRecorder::WindowRecorder(
+  TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& movie)
+  : Touch(touch)
+  , Interactor(interactor)
+{
+  std::string error;
+  if (!movie.empty() && !this->BeginMovie(movie, error))
+  {
+    throw InputError("--movie " + movie, error, "name a file in a folder of yours");
+  }
+  this->KeyObserver->SetClientData(this);
+  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<WindowRecorder*>(self)->PressKey(); });
+  this->TimerObserver->SetClientData(this);
+  this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<WindowRecorder*>(self)->Film(); });
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
+  interactor->AddObserver(vtkCommand::TimerEvent, this->TimerObserver);
+}
+
+WindowRecorder::~WindowRecorder()
+{
+  this->Interactor->RemoveObserver(this->KeyObserver);
+  this->Interactor->RemoveObserver(this->TimerObserver);
+  this->EndMovie();
+  if (!this->TouchName.empty())
+  {
+    this->BeginOrEndTouch();
+  }
+}
+
+std::string WindowRecorder::ListKeys()
+{
+  const std::string movie = MovieFile::IsAvailable() ? "F9\tmovie: begin; end\n" : "";
+  return "Record\n" + movie + "F10\ttouch: begin; end\nF12\tpicture\n";
+}
+
+void WindowRecorder::PressKey()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string key = symbol ? symbol : "";
+  if (key == "F12")
+  {
+    this->TakePicture();
+  }
+  else if (key == "F9" && this->Movie)
+  {
+    this->EndMovie();
+  }
+  else if (key == "F9")
+  {
+    std::string error;
+    const std::string file = FindFree("movie", ".ogv");
+    if (!this->BeginMovie(file, error))
+    {
+      this->Touch.Display->SetNotice((file + ": " + error).c_str());
+    }
+  }
+  else if (key == "F10")
+  {
+    this->BeginOrEndTouch();
+  }
+}
+
+void WindowRecorder::TakePicture()
+{
+  const std::string file = FindFree("picture", ".png");
+  try
+  {
+    WritePicture(this->Touch.Scene.Window, file);
+    this->Touch.Display->SetNotice(("Picture saved to " + file).c_str());
+  }
+  catch (const InputError& error)
+  {
+    this->Touch.Display->SetNotice(error.what());
+  }
+}
+
+bool WindowRecorder::BeginMovie(const std::string& file, std::string& error)
+{
+  this->Movie = MovieFile::Open(file, error);
+  this->MovieName = file;
+  this->Filmed = 0;
+  this->Begin = std::chrono::steady_clock::now();
+  this->Tell();
+  return this->Movie != nullptr;
+}
+
+void WindowRecorder::EndMovie()
+{
+  if (this->Movie)
+  {
+    this->Movie->End();
+    this->Ended.push_back(std::move(this->Movie));
+    std::cout << "Written: " << this->MovieName << std::endl;
+    this->Touch.Display->SetNotice(("Movie saved to " + this->MovieName).c_str());
+    this->Tell();
+  }
+}
+
+void WindowRecorder::Film()
+{
+  vtkRenderWindow* const window = this->Touch.Scene.Window;
+  if (!this->Movie || window->GetNeverRendered())
+  {
+    return;
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - this->Begin;
+  const int due = static_cast<int>(passed.count() * MovieFile::RATE) + 1 - this->Filmed;
+  if (due < 1)
+  {
+    return;
+  }
+  const int* const size = window->GetSize();
+  if (this->Filmed > 0 && !std::equal(size, size + 2, this->Size))
+  {
+    this->EndMovie(); // a movie has one size
+    return;
+  }
+  std::copy_n(size, 2, this->Size);
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(size[0], size[1], 1);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  pixels->SetNumberOfComponents(3);
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  if (pixels->GetNumberOfTuples() != picture->GetNumberOfPoints())
+  {
+    return;
+  }
+  picture->GetPointData()->SetScalars(pixels);
+  if (this->Movie->Add(picture, due))
+  {
+    this->Filmed += due;
+  }
+  this->Tell();
+}
+
+void WindowRecorder::BeginOrEndTouch()
+{
+  const bool begins = this->TouchName.empty();
+  const std::string file = begins ? FindFree("touch", ".vtp") : this->TouchName;
+  std::string told;
+  {
+    const MessageCapture capture;
+    vtkHapticDevice* const device = this->Touch.Device;
+    const bool isDone = begins ? device->StartRecording(file.c_str()) : device->StopRecording();
+    told = isDone ? "" : capture.FirstError();
+    this->TouchName = begins && isDone ? file : "";
+  }
+  if (!begins)
+  {
+    std::cout << (told.empty() ? "Written: " + file : told) << std::endl;
+    told =
+      told.empty() ? "Touch saved to " + file + "; --device replay:" + file + " plays it" : told;
+  }
+  this->Touch.Display->SetNotice(told.c_str());
+  this->Tell();
+}
+
+void WindowRecorder::Tell()
+{
+  std::string text;
+  if (this->Movie)
+  {
+    const int seconds = this->Filmed / MovieFile::RATE;
+    std::ostringstream time;
+    time << seconds / 60 << ":" << std::setw(2) << std::setfill('0') << seconds % 60;
+    text = this->MovieName + ", " + time.str();
+  }
+  if (!this->TouchName.empty())
+  {
+    text += (text.empty() ? "" : " and ") + this->TouchName;
+  }
+  if (text != this->Touch.Display->GetRecordingText())
+  {
+    this->Touch.Display->SetRecordingText(text.c_str());
+  }
+}
+} // namespace Explore

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_WindowRecorder_h
+#define Explore_WindowRecorder_h
+
+#include "Applications/Explorer/Live/TouchScene.h"
+#include "Applications/Explorer/Record/MovieFile.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Takes what is seen and felt into files, by keys: F12 a picture, F9 a movie, F10 a recording of
+/// the touch; F9 and F10 begin and end it. Files are numbered: picture-001.png, movie-001.ogv,
+/// touch-001.vtp in the current folder.
+///
+/// Pictures of a movie are read from the window after it was drawn, RATE times a second at most,
+/// and written by another thread; if that is behind, pictures are left out, and the time stays
+/// right. The head-up display tells what is recorded.
+class WindowRecorder
+{
+public:
+  /// A movie from now on, if its name is not empty. Throws InputError if it can't be written.
+  WindowRecorder(
+    TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& movie);
+  /// Waits for the ends of movies.
+  ~WindowRecorder();
+  WindowRecorder(const WindowRecorder&) = delete;
+  WindowRecorder& operator=(const WindowRecorder&) = delete;
+
+  /// As in vtkHapticHeadUpDisplay::HelpText.
+  static std::string ListKeys();
+
+private:
+  void PressKey();
+  void TakePicture();
+  bool BeginMovie(const std::string& file, std::string& error);
+  void EndMovie();
+  /// Takes what is seen into the movie, if that is due.
+  void Film();
+  void BeginOrEndTouch();
+  /// Lets the display tell what is recorded now.
+  void Tell();
+
+  TouchScene& Touch;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  std::unique_ptr<MovieFile> Movie;
+  std::vector<std::unique_ptr<MovieFile>> Ended; ///< which threads may still write
+  std::string MovieName;
+  std::string TouchName;                       ///< of the recording that is under way
+  std::chrono::steady_clock::time_point Begin; ///< of the movie
+  int Filmed = 0;                              ///< pictures
+  int Size[2] = { 0, 0 };
+  vtkNew<vtkCallbackCommand> KeyObserver;
+  vtkNew<vtkCallbackCommand> TimerObserver;
+};
+} // namespace Explore
+
+#endif

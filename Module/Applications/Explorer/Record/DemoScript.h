@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DemoScript_h
+#define Explore_DemoScript_h
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// A demonstration: mouse and keys of a window, from a file of text. Each line has a time (s, from
+/// the beginning) and an event; # begins a comment:
+///
+///   0.5  move 0.5 0.55        # the mouse is there: shares of the window, from its lower left
+///   1.0  key t                # a letter, or a name such as Escape, space, F9
+///   1.5  wheel 3              # steps away from you; negative: towards you
+///   2.0  stroke 0.7 0.5 1.5   # the mouse goes there within 1.5 s
+///   4.0  press left           # or right; and release
+///   9.0  key q
+///
+/// (VTK's own vtkInteractorEventRecorder keeps no times, and a hand that moves at once is no hand.)
+struct DemoEvent
+{
+  enum class Kind
+  {
+    Move,
+    Key,
+    Wheel,
+    Press,
+    Release
+  };
+  double Time = 0.0;
+  Kind What = Kind::Move;
+  double Place[2] = { 0.0, 0.0 }; ///< of Move
+  double Duration = 0.0;          ///< of Move: 0 is at once
+  int Steps = 0;                  ///< of Wheel
+  std::string Name;               ///< of Key, Press and Release
+};
+
+/// Throws InputError, with the line, for a file that is no such script.
+std::vector<DemoEvent> ReadDemoScript(const std::string& file);
+
+/// Plays a script to a window, from its first timer event on.
+class DemoScript
+{
+public:
+  DemoScript(std::vector<DemoEvent> events, vtkRenderWindowInteractor* interactor);
+  ~DemoScript();
+  DemoScript(const DemoScript&) = delete;
+  DemoScript& operator=(const DemoScript&) = delete;
+
+private:
+  void Play();
+  void Do(const DemoEvent& event);
+  void MoveTo(double x, double y);
+  void Press(const std::string& key);
+
+  std::vector<DemoEvent> Events;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  std::size_t Next = 0;
+  bool HasBegun = false;
+  std::chrono::steady_clock::time_point Begin;
+  const DemoEvent* Stroke = nullptr; ///< that is under way
+  double From[2] = { 0.5, 0.5 };     ///< where it began
+  double At[2] = { 0.5, 0.5 };       ///< of the mouse
+  vtkNew<vtkCallbackCommand> TimerObserver;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_MovieFile_h
+#define Explore_MovieFile_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <string>
+
+namespace Explore
+{
+/// A movie in a file, Ogg Theora (.ogv), which a thread of its own writes. The owner hands it
+/// pictures and never waits for them; only the destructor waits for the end of the file.
+class MovieFile
+{
+public:
+  virtual ~MovieFile() = default;
+
+  /// Pictures a second.
+  static constexpr int RATE = 20;
+
+  /// Whether this program can write movies.
+  static bool IsAvailable();
+
+  /// Null, with the reason, if the file can't be written.
+  static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
+
+  /// A picture that lasts for so many RATEs. False if the thread is behind: then it is not taken,
+  /// and the next one has to last longer. All pictures have one size.
+  virtual bool Add(vtkImageData* picture, int count) = 0;
+
+  /// No more pictures come. The thread writes those that it has, and ends.
+  virtual void End() = 0;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The explorer plays a demonstration by itself, on a screen of its own: it touches the head, measures a point and a
+# distance, takes a picture, records the touch, and closes. A movie is made of all of it. Then everything is there, and a
+# second window loads the measurements.
+#
+# usage: record.sh PROGRAM VOLUME [--movie]
+#
+#   --movie   the program can write movies
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth python3" xvfb-run python3
+take_own_screen "$@"
+program=$(realpath "$1")
+volume=$(realpath "$2")
+movie=${3:-}
+take_own_home
+cd "$folder"
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2 || true
+  exit 1
+}
+
+play()
+{
+  "$program" "$volume" --size 240 --measurements head.csv --script "$@" > "$folder/program.log" 2>&1 &
+  child=$!
+  expect_end
+}
+
+cat > demo.txt << END
+# On the forehead, and to the side of it.
+0.0  move 0.5 0.6
+0.5  key t
+1.0  wheel 4
+2.5  key F10
+3.0  key P
+3.1  key D
+3.2  stroke 0.56 0.6 1
+4.8  key D
+5.0  key F10
+5.1  key F12
+6.0  key q
+END
+play demo.txt ${movie:+--movie demo.ogv}
+[[ -s picture-001.png && -s touch-001.vtp ]] || fail "there is no picture or no recording"
+grep -q "^1,Point 1,Point," head.csv || fail "no point was measured"
+grep -q "^2,Distance 1,Distance," head.csv || fail "no distance was measured"
+
+# Pictures, by the position of the last page of Ogg (RFC 3533), which Theora splits into that of the last key picture
+# and the pictures since: by 6 bits, unless its header says otherwise (bytes 40 and 41, KFGSHIFT).
+if [[ -n "$movie" ]]
+then
+  python3 - demo.ogv << 'END' || fail "the movie does not have 20 pictures for each of its six seconds"
+import struct
+import sys
+
+data = open(sys.argv[1], "rb").read()
+assert data[:4] == b"OggS"
+header = data.index(b"\x80theora")
+shift = (struct.unpack(">H", data[header + 40:header + 42])[0] >> 5) & 31
+last = struct.unpack("<q", data[data.rindex(b"OggS") + 6:][:8])[0]
+pictures = (last >> shift) + (last & ((1 << shift) - 1))
+print(pictures, "pictures")
+assert pictures >= 6 * 20 - 20, "the last second may be missing"
+END
+fi
+
+# They are loaded, one is removed, and the rest is saved.
+printf '0.5 key Delete\n1.0 key q\n' > next.txt
+play next.txt
+grep -q "^1,Point 1,Point," head.csv || fail "the point was lost"
+! grep -q "Distance 1" head.csv || fail "the distance is still there"
+
+# A window that nothing changes leaves the file alone.
+before=$(stat -c %i head.csv)
+printf '1.0 key q\n' > quit.txt
+play quit.txt
+[[ "$(stat -c %i head.csv)" == "$before" ]] || fail "the file was written anew without a change"
