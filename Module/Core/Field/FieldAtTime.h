@@ -64,13 +64,8 @@ public:
     {
       return this->ValuesOfMaterial(index, offset);
     }
-    const ValuePair values = this->First.Values(index, offset);
-    if (!this->Second)
-    {
-      return values;
-    }
-    const ValuePair second = this->Second->Values(index, offset);
-    return { this->Blend(values.Ahead, second.Ahead), this->Blend(values.Behind, second.Behind) };
+    return this->Second ? this->Blend(this->First.Values(*this->Second, index, offset))
+                        : this->First.Values(index, offset);
   }
 
   FieldSample Gradient(const Vector3& index) const noexcept
@@ -84,17 +79,12 @@ public:
    * Two instants between the same frames may share what is read of them, unless the material goes
    * elsewhere in between.
    */
-  struct FramePair
-  {
-    FieldSample First;
-    FieldSample Second;
-  };
   bool HasFramesOf(const FieldAtTime& other) const noexcept
   {
     return this->Second && !this->Motion && this->Second == other.Second &&
       &this->First == &other.First;
   }
-  FramePair ReadFrames(const Vector3& index) const noexcept
+  FramePair<FieldSample> ReadFrames(const Vector3& index) const noexcept
   {
     if (this->FollowsMaterial())
     {
@@ -102,9 +92,9 @@ public:
       return { ReadMaterial(this->First, at.First, at.FirstSlope),
         ReadMaterial(*this->Second, at.Second, at.SecondSlope) };
     }
-    return { this->First.Gradient(index), this->Second->Gradient(index) };
+    return this->First.Gradients(*this->Second, index);
   }
-  FieldSample Blend(const FramePair& pair) const noexcept
+  FieldSample Blend(const FramePair<FieldSample>& pair) const noexcept
   {
     const auto& [first, second] = pair;
     return { this->Blend(first.Value, second.Value),
@@ -139,9 +129,14 @@ private:
       this->First.Values(this->First.Nearest(at.First), at.FirstSlope * offset);
     const ValuePair second =
       this->Second->Values(this->First.Nearest(at.Second), at.SecondSlope * offset);
-    return { this->Blend(first.Ahead, second.Ahead), this->Blend(first.Behind, second.Behind) };
+    return this->Blend(FramePair<ValuePair>{ first, second });
   }
 
+  ValuePair Blend(const FramePair<ValuePair>& pair) const noexcept
+  {
+    const auto& [first, second] = pair;
+    return { this->Blend(first.Ahead, second.Ahead), this->Blend(first.Behind, second.Behind) };
+  }
   double Blend(double first, double second) const noexcept
   {
     return first + this->Share * (second - first);

@@ -38,14 +38,29 @@ ValuePair SplinePair(
     Separable<T, 4, false>(view.Volume, feet[1], nullptr) };
 }
 
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE FieldSample SumGradient(const FieldView& view, const Footprint<N>& foot)
+{
+  FieldSample sample;
+  sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
+  return sample;
+}
+
 template <typename T>
 FieldSample SplineGradient(const FieldView& view, double x, double y, double z) noexcept
 {
   Footprint<4> foot;
   LocateSpline<true>(view, x, y, z, foot);
-  FieldSample sample;
-  sample.Value = Separable<T, 4, true>(view.Volume, foot, &sample.Gradient);
-  return sample;
+  return SumGradient<T, 4>(view, foot);
+}
+
+template <typename T>
+FramePair<FieldSample> SplineGradients(
+  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(first, x, y, z, foot);
+  return { SumGradient<T, 4>(first, foot), SumGradient<T, 4>(second, foot) };
 }
 
 /** The gradient from the taps of a memory, which are read anew if they are of another place. */
@@ -121,9 +136,16 @@ FieldSample GaussianGradient(const FieldView& view, double x, double y, double z
 {
   Footprint<N> foot;
   LocateGaussian<N>(view, x, y, z, foot);
-  FieldSample sample;
-  sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
-  return sample;
+  return SumGradient<T, N>(view, foot);
+}
+
+template <typename T, int N>
+FramePair<FieldSample> GaussianGradients(
+  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(first, x, y, z, foot);
+  return { SumGradient<T, N>(first, foot), SumGradient<T, N>(second, foot) };
 }
 
 template <int N>
@@ -182,30 +204,46 @@ FieldSample WideGaussianGradient(const FieldView& view, double x, double y, doub
   return sample;
 }
 
+/** What the estimator does not name stays null. */
 template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 {
+  FieldFunctions f;
+  f.Value = TrilinearValue<T>;
+  f.Pair = TrilinearPair<T>;
+  f.Pairs = TrilinearPairs<T>;
   switch (estimator)
   {
     case GradientEstimator::CentralDifference:
-      return { TrilinearValue<T>, TrilinearPair<T>, CentralDifference<T> };
+      f.Gradient = CentralDifference<T>;
+      return f;
     case GradientEstimator::CubicBSpline:
-      return { SplineValue<T>, SplinePair<T>, SplineGradient<T>, FillTaps<T, 4>, RememberedSpline };
+      return { SplineValue<T>, SplinePair<T>, SplineGradient<T>, nullptr, SplineGradients<T>,
+        FillTaps<T, 4>, RememberedSpline };
     case GradientEstimator::Gaussian:
       break;
   }
   switch (taps)
   {
     case 4:
-      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 4>, FillTaps<T, 4>,
-        RememberedGaussian<4> };
+      f.Gradient = GaussianGradient<T, 4>;
+      f.Gradients = GaussianGradients<T, 4>;
+      f.Fill = FillTaps<T, 4>;
+      f.Remembered = RememberedGaussian<4>;
+      return f;
     case 6:
-      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 6>, FillTaps<T, 6>,
-        RememberedGaussian<6> };
+      f.Gradient = GaussianGradient<T, 6>;
+      f.Gradients = GaussianGradients<T, 6>;
+      f.Fill = FillTaps<T, 6>;
+      f.Remembered = RememberedGaussian<6>;
+      return f;
     case 8:
-      return { TrilinearValue<T>, TrilinearPair<T>, GaussianGradient<T, 8> };
+      f.Gradient = GaussianGradient<T, 8>;
+      f.Gradients = GaussianGradients<T, 8>;
+      return f;
     default:
-      return { TrilinearValue<T>, TrilinearPair<T>, WideGaussianGradient<T> };
+      f.Gradient = WideGaussianGradient<T>;
+      return f;
   }
 }
 

@@ -51,11 +51,26 @@ struct ValuePair
   double Behind;
 };
 
+/** What is read of two frames of a volume that moves, at one place. */
+template <typename T>
+struct FramePair
+{
+  T First;
+  T Second;
+};
+
 // Positions are passed as numbers, which the compiler keeps in registers.
 using ValueFunction = double (*)(const FieldView&, double x, double y, double z) noexcept;
 using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
+///@{
+/** The same of two frames with the same geometry, type and kernel, which share the weights. */
+using PairsFunction = FramePair<ValuePair> (*)(const FieldView& first, const FieldView& second,
+  double x, double y, double z, double dx, double dy, double dz) noexcept;
+using GradientsFunction = FramePair<FieldSample> (*)(
+  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept;
+///@}
 /** Reads all taps from the first one; false if they are not all in the samples. */
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
@@ -69,6 +84,11 @@ struct FieldFunctions
   ValueFunction Value = nullptr;
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
+  ///@{
+  /** Null for estimators whose frames have nothing to share. */
+  PairsFunction Pairs = nullptr;
+  GradientsFunction Gradients = nullptr;
+  ///@}
   ///@{
   /** Null for estimators that gain nothing by a memory. */
   FillFunction Fill = nullptr;
@@ -126,6 +146,29 @@ public:
     return this->Functions.Gradient(this->View, index.X, index.Y, index.Z);
   }
 
+  ///@{
+  /** As Values and Gradient of each, but faster: the other frame is of the same volume. */
+  FramePair<ValuePair> Values(
+    const FieldSampler& other, const Vector3& index, const Vector3& offset) const noexcept
+  {
+    if (!this->Functions.Pairs || !this->SharesWeights(other))
+    {
+      return { this->Values(index, offset), other.Values(index, offset) };
+    }
+    const auto [first, second] = this->Functions.Pairs(
+      this->View, other.View, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+    return { { this->Checked(first.Ahead), this->Checked(first.Behind) },
+      { other.Checked(second.Ahead), other.Checked(second.Behind) } };
+  }
+  FramePair<FieldSample> Gradients(const FieldSampler& other, const Vector3& index) const noexcept
+  {
+    if (!this->Functions.Gradients || !this->SharesWeights(other))
+    {
+      return { this->Gradient(index), other.Gradient(index) };
+    }
+    return this->Functions.Gradients(this->View, other.View, index.X, index.Y, index.Z);
+  }
+  ///@}
   /**
    * Whether a continuous index lies within the bounding box of the volume's samples, resident or
    * not.
@@ -162,6 +205,15 @@ public:
   const VolumeView& GetView() const noexcept { return this->Given; }
 
 private:
+  /** Whether the kernel, the type and the resident samples of another frame are the same. */
+  bool SharesWeights(const FieldSampler& other) const noexcept
+  {
+    const FieldView& a = this->View;
+    const FieldView& b = other.View;
+    return this->Functions.Gradient == other.Functions.Gradient &&
+      a.Kernel.Table == b.Kernel.Table && a.Kernel.Radius == b.Kernel.Radius &&
+      std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last);
+  }
   double Checked(double value) const noexcept
   {
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;

@@ -52,12 +52,24 @@ VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last
   return { static_cast<std::int64_t>(cell), inside - cell };
 }
 
-template <typename T>
-VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
+/** A cell of the samples, and a position in it. */
+struct CellPlace
 {
-  const Axis ax = LocateCell(x, view.First[0], view.Last[0]);
-  const Axis ay = LocateCell(y, view.First[1], view.Last[1]);
-  const Axis az = LocateCell(z, view.First[2], view.Last[2]);
+  Axis X;
+  Axis Y;
+  Axis Z;
+};
+
+VOLUME_HAPTICS_INLINE CellPlace LocateCell(const FieldView& view, double x, double y, double z)
+{
+  return { LocateCell(x, view.First[0], view.Last[0]), LocateCell(y, view.First[1], view.Last[1]),
+    LocateCell(z, view.First[2], view.Last[2]) };
+}
+
+template <typename T>
+VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, const CellPlace& place)
+{
+  const auto& [ax, ay, az] = place;
   const std::int64_t sx = view.Volume.Stride[0];
   const std::int64_t sy = view.Volume.Stride[1];
   const std::int64_t sz = view.Volume.Stride[2];
@@ -100,6 +112,12 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y
 }
 
 template <typename T>
+VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
+{
+  return Trilinear<T>(view, LocateCell(view, x, y, z));
+}
+
+template <typename T>
 double TrilinearValue(const FieldView& view, double x, double y, double z) noexcept
 {
   return Trilinear<T>(view, x, y, z);
@@ -110,6 +128,16 @@ ValuePair TrilinearPair(
   const FieldView& view, double x, double y, double z, double dx, double dy, double dz) noexcept
 {
   return { Trilinear<T>(view, x + dx, y + dy, z + dz), Trilinear<T>(view, x - dx, y - dy, z - dz) };
+}
+
+template <typename T>
+FramePair<ValuePair> TrilinearPairs(const FieldView& first, const FieldView& second, double x,
+  double y, double z, double dx, double dy, double dz) noexcept
+{
+  const CellPlace ahead = LocateCell(first, x + dx, y + dy, z + dz);
+  const CellPlace behind = LocateCell(first, x - dx, y - dy, z - dz);
+  return { { Trilinear<T>(first, ahead), Trilinear<T>(first, behind) },
+    { Trilinear<T>(second, ahead), Trilinear<T>(second, behind) } };
 }
 
 template <typename T>

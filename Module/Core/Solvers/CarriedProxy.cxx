@@ -64,7 +64,7 @@ Change FindChange(const HapticModel& model, const ServoState& state, const Vecto
   if (now.HasFramesOf(before) && !isShifted)
   {
     // Each frame is read once.
-    const FieldAtTime::FramePair pair = now.ReadFrames(index);
+    const FramePair<FieldSample> pair = now.ReadFrames(index);
     change.Now = now.Blend(pair);
     old = before.Blend(pair);
   }

@@ -154,6 +154,58 @@ TEST_P(InstructionSets, MemoriesAreOfOneField)
   }
 }
 
+TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
+{
+  const auto compare = [this](const TestVolume& first, const TestVolume& second, int radius)
+  {
+    const GradientKernel kernel(this->GetParam(), radius);
+    for (const InstructionSet set : { InstructionSet::Baseline, InstructionSet::AVX2 })
+    {
+      const FieldSampler a(first.View, kernel, set);
+      const FieldSampler b(second.View, kernel, set);
+      std::mt19937_64 engine(11);
+      std::uniform_real_distribution<double> uniform(0.0, 9.0);
+      for (int i = 0; i < 100; ++i)
+      {
+        const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
+        const auto gradients = a.Gradients(b, p);
+        ASSERT_TRUE(IsSame(gradients.First, a.Gradient(p)));
+        ASSERT_TRUE(IsSame(gradients.Second, b.Gradient(p)));
+        const Vector3 offset{ 2.0, -3.0, 0.7 }; // often beyond the border
+        const auto values = a.Values(b, p, offset);
+        ASSERT_TRUE(IsSame(values.First.Ahead, a.Value(p + offset)));
+        ASSERT_TRUE(IsSame(values.First.Behind, a.Value(p - offset)));
+        ASSERT_TRUE(IsSame(values.Second.Ahead, b.Value(p + offset)));
+        ASSERT_TRUE(IsSame(values.Second.Behind, b.Value(p - offset)));
+      }
+    }
+  };
+  for (const int radius : { 1, 2, 3, 4 })
+  {
+    SCOPED_TRACE(testing::Message() << "radius " << radius);
+    for (const ScalarType type : AllScalarTypes)
+    {
+      TestVolume first(type, { 12, 11, 10 });
+      TestVolume second(type, { 12, 11, 10 });
+      TestVolume strided(type, { 12, 11, 10 }, 3);
+      first.FillRandom(1);
+      second.FillRandom(2);
+      strided.FillRandom(3);
+      compare(first, second, radius);
+      compare(first, strided, radius);
+    }
+    // Frames that share no weights.
+    TestVolume shorts(ScalarType::Int16, { 12, 11, 10 });
+    TestVolume floats(ScalarType::Float32, { 12, 11, 10 });
+    TestVolume smaller(ScalarType::Int16, { 10, 10, 10 });
+    shorts.FillRandom(4);
+    floats.FillRandom(5);
+    smaller.FillRandom(6);
+    compare(shorts, floats, radius);
+    compare(shorts, smaller, radius);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, InstructionSets, testing::ValuesIn(AllEstimators));
 
 TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)
