@@ -8,11 +8,16 @@
  *   V1  k max(0, r(t) - 19 mm)                with T_N = 2 N, which holds it
  *   V2  min(1, 0.5 + sin) N up to a quarter,  with T_N = 1 N: what is above slips through, so that
  *       then max(0, sin) N                    it is less on the way back
+ *   V3  k max(0, s(t))                        of a flat wall at 10 mm/s through a medium of 0.5 N,
+ *       s: how far it is beyond the tip       which moves along and drags nothing
  *   V4  as V1, of the blend of two frames 50 and 100 ms apart: all that frames tell
  *
  * The field reads the ball through its kernel, whose blur moves the surface of a ball by up to 0.03
  * mm. So forces and levels are compared with those of the blurred ball, which has a closed form,
  * too (BlurredBall); V1 and V2 also with the forms above.
+ *
+ *   V5  to the bit what stands still, where all frames are alike
+ *   V7  in a period, a wall that holds gives no work, and one that slips by 1 mm at 1 N gives 1 mJ
  *
  * A wall that leaps by six of its widths from frame to frame is right where its displacements are;
  * a blend in place is a cross-fade.
@@ -36,6 +41,7 @@ constexpr double BallMean = 20.0;     // mm
 constexpr double BallDepth = 1.0;     // mm, of the tip
 constexpr double BallAmplitude = 2.0; // mm
 constexpr double LeapLength = 9.0;    // mm
+constexpr double WallSpeed = 10.0;    // mm/s, of a wall that comes
 /**
  * An edge begins where V is the mean of V this many voxels before it and behind. These are
  * interpolated: with 2 voxels, still on the flanks of the edges below, the surface is off by up to
@@ -59,6 +65,7 @@ struct MovingCase
   double FramePeriod;   ///< s
   double Strength;      ///< N
   bool HasDisplacement; ///< the frames tell where the material goes
+  double Drag;          ///< of the medium, N
   double End;           ///< s
   Motion Surface;
   std::function<double(double time)> Force; ///< N, without the field's blur and the frames' blend
@@ -79,7 +86,7 @@ std::vector<MovingCase> MakeMovingCases()
 {
   const auto pulse = [](const char* name, double period)
   {
-    return MovingCase{ name, BallMean, period, 2.0, false, 1.0, Pulse,
+    return MovingCase{ name, BallMean, period, 2.0, false, 0.0, 1.0, Pulse,
       [](double time) { return Held(Pulse(time)); } };
   };
   MovingCase slipping = pulse("V2, ball that pulsates, of which 1 N slips", 0.01);
@@ -88,9 +95,12 @@ std::vector<MovingCase> MakeMovingCases()
   slipping.Force = Slipping;
   // From 5 mm in front of the tip to 4 mm behind it.
   const Motion leap = [](double time) { return -6.0 + LeapLength * time; };
-  return { pulse("V1, ball that pulsates", 0.01), slipping, pulse("V4, frames 50 ms apart", 0.05),
-    pulse("V4, frames 100 ms apart", 0.1),
-    { "wall that leaps by 6 widths, with displacements", 1e6, 1.0, 5.0, true, 1.0, leap,
+  const Motion come = [](double time) { return -3.0 + WallSpeed * time; };
+  return { pulse("V1, ball that pulsates", 0.01), slipping,
+    { "V3, wall that comes through a medium", 1e6, 0.02, 5.0, false, 0.5, 0.5, come,
+      [come](double time) { return Held(come(time)); } },
+    pulse("V4, frames 50 ms apart", 0.05), pulse("V4, frames 100 ms apart", 0.1),
+    { "wall that leaps by 6 widths, with displacements", 1e6, 1.0, 5.0, true, 0.0, 1.0, leap,
       [leap](double time) { return Held(leap(time)); } } };
 }
 
@@ -208,9 +218,9 @@ private:
   const double ValueVariance; ///< of V
 };
 
-std::unique_ptr<HapticModel> BakeMoving(const Candidate& candidate, const MovingCase& c)
+HapticModelDescription DescribeMoving(const Candidate& candidate, const MovingCase& c)
 {
-  Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.0, 0.0, c.Strength));
+  Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.0, c.Drag, c.Strength));
   // With materials of the far side, a surface's strength begins at the middle of its edge and grows
   // from there on; here it is whole, so that the middle is where the force comes from.
   touching.Alignment = ContactAlignment::Edge;
@@ -245,35 +255,87 @@ std::unique_ptr<HapticModel> BakeMoving(const Candidate& candidate, const Moving
       d.Frames.back().DisplacementSamples = all;
     }
   }
-  return std::make_unique<HapticModel>(d);
+  return d;
 }
 
-/** The forces along the normal, tick by tick. */
-std::vector<double> FeelMoving(const Candidate& candidate, const MovingCase& c)
+struct FeltMotion
 {
-  const auto model = BakeMoving(candidate, c);
-  Path path = { OddCentre + 6.0 * OddNormal };
+  std::vector<double> Forces; ///< N, along the normal, tick by tick
+  double Work = 0.0;          ///< J, of the wall
+};
+
+FeltMotion FeelMoving(const Candidate& candidate, const MovingCase& c)
+{
+  const HapticModel model(DescribeMoving(candidate, c));
   const Vector3 at = OddCentre - BallDepth * OddNormal;
+  // What drags a hand that comes goes on when it rests: there it begins at rest.
+  Path path = { c.Drag > 0.0 ? at : OddCentre + 6.0 * OddNormal };
   MoveTo(path, at, 0.02);
   ServoState state;
   TickRecord record;
   for (const Vector3& tip : path)
   {
-    Tick(*model, state, 1e-3 * tip, record);
+    Tick(model, state, 1e-3 * tip, record);
   }
-  std::vector<double> forces = { Dot(record.Force, OddNormal) };
+  FeltMotion felt{ { Dot(record.Force, OddNormal) } };
   for (double time = WallTick; time < c.End; time += WallTick)
   {
     state.DataTime = time;
-    Tick(*model, state, 1e-3 * at, record);
-    forces.push_back(Dot(record.Force, OddNormal));
+    Tick(model, state, 1e-3 * at, record);
+    felt.Forces.push_back(Dot(record.Force, OddNormal));
+    felt.Work += record.WallWork;
   }
-  return forces;
+  return felt;
+}
+
+bool IsFlat(const MovingCase& c)
+{
+  return c.Curvature > 1e3;
 }
 
 double FastestOf(const MovingCase& c)
 {
-  return c.HasDisplacement ? LeapLength / c.FramePeriod : TwoPi * BallAmplitude;
+  const double flat = c.HasDisplacement ? LeapLength / c.FramePeriod : WallSpeed;
+  return IsFlat(c) ? flat : TwoPi * BallAmplitude;
+}
+
+/** V7: how far (mJ) the work of a wall in a period is from what is right. */
+double FindWorkError(const Candidate& candidate, double strength, double right)
+{
+  MovingCase c = MakeMovingCases().front();
+  c.Strength = strength;
+  c.End = 1.0 + 0.5 * WallTick;
+  return std::abs(1e3 * FeelMoving(candidate, c).Work - right);
+}
+
+/** V5: the largest difference of forces (N) from those of the first frame alone. */
+double FindStillDifference(const Candidate& candidate)
+{
+  constexpr int frames = 1000;
+  HapticModelDescription d = DescribeMoving(candidate, MakeMovingCases().front());
+  const VolumeFrame first = d.Frames.front();
+  d.Frames.clear();
+  const HapticModel still(d);
+  for (int i = 0; i < frames; ++i)
+  {
+    d.Frames.push_back({ 0.003 * i, first.View, first.Samples });
+  }
+  const HapticModel moving(d);
+  Path path = { OddCentre + 3.0 * OddNormal };
+  MoveTo(path, OddCentre - 2.0 * OddNormal + Vector3{ 3.0, -2.0, 1.0 }, 0.005);
+  MoveTo(path, OddCentre + 3.0 * OddNormal, 0.005);
+  ServoState states[2];
+  TickRecord record;
+  double worst = 0.0;
+  for (const Vector3& tip : path)
+  {
+    Tick(still, states[0], 1e-3 * tip, record);
+    const Vector3 force = record.Force;
+    Tick(moving, states[1], 1e-3 * tip, record);
+    worst = std::max(worst, Norm(record.Force - force));
+    states[1].DataTime += WallTick;
+  }
+  return worst;
 }
 } // namespace
 
@@ -283,7 +345,7 @@ Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
   double steepest = 0.0;
   for (const MovingCase& c : MakeMovingCases())
   {
-    const std::vector<double> forces = FeelMoving(candidate, c);
+    const std::vector<double> forces = FeelMoving(candidate, c).Forces;
     std::vector<double> plain;
     for (std::size_t i = 0; i < forces.size(); ++i)
     {
@@ -302,21 +364,28 @@ Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
     };
     const auto percent = [](double error, const std::vector<double>& right)
     { return 100.0 * error / *std::max_element(right.begin(), right.end()); };
-    // The wall that leaps is flat: blur does not move it.
+    // Blur does not move what is flat.
     const std::vector<double> right =
-      c.HasDisplacement ? plain : BlurredBall(candidate, c).Push(forces.size());
+      IsFlat(c) ? plain : BlurredBall(candidate, c).Push(forces.size());
     const std::string name = std::string("moving wall: ") + c.Name;
     const double error = worst(right);
     figures.push_back({ name + ", worst force", "%", percent(error, right), 1.0 });
     figures.push_back({ name + ", worst level", "voxel", 1e3 * error / WallStiffness, 0.02 });
-    if (!c.HasDisplacement && c.FramePeriod < 0.05)
+    if (!IsFlat(c) && c.FramePeriod < 0.05)
     {
       figures.push_back(
         { name + ", worst force, blur not counted in", "%", percent(worst(plain), plain), 1.0 });
     }
   }
   figures.push_back(
-    { "moving walls: largest step of the force in a tick", "times k |v| dt", steepest, 2.0 });
+    { "moving wall: V5, 1000 frames that are alike, force off one that stands still", "N",
+      FindStillDifference(candidate), 0.0 });
+  figures.push_back({ "moving wall: V7, work of a wall that holds", "mJ",
+    FindWorkError(candidate, 2.0, 0.0), 0.02 });
+  figures.push_back({ "moving wall: V7, work of a wall that slips by 1 mm at 1 N", "mJ off 1",
+    FindWorkError(candidate, 1.0, 1.0), 0.02 });
+  figures.push_back(
+    { "moving walls: largest step of the force in a tick", "times k |v| dt", steepest, 1.1 });
   return figures;
 }
 
@@ -325,7 +394,7 @@ std::vector<Plot> PlotMovingWalls()
   std::vector<Plot> plots;
   const std::vector<MovingCase> cases = MakeMovingCases();
   const std::pair<std::size_t, const char*> shown[] = { { 0, "moving-held" },
-    { 1, "moving-slipping" }, { 4, "moving-leap" } };
+    { 1, "moving-slipping" }, { 5, "moving-leap" } };
   for (const auto& [number, file] : shown)
   {
     const MovingCase& c = cases[number];
@@ -346,14 +415,14 @@ std::vector<Plot> PlotMovingWalls()
       right.push_back(c.Force(time));
     }
     add("right", right);
-    add("PAPER", FeelMoving({ HapticSolver::Paper, GradientEstimator::Gaussian }, c));
-    add("PRECISE", FeelMoving({ HapticSolver::Precise, GradientEstimator::Gaussian }, c));
+    add("PAPER", FeelMoving({ HapticSolver::Paper, GradientEstimator::Gaussian }, c).Forces);
+    add("PRECISE", FeelMoving({ HapticSolver::Precise, GradientEstimator::Gaussian }, c).Forces);
     if (c.HasDisplacement)
     {
       MovingCase blended = c;
       blended.HasDisplacement = false;
       add("PRECISE, blended in place",
-        FeelMoving({ HapticSolver::Precise, GradientEstimator::Gaussian }, blended));
+        FeelMoving({ HapticSolver::Precise, GradientEstimator::Gaussian }, blended).Forces);
     }
     plots.push_back(std::move(plot));
   }

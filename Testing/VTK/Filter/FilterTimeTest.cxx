@@ -101,10 +101,27 @@ TEST_F(FilterTime, TimeStopsAtTheLastStepAndTheForceStays)
   EXPECT_EQ(Get(trace, "Force", 600), Get(trace, "Force", 1000));
 }
 
-TEST_F(FilterTime, ItRunsBackwardsOnRequest)
+/// A path begins at the first step, and there is none before it.
+TEST_F(FilterTime, BackwardsThereIsNothingButTheFirstStep)
 {
   this->Filter->SetTimeUnitsPerSecond(-4.0);
-  EXPECT_DOUBLE_EQ(Get(this->Run(1001), "DataTime", 1000), 10.0);
+  const auto backwards = (this->Run(1001), Keep(this->Filter));
+  EXPECT_DOUBLE_EQ(Get(backwards, "DataTime", 500), 10.0);
+  EXPECT_EQ(this->Source->Asked.back(), 10.0);
+  backwards->GetPointData()->RemoveArray("DataTime");
+  this->Filter->SetTimeUnitsPerSecond(0.0);
+  EXPECT_TRUE(IsSame(backwards, (this->Run(1001), Keep(this->Filter))));
+}
+
+TEST_F(FilterTime, StepsMayBeGivenInAnyOrder)
+{
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  const auto expected = (this->Run(1001), Keep(this->Filter));
+  EXPECT_GT(Get(expected, "Force", 1000), 0.4);
+  this->Source->Steps = { 14.0, 13.0, 11.0, std::numeric_limits<double>::quiet_NaN(), 12.0, 11.0,
+    10.0 };
+  this->Source->Modified();
+  EXPECT_TRUE(IsSame(expected, (this->Run(1001), Keep(this->Filter))));
 }
 
 TEST_F(FilterTime, WithoutTimeOneStepIsFelt)

@@ -12,6 +12,7 @@
 #include <vtkHapticSurfaceMode.h>
 #include <vtkHapticVectorFollowMode.h>
 #include <vtkHapticVectorFrontMode.h>
+#include <vtkTable.h>
 
 using namespace devicetest;
 
@@ -43,6 +44,11 @@ protected:
   vtkNew<vtkHapticVectorFollowMode> Follow;
   vtkNew<vtkHapticVectorFrontMode> Front;
 };
+
+Point GetPoint(vtkDataArray* array, vtkIdType row)
+{
+  return { array->GetComponent(row, 0), array->GetComponent(row, 1), array->GetComponent(row, 2) };
+}
 } // namespace
 
 TEST_F(ModeRecording, ReplaysToTheBit)
@@ -77,6 +83,9 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   ASSERT_TRUE(this->Lead(9.0, 7.0, 5.0));
   const double held = Length(this->Device->GetForce());
   EXPECT_GT(held, 0.3);
+  vtkNew<vtkTable> ticks;
+  constexpr int reader = 5; // beside that of the fixture
+  this->Device->DrainStates(ticks, reader); // begins to keep them
   // The line goes: the hand is free, and force rises anew when another mode comes.
   this->Follow->ActiveOff();
   ASSERT_TRUE(this->Device->Publish());
@@ -88,4 +97,20 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   ASSERT_TRUE(this->Lead(10.0, 9.0, 5.0));
   ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 0.3; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
+  // No tick of all that has made the force longer than the slew limit lets it grow.
+  ASSERT_TRUE(this->WaitTicks(50));
+  this->Device->DrainStates(ticks, reader);
+  ASSERT_GT(ticks->GetNumberOfRows(), 50);
+  auto* const command = vtkDataArray::SafeDownCast(ticks->GetColumnByName("Command"));
+  double jolt = 0.0;
+  for (vtkIdType i = 1; i < ticks->GetNumberOfRows(); ++i)
+  {
+    const Point before = GetPoint(command, i - 1);
+    const Point after = GetPoint(command, i);
+    const double along = before[0] * after[0] + before[1] * after[1] + before[2] * after[2];
+    const double size = Length(after.data());
+    jolt = std::max(jolt, size > 0.0 ? size - std::max(0.0, along / size) : 0.0);
+  }
+  EXPECT_GT(jolt, 0.0);
+  EXPECT_LE(jolt, 1e-3 * this->Device->GetMaximumForceRate() + 1e-9);
 }

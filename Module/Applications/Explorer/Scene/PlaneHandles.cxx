@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCellPicker.h"
 #include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 
 namespace Explore
@@ -27,7 +28,16 @@ PlaneHandles::PlaneHandles()
   this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
   this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
   this->Picker->DeletePickList(this->CutActor);
-  this->Picker->DeletePickList(this->OutlineActor);
+  // The outline, which has no name that all versions of VTK know.
+  vtkPropCollection* const picked = this->Picker->GetPickList();
+  for (int i = picked->GetNumberOfItems(); i-- > 0;)
+  {
+    auto* const actor = vtkActor::SafeDownCast(picked->GetItemAsObject(i));
+    if (actor && actor->GetProperty() == this->GetOutlineProperty())
+    {
+      this->Picker->DeletePickList(actor);
+    }
+  }
 }
 
 int PlaneHandles::ComputeInteractionState(int x, int y, int modify)
