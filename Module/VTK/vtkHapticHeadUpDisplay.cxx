@@ -8,6 +8,7 @@
 #include "VTK/Charts/HapticKeySheet.h"
 #include "VTK/Charts/HapticModeList.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
+#include "VTK/Charts/HapticTextLook.h"
 #include "VTK/Scene/DisplayText.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
@@ -173,7 +174,6 @@ vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
 {
   auto& d = *this->Internals;
   d.Text->GetTextProperty()->SetFontSize(14);
-  d.Text->GetTextProperty()->SetShadow(1);
   d.Text->GetTextProperty()->SetVerticalJustificationToTop();
   d.Text->GetTextProperty()->SetLineSpacing(1.15);
   d.Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -416,8 +416,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
   const bool isFault = this->Device && this->Device->GetStatus() == vtkHapticDevice::FAULT;
-  this->Text->GetTextProperty()->SetColor(
-    isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92, isFault ? 0.45 : 0.95);
+  SetLook(this->Text->GetTextProperty(), isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92,
+    isFault ? 0.45 : 0.95, viewport);
   const std::string text = self.GetText();
   int drawn = 0;
   double size[2] = { 0.0, 0.0 };

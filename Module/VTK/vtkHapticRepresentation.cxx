@@ -4,6 +4,7 @@
 
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticModeColors.h"
+#include "VTK/Charts/HapticTextLook.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/LandingRing.h"
@@ -92,8 +93,6 @@ vtkHapticRepresentation::vtkHapticRepresentation()
   d.TrailActor->GetProperty()->LightingOff();
   vtkTextProperty* const text = d.ScaleText->GetTextProperty();
   text->SetFontSize(13);
-  text->SetColor(0.93, 0.95, 0.98);
-  text->SetShadow(1);
   text->SetJustificationToRight();
   d.ScaleText->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   d.ScaleText->GetPositionCoordinate()->SetValue(0.98, 0.02);
@@ -350,6 +349,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
   d.Landing.RenderText(viewport);
   if (this->ScaleTextVisibility && d.HasState)
   {
+    SetLook(d.ScaleText->GetTextProperty(), 0.93, 0.95, 0.98, viewport);
     d.ScaleText->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
     d.ScaleText->RenderOverlay(viewport);
   }

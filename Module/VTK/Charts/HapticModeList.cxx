@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticModeList.h"
 
+#include "VTK/Charts/HapticTextLook.h"
+
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkViewport.h"
@@ -24,7 +26,6 @@ HapticModeList::HapticModeList()
   {
     vtkTextProperty* const look = line.Text->GetTextProperty();
     look->SetFontSize(14);
-    look->SetShadow(1);
     look->SetVerticalJustificationToBottom();
   }
 }
@@ -40,14 +41,9 @@ int HapticModeList::Render(const std::vector<ModeLine>& lines, int top, vtkViewp
   {
     Line& line = this->Lines[i];
     const unsigned char* const c = ModeColors[i];
-    if (lines[i].IsActive)
-    {
-      line.Text->GetTextProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
-    }
-    else
-    {
-      line.Text->GetTextProperty()->SetColor(Inactive, Inactive, Inactive);
-    }
+    const bool isActive = lines[i].IsActive;
+    SetLook(line.Text->GetTextProperty(), isActive ? c[0] / 255.0 : Inactive,
+      isActive ? c[1] / 255.0 : Inactive, isActive ? c[2] / 255.0 : Inactive, viewport);
     line.High = top - static_cast<int>(i) * LinePixels;
     line.Low = line.High - LinePixels;
     line.Text->SetInput(lines[i].Text.c_str());

@@ -34,8 +34,8 @@ namespace VolumeHaptics
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
  *   device is armed, it casts as many rays as 0.1 s allows.
- * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched, if OpenGL runs
- *   there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
+ * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
+ *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
  * A window off the screen is left alone, because nobody waits for its pictures.
  */
@@ -49,7 +49,7 @@ public:
     Armed
   };
 
-  /** `touch` tells before each frame whether the scene is touched. */
+  /** `touch` tells before each frame whether the scene is touched; On also if it plays. */
   explicit FrameQuality(std::function<Touch()> touch);
   ~FrameQuality();
   FrameQuality(const FrameQuality&) = delete;

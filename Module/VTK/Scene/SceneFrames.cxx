@@ -24,8 +24,12 @@ SceneFrames::SceneFrames(
       [this]
       {
         using Touch = FrameQuality::Touch;
-        const bool isArmed = this->Scene.Device && this->Scene.IsArmed();
-        return isArmed ? Touch::Armed : this->Scene.Style->GetTouchMode() ? Touch::On : Touch::Off;
+        vtkHapticDevice* const device = this->Scene.Device;
+        const bool isArmed = device && this->Scene.IsArmed();
+        // A volume that plays is drawn again and again.
+        const bool isBusy = this->Scene.Style->GetTouchMode() ||
+          (device && device->HasFrames() && device->IsPlaying());
+        return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
       })
 {
 }

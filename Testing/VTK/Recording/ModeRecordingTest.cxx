@@ -84,7 +84,7 @@ TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
   const double held = Length(this->Device->GetForce());
   EXPECT_GT(held, 0.3);
   vtkNew<vtkTable> ticks;
-  constexpr int reader = 5; // beside that of the fixture
+  constexpr int reader = 5;                 // beside that of the fixture
   this->Device->DrainStates(ticks, reader); // begins to keep them
   // The line goes: the hand is free, and force rises anew when another mode comes.
   this->Follow->ActiveOff();

@@ -9,6 +9,7 @@
 #include "StyleRig.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkHapticFrameSource.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkSmartVolumeMapper.h>
 #include <vtkVolume.h>
@@ -220,6 +221,39 @@ TEST_F(StyleQualityTest, SmartMapperCastsRaysOnTheProcessorWhereOpenGLRunsThere)
   EXPECT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
   this->Style->AutoAdjustVolumeQualityOff();
   this->Style->UpdateHaptics();
+  EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
+}
+
+TEST_F(StyleQualityTest, AVolumeThatPlaysIsDrawnAsOneThatIsTouched)
+{
+  vtkNew<vtkHapticFrameSource> frames;
+  frames->AddFrame(this->Ball, 0.0);
+  vtkNew<vtkImageData> other;
+  other->DeepCopy(this->Ball);
+  frames->AddFrame(other, 1.0);
+  this->Filter->SetInputConnection(0, frames->GetOutputPort());
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  this->Show(mapper.GetPointer());
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Draw(AtRest, 1);
+  if (std::string(this->Window->ReportCapabilities()).find("llvmpipe") == std::string::npos)
+  {
+    GTEST_SKIP() << "OpenGL runs on a graphics card";
+  }
+  EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
+  this->Device->SetPlaybackToLoop();
+  this->Device->Play();
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->HasFrames();
+    }));
+  this->Draw(InMotion, 1);
+  EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
+  this->Device->Hold();
+  this->Draw(AtRest, 1);
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
 }
 

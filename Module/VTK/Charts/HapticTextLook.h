@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Text over a scene that can be read on dark and on light backgrounds.
+ */
+#ifndef HapticTextLook_h
+#define HapticTextLook_h
+
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTextProperty.h"
+#include "vtkViewport.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+/** Whether the background is light that is seen behind a viewport, which may be an upper layer. */
+inline bool IsOnLight(vtkViewport* viewport)
+{
+  vtkViewport* ground = viewport;
+  auto* const renderer = vtkRenderer::SafeDownCast(viewport);
+  vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
+  if (window && renderer->GetLayer() > 0)
+  {
+    vtkCollectionSimpleIterator at;
+    window->GetRenderers()->InitTraversal(at);
+    while (vtkRenderer* const other = window->GetRenderers()->GetNextRenderer(at))
+    {
+      ground = other->GetLayer() == 0 ? other : ground;
+    }
+  }
+  const auto lightness = [](const double* c) { return 0.3 * c[0] + 0.6 * c[1] + 0.1 * c[2]; };
+  const double low = lightness(ground->GetBackground());
+  const double high = ground->GetGradientBackground() ? lightness(ground->GetBackground2()) : low;
+  constexpr double middle = 0.55;
+  return 0.5 * (low + high) > middle;
+}
+
+/** A colour with a shadow on dark backgrounds; without one and darker, greys inverted, on light. */
+inline void SetLook(
+  vtkTextProperty* text, double red, double green, double blue, vtkViewport* viewport)
+{
+  constexpr double darker = 0.6;
+  const bool isLight = IsOnLight(viewport);
+  const bool isGrey = std::max({ red, green, blue }) - std::min({ red, green, blue }) < 0.1;
+  const auto fit = [&](double part) {
+    return !isLight ? part : isGrey ? 1.0 - part : darker * part;
+  };
+  text->SetColor(fit(red), fit(green), fit(blue));
+  text->SetShadow(isLight ? 0 : 1);
+}
+
+} // namespace VolumeHaptics
+
+#endif

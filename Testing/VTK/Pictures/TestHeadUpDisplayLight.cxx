@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// In a layer above a white background, as PyVista's: a status, and modes, one of which is off, in
+// letters that can be read.
+#include "Factories.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticRidgeMode.h"
+#include "vtkHapticVectorFollowMode.h"
+#include "vtkHapticVortexMode.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include "vtkNew.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+int TestHeadUpDisplayLight(int argc, char* argv[])
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  vtkNew<vtkHapticVectorFollowMode> follow;
+  follow->SetArrayName("velocity");
+  vtkNew<vtkHapticVortexMode> vortex;
+  vtkNew<vtkHapticRidgeMode> ridge;
+  ridge->ActiveOff();
+  filter->AddMode(follow);
+  filter->AddMode(vortex);
+  filter->AddMode(ridge);
+  filter->SetMethodToPrimitives();
+  vtkNew<vtkHapticDevice> device;
+  device->Open("virtual");
+  device->SetVolumeHaptics(filter);
+  vtkNew<vtkHapticHeadUpDisplay> display;
+  display->SetDevice(device);
+  display->PlotVisibilityOff();
+  vtkNew<vtkRenderer> scene;
+  scene->SetBackground(1.0, 1.0, 1.0);
+  vtkNew<vtkRenderer> overlay;
+  overlay->SetLayer(1);
+  overlay->AddViewProp(display);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(300, 120);
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(scene);
+  window->AddRenderer(overlay);
+  window->Render();
+  return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}
