@@ -38,6 +38,7 @@ def clip(grid, actor):
 def mask(grid, actor):
     inside = pv.ImageData(dimensions=grid.dimensions)
     inside["mask"] = np.full(grid.n_points, 255, np.uint8)
+    actor.mapper.SetMaskTypeToBinary()
     actor.mapper.SetMaskInput(inside)
 
 
@@ -121,6 +122,12 @@ def test_actors_are_felt_as_they_are_shown(scene):
         crop(grid, actor)  # beyond x = 8
         assert strongest_force(haptics) == 0.0
         actor.mapper.CroppingOff()
+        mask(grid, actor)
+        assert strongest_force(haptics) > 1.0  # which shows all
+        pv.wrap(actor.mapper.GetMaskInput())["mask"][grid.points[:, 0] > 8] = 0
+        actor.mapper.GetMaskInput().Modified()
+        assert strongest_force(haptics) == 0.0
+        actor.mapper.SetMaskInput(None)
         actor.SetPosition(12, 0, 0)
         assert strongest_force(haptics) == 0.0  # the volume begins at 12
         actor.SetPosition(1, 2, 3)
@@ -147,3 +154,16 @@ def test_warnings_that_are_errors_leave_nothing_behind(scene):
             add_haptics(plotter, image)
     with pytest.warns(UserWarning, match="crops"):
         assert add_haptics(plotter, image).device.IsRunning()  # the plotter is as it was
+
+
+def test_another_volume_is_felt_by_its_own_filter(scene):
+    plotter, grid, actor = scene
+    other = plotter.add_volume(grid.copy(), mapper="gpu")
+    other.SetPosition(40, 0, 0)
+    haptics = add_haptics(plotter, actor)
+    touch = type(haptics.filter)()
+    assert haptics.style.AddTouchedVolume(other, touch)
+    assert haptics.style.GetNumberOfTouchedVolumes() == 2
+    haptics.update()
+    assert touch.GetTouchedImage().GetOrigin()[0] == 40.0
+    assert haptics.style.GetTouchedVolume() is actor
