@@ -23,9 +23,11 @@
  *
  * By hand, vtkInteractorStyleHaptic::SetMeasurements fills it with keys, and
  * vtkHapticMeasurementRepresentation shows it. Points placed by hand are those of the proxy, which
- * a surface holds, and not of the tip, which is inside. PRECISE and PAPER hold the proxy up to a
- * kernel radius in front of an edge (vtkVolumeHapticsFilter::SetKernelRadius), so that a distance
- * across a body may be up to twice that too long; SURFACE_PROXY holds it on the isosurface.
+ * a surface holds, and not of the tip, which is inside. At an edge such as that of CT, PRECISE
+ * holds the proxy where the value is halfway, within a tenth of a voxel; where values rise slowly,
+ * it is in front of where they are felt, by up to a kernel radius. PAPER holds it some voxels in
+ * front of an edge, and SURFACE_PROXY by its radius (SetProxyRadius) in front of the isosurface. A
+ * distance across a body is too long by twice as much.
  *
  * Each point may carry what was felt there: the time (s), the force on the hand (N, world axes) and
  * the value in the surface.

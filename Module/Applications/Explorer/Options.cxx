@@ -388,7 +388,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
                     begins and ends one, F10 a recording of the touch, and F12 takes a picture
   --script FILE     of the window: a demonstration, lines with a time (s) and an event, such as
-                    "1.0 key t", "1.5 wheel 3", "2.0 stroke 0.7 0.5 1.5", "9 key q": see recording.md
+                    "1.0 key t", "1.5 wheel 3", "2.0 stroke 0.7 0.5 1.5", "9 key q": see
+                    Documentation/recording.md
   --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
                     split-viewport, dresden, left, right, fake, emulate
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The width of a ball, between the proxies that touch it from two sides, against its diameter. The
+ * ball is as a CT scanner sees one of water: a step of Hounsfield units, which a point spread
+ * blurs. A step that is blurred evenly is halfway up where it was.
+ */
+
+#include "MeasureRig.h"
+
+using namespace measuretest;
+
+namespace
+{
+constexpr double Radius = 30.0; // mm; voxels of 1 mm
+
+vtkSmartPointer<vtkImageData> ScanBall()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(81, 81, 81);
+  image->SetOrigin(-40.0, -40.0, -40.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    const double out = std::hypot(x[0], x[1], x[2]) - Radius;
+    image->GetPointData()->GetScalars()->SetTuple1(
+      i, -1000.0 + 1040.0 / (1.0 + std::exp(out / 0.7)));
+  }
+  return image;
+}
+
+class Width : public MeasureTest
+{
+protected:
+  Width()
+  {
+    this->Filter->SetInputData(0, ScanBall());
+    this->Filter->GetProperty()->ApplyPreset("CT contrast");
+  }
+  /// Where the proxy rests when the tip is 1 mm inside, from a direction.
+  Point Touch(const Point& direction)
+  {
+    const auto at = [&direction](double r) {
+      return Point{ r * direction[0], r * direction[1], r * direction[2] };
+    };
+    this->Filter->SetPathData(MakePath(Line(at(38.0), at(Radius - 1.0), 900)));
+    this->Filter->Update();
+    vtkPolyData* const trace = this->Filter->GetOutput();
+    const vtkIdType last = trace->GetNumberOfPoints() - 1;
+    EXPECT_NE(Get(trace, "Contact", last), 0.0);
+    Point proxy;
+    trace->GetPoint(last, proxy.data());
+    return proxy;
+  }
+  double MeasureAcross(const Point& direction)
+  {
+    const Point a = this->Touch(direction);
+    const Point b = this->Touch({ -direction[0], -direction[1], -direction[2] });
+    return this->List->GetValue(this->List->AddDistance(a.data(), b.data()));
+  }
+
+  vtkNew<vtkVolumeHapticsFilter> Filter;
+};
+} // namespace
+
+TEST_F(Width, PreciseRestsHalfwayUpTheEdge)
+{
+  for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
+  {
+    EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * Radius, 0.2) << "a tenth of a voxel a side";
+  }
+}
+
+TEST_F(Width, SurfaceProxyRestsItsRadiusInFrontOfTheIsosurface)
+{
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(-480.0); // halfway
+  for (const double radius : { 0.0, 2.0 })
+  {
+    this->Filter->SetProxyRadius(radius);
+    const double gap = radius > 0.0 ? radius : 0.5; // by default half a voxel
+    for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
+    {
+      EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * (Radius + gap), 0.1) << "of triangles";
+    }
+  }
+}
