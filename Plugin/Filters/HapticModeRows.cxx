@@ -326,10 +326,13 @@ void HapticModeRows::AddRow(
   else
   {
     const vtkSmartPointer<vtkHapticMode> mode = found->Make();
-    mode->SetArrayName(array.c_str());
     if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
     {
       flaw = FillGuide(this->Guide.Data, array, guide);
+    }
+    else // of what is touched
+    {
+      mode->SetArrayName(array.c_str());
     }
     if (!ReadFunction(strength, mode->GetStrength()) ||
       (found->GetSecond && !ReadFunction(second, found->GetSecond(mode))))
