@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/FollowedScene.h"
 
+#include "VTK/Scene/SceneMarker.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -27,8 +29,6 @@ constexpr double TensorOpacity = 0.75;
 /** In radii of the proxy: the radius of lines, and the least length of tensors. */
 constexpr double LineRadii = 0.22;
 constexpr double TensorRadii = 10.0;
-/** The opacity of lines behind other objects, as that of markers. */
-constexpr double HiddenOpacity = 0.35;
 
 vtkSmartPointer<vtkUnsignedCharArray> NewColors()
 {

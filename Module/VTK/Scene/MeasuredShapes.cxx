@@ -4,6 +4,7 @@
 
 #include "Core/Math/Vector3.h"
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Scene/SceneMarker.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -20,8 +21,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** As that of the hand's markers. */
-constexpr double HiddenOpacity = 0.35;
 /** Of spheres: the radius of lines. */
 constexpr double LineRadius = 0.3;
 /** Of the shorter leg of an angle: the radius of its arc. */

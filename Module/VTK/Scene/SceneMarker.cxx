@@ -20,8 +20,6 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The opacity of a marker behind other objects. */
-constexpr double GhostOpacity = 0.35;
 constexpr int Resolution = 24;
 
 } // namespace
@@ -86,7 +84,7 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
   this->Solid->GetProperty()->SetSpecular(0.3);
   this->Solid->GetProperty()->SetSpecularPower(30.0);
   this->Ghost->GetProperty()->LightingOff();
-  this->Ghost->GetProperty()->SetOpacity(GhostOpacity);
+  this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
   // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
   this->Ghost->ForceOpaqueOn();
   const double color[3] = { red, green, blue };

@@ -21,6 +21,9 @@ class vtkBoundingBox;
 namespace VolumeHaptics
 {
 
+/** The opacity of what is behind other objects. */
+constexpr double HiddenOpacity = 0.35;
+
 class SceneMarker
 {
 public:
