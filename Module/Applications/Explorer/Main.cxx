@@ -72,8 +72,12 @@ Explore::SceneOptions MakeLook(
   look.Height = HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
+  // If the file does not say what its axes are, its values tell.
   const Explore::VolumeKind kind = exploration.Values.Kind;
-  look.Anatomical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
+  const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
+  const Explore::WorldAxes axes = exploration.Input.Axes;
+  look.Anatomical =
+    axes == Explore::WorldAxes::Patient || (axes == Explore::WorldAxes::Unknown && isMedical);
   return look;
 }
 

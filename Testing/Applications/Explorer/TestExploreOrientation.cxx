@@ -7,8 +7,11 @@
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
 
+#include <vtksys/FStream.hxx>
+
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 namespace
 {
@@ -45,6 +48,13 @@ void ExpectSamePlace(const std::string& what, vtkImageData* head, vtkImageData* 
     ++failures;
   }
 }
+
+std::string WriteText(const std::string& name, const std::string& text)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::ofstream(path.c_str()) << text;
+  return path;
+}
 } // namespace
 
 int TestExploreOrientation(int argc, char* argv[])
@@ -61,6 +71,28 @@ int TestExploreOrientation(int argc, char* argv[])
     ExpectSamePlace("NIfTI of values that are " + std::to_string(slope) +
         " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
+  }
+  // As NRRD's and MetaIO's definitions of their headers say; NIfTI's forms are of a patient.
+  const auto axesOf = [](const std::string& path) { return Explore::LoadVolume(path).Axes; };
+  Expect(axesOf(WriteNifti(folder, shuffled, 1.0, 0.0)) == Explore::WorldAxes::Patient,
+    "a NIfTI form is of a patient");
+  Expect(axesOf(WriteMetaImage(folder, shuffled)) == Explore::WorldAxes::Unknown,
+    "a MetaImage without AnatomicalOrientation does not say");
+  for (const auto& [line, axes] : { std::pair<std::string, Explore::WorldAxes>{
+                                      "AnatomicalOrientation = RAI", Explore::WorldAxes::Patient },
+         { "AnatomicalOrientation = ???", Explore::WorldAxes::Unknown } })
+  {
+    Expect(Explore::FindMetaImageAxes(WriteText("axes.mhd", line + "\n")) == axes, line);
+  }
+  for (const auto& [line, axes] :
+    { std::pair<std::string, Explore::WorldAxes>{ "space: LPS", Explore::WorldAxes::Patient },
+      { "space: left-anterior-superior-time", Explore::WorldAxes::Patient },
+      { "space: RAST", Explore::WorldAxes::Patient },
+      { "space: scanner-xyz", Explore::WorldAxes::Other },
+      { "space: 3D-right-handed", Explore::WorldAxes::Other },
+      { "type: short", Explore::WorldAxes::Unknown } })
+  {
+    Expect(Explore::FindNrrdAxes(WriteText("axes.nhdr", "NRRD0004\n" + line + "\n")) == axes, line);
   }
   for (const char* space :
     { "left-posterior-superior", "right-anterior-superior", "left-anterior-superior" })

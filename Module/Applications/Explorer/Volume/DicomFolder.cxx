@@ -232,6 +232,7 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   const std::vector<DicomHeader>& slices = all[chosen].Slices;
   Volume volume;
   volume.Format = "DICOM";
+  volume.Axes = Explore::WorldAxes::Patient;
   CheckSlices(path, slices);
   const double spacing = FindSpacing(path, slices, volume);
   volume.Image = ReadSlices(path, slices);

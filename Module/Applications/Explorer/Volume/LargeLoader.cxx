@@ -128,6 +128,12 @@ Volume LoadLargeVolume(const std::string& path)
   volume.Format = !OpensItself(path) ? "raw samples"
     : EndingOf(path) == ".zarr"      ? "Zarr"
                                      : "VTKHDF";
+  if (HasRawHeader(path))
+  {
+    const std::string ending = EndingOf(path);
+    volume.Axes =
+      ending == ".mhd" || ending == ".mha" ? FindMetaImageAxes(path) : FindNrrdAxes(path);
+  }
   const std::string turn = HasRawHeader(path) ? DescribeNrrdTurn(path) : std::string();
   volume.Notes.insert(volume.Notes.end(), turn.empty() ? 0 : 1, turn);
   if (!volume.Large->GetCoarseImage())

@@ -81,6 +81,7 @@ Volume ReadMetaImage(const std::string& path)
   vtkNew<vtkMetaImageReader> reader;
   Volume volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
+  volume.Axes = Explore::FindMetaImageAxes(path);
   return volume;
 }
 
@@ -88,6 +89,7 @@ Volume ReadNrrd(const std::string& path)
 {
   vtkNew<vtkNrrdReader> reader;
   Volume volume{ Run(reader.Get(), path, "NRRD"), {}, "NRRD", {}, {}, {} };
+  volume.Axes = Explore::FindNrrdAxes(path);
   const std::string note = Explore::ApplyNrrdOrientation(path, volume.Image);
   if (!note.empty())
   {
@@ -148,6 +150,7 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
     form = "qform";
   }
   Explore::ApplyNiftiOrientation(matrix, volume.Image);
+  volume.Axes = matrix ? Explore::WorldAxes::Patient : Explore::WorldAxes::Unknown;
   volume.Notes.push_back(matrix ? std::string("orientation from the NIfTI ") + form +
         ", turned from right-anterior-superior to left-posterior-superior"
                                 : "no NIfTI orientation: index axes taken as right, anterior, "

@@ -3,6 +3,8 @@
 #ifndef Explore_VolumeLoader_h
 #define Explore_VolumeLoader_h
 
+#include "Applications/Explorer/Volume/VolumeOrientation.h"
+
 #include "vtkHapticFrameSource.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticRegionSource.h"
@@ -33,6 +35,7 @@ struct Volume
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
+  WorldAxes Axes = WorldAxes::Unknown;
   bool IsGrid = false;  // resampled from cells
   bool IsField = false; // its values are those of a grid or the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are

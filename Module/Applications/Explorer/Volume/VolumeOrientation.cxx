@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -54,6 +55,32 @@ std::array<int, 3> BestPermutation(const double axes[9])
 
 namespace Explore
 {
+WorldAxes FindNrrdAxes(const std::string& path)
+{
+  const std::string space = VolumeHaptics::HeaderText(path, ':').Value({ "space" });
+  for (const auto& [name, letters] :
+    { std::pair<std::string, std::string>{ "right-anterior-superior", "RAS" },
+      { "left-anterior-superior", "LAS" }, { "left-posterior-superior", "LPS" } })
+  {
+    if (space == name || space == name + "-time" || space == letters || space == letters + "T")
+    {
+      return WorldAxes::Patient;
+    }
+  }
+  return space.empty() ? WorldAxes::Unknown : WorldAxes::Other;
+}
+
+WorldAxes FindMetaImageAxes(const std::string& path)
+{
+  const std::string letters =
+    VolumeHaptics::HeaderText(path, '=').Value({ "AnatomicalOrientation" });
+  // Three letters, one of each of these pairs; MetaIO writes ??? if it does not know.
+  const bool isPatient = letters.size() == 3 && letters.find_first_of("RL") != std::string::npos &&
+    letters.find_first_of("AP") != std::string::npos &&
+    letters.find_first_of("SI") != std::string::npos;
+  return isPatient ? WorldAxes::Patient : WorldAxes::Unknown;
+}
+
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
 {
   double unit[9];

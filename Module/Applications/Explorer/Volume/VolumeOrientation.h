@@ -11,6 +11,18 @@
 
 namespace Explore
 {
+/// What a file says of the axes of its world.
+enum class WorldAxes
+{
+  Unknown, // it does not say
+  Patient, // left, posterior and superior, once they are turned
+  Other
+};
+
+/// Of a NRRD file, by its `space`; of a MetaImage, by its `AnatomicalOrientation`.
+WorldAxes FindNrrdAxes(const std::string& path);
+WorldAxes FindMetaImageAxes(const std::string& path);
+
 /// Places the image's index axes in the world: column c of `axes` (row-major 3x3, any length) is
 /// the direction of index axis c, `origin` the position of voxel (0, 0, 0). The spacing stays.
 void SetFrame(vtkImageData* image, const double axes[9], const double origin[3]);
