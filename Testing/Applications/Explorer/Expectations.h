@@ -8,6 +8,8 @@
 #ifndef Expectations_h
 #define Expectations_h
 
+#include <vtksys/FStream.hxx>
+
 #include <iostream>
 #include <string>
 
@@ -21,6 +23,14 @@ inline void Expect(bool condition, const std::string& what)
     std::cerr << "Not so: " << what << "\n";
     ++failures;
   }
+}
+
+/// In the folder; gives its path.
+inline std::string WriteText(const std::string& name, const std::string& content)
+{
+  const std::string path = folder + "/" + name;
+  vtksys::ofstream(path.c_str()) << content;
+  return path;
 }
 
 #endif

@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkXMLImageDataWriter.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <array>
@@ -22,13 +21,6 @@
 
 namespace
 {
-std::string Text(const std::string& name, const std::string& content)
-{
-  const std::string path = folder + "/" + name;
-  vtksys::ofstream(path.c_str()) << content;
-  return path;
-}
-
 std::string Image(const std::string& name, vtkImageData* image)
 {
   const std::string path = folder + "/" + name;
@@ -124,7 +116,7 @@ void ExpectWindowFiles()
   isRefused("--movie", "head.mp4", "ends in .ogv");
   isRefused("--script", folder + "/missing.txt", "name a file that is there");
   const auto isNoScript = [&isRefused](const std::string& text, const std::string& wanted)
-  { isRefused("--script", Text("demo.txt", text), wanted); };
+  { isRefused("--script", WriteText("demo.txt", text), wanted); };
   isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is no time");
   isNoScript("soon key t\n", "line 1: 'soon' is no time");
   isNoScript("1 jump\n", "'jump' is no event");
@@ -135,8 +127,8 @@ void ExpectWindowFiles()
   isNoScript("# a comment\n1 key\n", "line 2: its event is not complete");
   isNoScript("1 press middle\n", "takes left or right");
   isNoScript("1 key t now\n", "'now' is one word too many");
-  const std::vector<Explore::DemoEvent> events = Explore::ReadDemoScript(
-    Text("demo.txt", "# t\n0.5 move 0.25 0.5 # here\n\n2 wheel -3\n2 stroke 1 0 1.5\n9 key q\n"));
+  const std::vector<Explore::DemoEvent> events = Explore::ReadDemoScript(WriteText(
+    "demo.txt", "# t\n0.5 move 0.25 0.5 # here\n\n2 wheel -3\n2 stroke 1 0 1.5\n9 key q\n"));
   using Kind = Explore::DemoEvent::Kind;
   if (events.size() != 4 || events[0].Time != 0.5 || events[0].Place[0] != 0.25 ||
     events[1].What != Kind::Wheel || events[1].Steps != -3 || events[2].Duration != 1.5 ||
@@ -158,18 +150,18 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectWindowFiles();
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
-  ExpectRefusal(Text("notes.txt", "hello"), "ending that is not known");
-  ExpectRefusal(Text("slice.dcm", "hello"), "is not a DICOM slice");
-  ExpectRefusal(Text("nothing.nrrd", ""), "is empty");
+  ExpectRefusal(WriteText("notes.txt", "hello"), "ending that is not known");
+  ExpectRefusal(WriteText("slice.dcm", "hello"), "is not a DICOM slice");
+  ExpectRefusal(WriteText("nothing.nrrd", ""), "is empty");
   for (const char* name : { "text.vti", "text.mha", "text.nii", "text.nii.gz", "text.nrrd" })
   {
-    ExpectRefusal(Text(name, "this is not an image\n"), "whatever its name says");
+    ExpectRefusal(WriteText(name, "this is not an image\n"), "whatever its name says");
   }
   const std::string header = "ObjectType = Image\nNDims = 3\nDimSize = 9 9 9\nElementType = "
                              "MET_SHORT\nElementSpacing = 1 1 1\nElementDataFile = ";
-  ExpectRefusal(Text("headless.mhd", header + "missing.raw\n"), "is missing");
-  ExpectRefusal(Text("short.mha", header + "LOCAL\nxyz"), "ends before the last voxel");
-  ExpectRefusal(Text("short.nrrd",
+  ExpectRefusal(WriteText("headless.mhd", header + "missing.raw\n"), "is missing");
+  ExpectRefusal(WriteText("short.mha", header + "LOCAL\nxyz"), "ends before the last voxel");
+  ExpectRefusal(WriteText("short.nrrd",
                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n"
                   "endian: little\n\nxyz"),
     "ends before the last voxel");

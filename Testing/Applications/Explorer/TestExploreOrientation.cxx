@@ -7,8 +7,6 @@
 #include "HeadExploration.h"
 #include "ShuffledHead.h"
 
-#include <vtksys/FStream.hxx>
-
 #include <cmath>
 #include <iostream>
 #include <utility>
@@ -47,13 +45,6 @@ void ExpectSamePlace(const std::string& what, vtkImageData* head, vtkImageData* 
     std::cerr << what << ": the head is not where it was\n";
     ++failures;
   }
-}
-
-std::string WriteText(const std::string& name, const std::string& text)
-{
-  const std::string path = folder + "/" + name;
-  vtksys::ofstream(path.c_str()) << text;
-  return path;
 }
 } // namespace
 

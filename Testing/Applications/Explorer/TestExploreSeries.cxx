@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkXMLImageDataWriter.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 namespace
@@ -45,13 +44,6 @@ std::string WriteImage(const std::string& name, vtkImageData* image)
   writer->SetInputData(image);
   writer->SetCompressorTypeToNone();
   writer->Write();
-  return path;
-}
-
-std::string WriteText(const std::string& name, const std::string& content)
-{
-  const std::string path = folder + "/" + name;
-  vtksys::ofstream(path.c_str()) << content;
   return path;
 }
 

@@ -18,13 +18,12 @@ using namespace measuretest;
 namespace
 {
 constexpr double Radius = 40.0; // mm
-constexpr double Pi = 3.14159265358979323846;
 
 /// On a sphere about (10, -20, 30).
 Point OnSphere(double longitude, double latitude)
 {
-  const double u = longitude * Pi / 180.0;
-  const double v = latitude * Pi / 180.0;
+  const double u = longitude * vtkMath::Pi() / 180.0;
+  const double v = latitude * vtkMath::Pi() / 180.0;
   return { 10.0 + Radius * std::cos(u) * std::cos(v), -20.0 + Radius * std::sin(u) * std::cos(v),
     30.0 + Radius * std::sin(v) };
 }
@@ -36,7 +35,8 @@ TEST_F(MeasureTest, ADistanceOnASphereIsItsChord)
   {
     const vtkIdType i =
       this->List->AddDistance(OnSphere(0.0, 20.0).data(), OnSphere(0.0, 20.0 + angle).data());
-    EXPECT_NEAR(this->List->GetValue(i), 2.0 * Radius * std::sin(angle * Pi / 360.0), 1e-12);
+    EXPECT_NEAR(
+      this->List->GetValue(i), 2.0 * Radius * std::sin(angle * vtkMath::Pi() / 360.0), 1e-12);
     EXPECT_EQ(this->List->GetUnit(i), "mm");
   }
 }
@@ -55,7 +55,8 @@ TEST_F(MeasureTest, AnAngleOnACircleIsHalfOfThatAtItsCentre)
   const double b[3] = { 1.0, 0.0, 0.0 };
   const double c[3] = { 2.0, 1e-9, 0.0 };
   const vtkIdType flat = this->List->AddAngle(a, b, c);
-  EXPECT_NEAR(180.0 - this->List->GetValue(flat), 1e-9 * 180.0 / Pi, 1e-13) << "not lost in cos";
+  EXPECT_NEAR(180.0 - this->List->GetValue(flat), 1e-9 * 180.0 / vtkMath::Pi(), 1e-13)
+    << "not lost in cos";
 }
 
 TEST_F(MeasureTest, APathAroundACircleIsAsLongAsItsPolygon)
@@ -68,8 +69,9 @@ TEST_F(MeasureTest, APathAroundACircleIsAsLongAsItsPolygon)
   }
   const vtkIdType path =
     this->List->AddMeasurement(vtkHapticMeasurements::PATH, MakeFelt(circle), "Round");
-  const double around = Radius * std::cos(Pi / 6.0);
-  EXPECT_NEAR(this->List->GetValue(path), 2.0 * sides * around * std::sin(Pi / sides), 1e-10);
+  const double around = Radius * std::cos(vtkMath::Pi() / 6.0);
+  EXPECT_NEAR(
+    this->List->GetValue(path), 2.0 * sides * around * std::sin(vtkMath::Pi() / sides), 1e-10);
   EXPECT_EQ(this->List->GetNumberOfPoints(path), sides + 1);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(path, shape);
@@ -93,7 +95,8 @@ TEST_F(MeasureTest, AnAreaIsThatOfVtk)
   const vtkIdType area =
     this->List->AddMeasurement(vtkHapticMeasurements::AREA, sphere->GetOutput());
   EXPECT_NEAR(this->List->GetValue(area), vtks->GetSurfaceArea(), 1e-3);
-  const double cap = 2.0 * Pi * Radius * Radius * (1.0 - std::cos(70.0 * Pi / 180.0));
+  const double cap =
+    2.0 * vtkMath::Pi() * Radius * Radius * (1.0 - std::cos(70.0 * vtkMath::Pi() / 180.0));
   EXPECT_NEAR(this->List->GetValue(area), cap, 2e-3 * cap);
   EXPECT_EQ(this->List->GetUnit(area), "mm2");
 }

@@ -14,6 +14,7 @@
 
 #include <vtkImageData.h>
 #include <vtkMassProperties.h>
+#include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 
 #include <functional>
@@ -22,7 +23,6 @@ using namespace measuretest;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 /// The share by which an area may be wrong, of a radius in voxels.
 double Bound(double radius)
@@ -76,7 +76,7 @@ TEST_F(PaintedArea, ADabOnAPlaneIsADisc)
   for (const double radius : { 4.0, 8.0 })
   {
     const double area = this->Paint(plane, { { 0.1, 0.2, 0.3 } }, radius);
-    EXPECT_NEAR(area / (Pi * radius * radius), 1.0, Bound(radius)) << radius;
+    EXPECT_NEAR(area / (vtkMath::Pi() * radius * radius), 1.0, Bound(radius)) << radius;
   }
 }
 
@@ -85,11 +85,11 @@ TEST_F(PaintedArea, AStrokeOnAPlaneIsAStadium)
   const auto plane = Sample([](const Point& x) { return 0.25 - x[2]; });
   // In front of the plane, as a proxy is.
   std::vector<Point> path = Line({ -15.0, 3.0, 1.5 }, { 15.0, 3.0, 1.5 }, 300);
-  EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * Pi), 1.0, Bound(5.0));
+  EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
   // Over it again: what is painted is painted.
   const std::vector<Point> back = Line({ 15.0, 3.0, 1.5 }, { -15.0, 3.0, 1.5 }, 7);
   path.insert(path.end(), back.begin(), back.end());
-  EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * Pi), 1.0, Bound(5.0));
+  EXPECT_NEAR(this->Paint(plane, path, 5.0) / (300.0 + 25.0 * vtkMath::Pi()), 1.0, Bound(5.0));
 }
 
 TEST_F(PaintedArea, ADabOnASphereIsTheCapWithinAChord)
@@ -99,7 +99,7 @@ TEST_F(PaintedArea, ADabOnASphereIsTheCapWithinAChord)
   {
     const Point at = { 21.5 * direction[0], 21.5 * direction[1], 21.5 * direction[2] };
     const double area = this->Paint(sphere, { at }, 6.0);
-    EXPECT_NEAR(area / (Pi * 36.0), 1.0, Bound(6.0));
+    EXPECT_NEAR(area / (vtkMath::Pi() * 36.0), 1.0, Bound(6.0));
   }
 }
 
@@ -107,19 +107,21 @@ TEST_F(PaintedArea, ABrushThatCoversASphereHasAllOfIt)
 {
   // Its triangles are inside of it, along both directions: it lacks up to (h / R)^2 / 2.
   EXPECT_NEAR(
-    this->Paint(MakeSphere(8.0), { { 0.0, 0.0, 9.0 } }, 20.0) / (4.0 * Pi * 64.0), 1.0, 0.5 / 64.0);
+    this->Paint(MakeSphere(8.0), { { 0.0, 0.0, 9.0 } }, 20.0) / (4.0 * vtkMath::Pi() * 64.0), 1.0,
+    0.5 / 64.0);
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(0, shape);
   vtkNew<vtkMassProperties> vtks;
   vtks->SetInputData(shape);
   EXPECT_NEAR(vtks->GetSurfaceArea(), this->List->GetValue(0), 1e-3);
-  EXPECT_NEAR(vtks->GetVolume() / (4.0 / 3.0 * Pi * 512.0), 1.0, 0.02) << "it is closed";
+  EXPECT_NEAR(vtks->GetVolume() / (4.0 / 3.0 * vtkMath::Pi() * 512.0), 1.0, 0.02) << "it is closed";
 }
 
 TEST_F(PaintedArea, TheOtherSideOfAThinWallIsNotPainted)
 {
   const auto wall = Sample([](const Point& x) { return 2.0 - std::abs(x[2]); }); // 4 mm thick
-  EXPECT_NEAR(this->Paint(wall, { { 0.3, 0.4, 2.5 } }, 8.0) / (Pi * 64.0), 1.0, Bound(8.0));
+  EXPECT_NEAR(
+    this->Paint(wall, { { 0.3, 0.4, 2.5 } }, 8.0) / (vtkMath::Pi() * 64.0), 1.0, Bound(8.0));
 }
 
 TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
@@ -128,7 +130,7 @@ TEST_F(PaintedArea, PartsWithoutSurfaceBetweenThemAreNotJoined)
   // Lifted by 20 mm from one to the other.
   const double area = this->Paint(plane,
     { { -15.0, 0.0, 1.0 }, { -5.0, 0.0, 20.0 }, { 5.0, 0.0, 20.0 }, { 15.0, 0.0, 1.0 } }, 4.0);
-  EXPECT_NEAR(area / (2.0 * Pi * 16.0), 1.0, Bound(4.0));
+  EXPECT_NEAR(area / (2.0 * vtkMath::Pi() * 16.0), 1.0, Bound(4.0));
 }
 
 TEST_F(PaintedArea, ImagesMayBeTurnedAndStretched)
@@ -142,7 +144,7 @@ TEST_F(PaintedArea, ImagesMayBeTurnedAndStretched)
   image->SetOrigin(100.0, -15.0, -24.0);
   // The plane is at index 30.25 along z, in the world at x = 100 + 0.4 * 30.25.
   const double area = this->Paint(image, { { 112.1, 0.2, -0.3 } }, 4.0);
-  EXPECT_NEAR(area / (Pi * 16.0), 1.0, Bound(5.0)) << "voxels of 0.8 mm at most";
+  EXPECT_NEAR(area / (vtkMath::Pi() * 16.0), 1.0, Bound(5.0)) << "voxels of 0.8 mm at most";
   vtkNew<vtkPolyData> shape;
   this->List->GetShape(0, shape);
   EXPECT_NEAR(shape->GetBounds()[0], 112.1, 1e-5);

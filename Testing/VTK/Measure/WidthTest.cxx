@@ -13,7 +13,7 @@ using namespace measuretest;
 
 namespace
 {
-constexpr double Radius = 30.0; // mm; voxels of 1 mm
+constexpr double BallRadius = 30.0; // mm; voxels of 1 mm
 
 vtkSmartPointer<vtkImageData> ScanBall()
 {
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkImageData> ScanBall()
   {
     double x[3];
     image->GetPoint(i, x);
-    const double out = std::hypot(x[0], x[1], x[2]) - Radius;
+    const double out = std::hypot(x[0], x[1], x[2]) - BallRadius;
     image->GetPointData()->GetScalars()->SetTuple1(
       i, -1000.0 + 1040.0 / (1.0 + std::exp(out / 0.7)));
   }
@@ -46,7 +46,7 @@ protected:
     const auto at = [&direction](double r) {
       return Point{ r * direction[0], r * direction[1], r * direction[2] };
     };
-    this->Filter->SetPathData(MakePath(Line(at(38.0), at(Radius - 1.0), 900)));
+    this->Filter->SetPathData(MakePath(Line(at(38.0), at(BallRadius - 1.0), 900)));
     this->Filter->Update();
     vtkPolyData* const trace = this->Filter->GetOutput();
     const vtkIdType last = trace->GetNumberOfPoints() - 1;
@@ -70,7 +70,8 @@ TEST_F(Width, PreciseRestsHalfwayUpTheEdge)
 {
   for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
   {
-    EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * Radius, 0.2) << "a tenth of a voxel a side";
+    EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * BallRadius, 0.2)
+      << "a tenth of a voxel a side";
   }
 }
 
@@ -84,7 +85,7 @@ TEST_F(Width, SurfaceProxyRestsItsRadiusInFrontOfTheIsosurface)
     const double gap = radius > 0.0 ? radius : 0.5; // by default half a voxel
     for (const Point& direction : { Point{ 0.0, 1.0, 0.0 }, Point{ 0.48, 0.6, 0.64 } })
     {
-      EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * (Radius + gap), 0.1) << "of triangles";
+      EXPECT_NEAR(this->MeasureAcross(direction), 2.0 * (BallRadius + gap), 0.1) << "of triangles";
     }
   }
 }
