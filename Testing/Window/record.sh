@@ -30,9 +30,10 @@ fail()
   exit 1
 }
 
+measurements=head.csv
 play()
 {
-  "$program" "$volume" --size 240 --measurements head.csv --script "$@" > "$folder/program.log" 2>&1 &
+  "$program" "$volume" --size 240 --measurements "$measurements" --script "$@" > "$folder/program.log" 2>&1 &
   child=$!
   expect_end
 }
@@ -86,3 +87,26 @@ before=$(stat -c %i head.csv)
 printf '1.0 key q\n' > quit.txt
 play quit.txt
 [[ "$(stat -c %i head.csv)" == "$before" ]] || fail "the file was written anew without a change"
+
+# A list that was emptied, here by an undo too many, does not replace the file.
+printf '0.5 key Z\n1.0 key q\n' > undo.txt
+play undo.txt
+grep -q "^1,Point 1,Point," head.csv || fail "an emptied list replaced the file"
+
+# Nor does a list replace a file of 3D Slicer of which a part was not read: it goes to one beside it. The file is made
+# by Slicer's markups schema 1.0.3.
+cat > slicer.mrk.json << END
+{"@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
+ "markups": [
+  {"type": "Fiducial", "coordinateSystem": "LPS", "coordinateUnits": "mm",
+   "controlPoints": [{"id": "1", "label": "F-1", "position": [1, 2, 3], "positionStatus": "defined"}]},
+  {"type": "ROI", "coordinateSystem": "LPS", "coordinateUnits": "mm", "roiType": "Box", "center": [0, 0, 0],
+   "size": [10, 10, 10], "controlPoints": []}]}
+END
+cp slicer.mrk.json before.mrk.json
+measurements=slicer.mrk.json
+rm -f picture-001.png touch-001.vtp
+play demo.txt
+cmp slicer.mrk.json before.mrk.json || fail "a file that was not wholly read was replaced"
+grep -q "F-1" slicer-001.mrk.json || fail "what was measured is not beside it"
+grep -q "slicer.mrk.json stays as it is" program.log || fail "nobody was told"

@@ -43,6 +43,7 @@ set(Explore_SOURCES
   Exploration/MethodScale.cxx
   Exploration/ModeChoice.cxx
   Exploration/TissueTable.cxx
+  Live/FreeFile.cxx
   Live/LiveRun.cxx
   Live/SavedMeasurements.cxx
   Live/TouchScene.cxx

@@ -126,7 +126,6 @@ class Haptics:
         self.measured.UseBoundsOff()
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
-        self.measurements.SetMetersPerWorldUnit(self.filter.GetMetersPerWorldUnit())
         self.head_up_display.SetMeasurements(self.measurements)
         renderer.AddViewProp(self.measured)
         self.style.SetMeasurements(self.measurements)

@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Live/FreeFile.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -19,11 +20,31 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
   vtkHapticMeasurements* const list = touch.Measurements;
   if (!this->File.empty() && vtksys::SystemTools::FileExists(this->File, true))
   {
-    const MessageCapture capture;
-    if (!list->ReadFile(this->File.c_str()))
+    std::string warning;
+    vtkNew<vtkCallbackCommand> warned;
+    warned->SetClientData(&warning);
+    warned->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+      { *static_cast<std::string*>(text) = static_cast<const char*>(message); });
+    const unsigned long observer = list->AddObserver(vtkCommand::WarningEvent, warned);
     {
-      throw InputError(
-        "--measurements " + this->File, capture.FirstError(), "correct it or name another file");
+      const MessageCapture capture;
+      if (!list->ReadFile(this->File.c_str()))
+      {
+        throw InputError(
+          "--measurements " + this->File, capture.FirstError(), "correct it or name another file");
+      }
+    }
+    list->RemoveObserver(observer);
+    this->InFile = list->GetNumberOfMeasurements();
+    if (!warning.empty())
+    {
+      const std::size_t dot = this->File.find('.', this->File.find_last_of('/') + 1);
+      const std::string read = this->File;
+      this->File = FindFreeFile(read.substr(0, dot), read.substr(dot));
+      this->InFile = 0;
+      const std::size_t text = warning.find("): "); // after VTK's source position
+      std::cout << (text == std::string::npos ? warning : warning.substr(text + 3)) << read
+                << " stays as it is: measurements are saved to " << this->File << std::endl;
     }
   }
   this->Saved = list->GetMTime();
@@ -42,14 +63,14 @@ void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
         auto& saved = *static_cast<SavedMeasurements*>(self);
         if (saved.File.empty())
         {
-          saved.File = "measurements.mrk.json";
+          saved.File = FindFreeFile("measurements", ".mrk.json");
         }
         std::string error;
         const bool isSaved = saved.Save(error);
         const std::string count =
           std::to_string(saved.Touch.Measurements->GetNumberOfMeasurements());
         saved.Touch.Display->SetNotice(
-          (isSaved ? count + " measurements saved to " + saved.File : error).c_str());
+          (isSaved ? "Measurements saved to " + saved.File + ": " + count : error).c_str());
         pressed->Render();
       }
     });
@@ -59,19 +80,45 @@ void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
 void SavedMeasurements::SaveAtEnd()
 {
   vtkHapticMeasurements* const list = this->Touch.Measurements;
-  std::string error;
-  if (!this->File.empty() && list->GetMTime() != this->Saved && !this->Save(error))
+  const vtkIdType count = list->GetNumberOfMeasurements();
+  if (this->File.empty())
   {
+    if (count > 0)
+    {
+      this->Tell(std::cout);
+      std::cout << "--measurements FILE saves them the next time." << std::endl;
+    }
+    return;
+  }
+  if (list->GetMTime() == this->Saved)
+  {
+    return;
+  }
+  if (count == 0)
+  {
+    if (this->InFile > 0)
+    {
+      std::cout << "The list of measurements is empty; " << this->File << " stays as it is."
+                << std::endl;
+    }
+    return;
+  }
+  std::string error;
+  if (!this->Save(error))
+  {
+    this->Tell(std::cerr);
     throw InputError("--measurements " + this->File, error, "name a file in a folder of yours");
   }
-  if (this->File.empty() && list->GetNumberOfMeasurements() > 0)
+}
+
+void SavedMeasurements::Tell(std::ostream& out) const
+{
+  vtkHapticMeasurements* const list = this->Touch.Measurements;
+  const vtkIdType count = list->GetNumberOfMeasurements();
+  out << "Not saved: " << count << (count == 1 ? " measurement" : " measurements") << "\n";
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    std::cout << list->GetNumberOfMeasurements() << " measurements are not saved:\n";
-    for (vtkIdType i = 0; i < list->GetNumberOfMeasurements(); ++i)
-    {
-      std::cout << "  " << list->GetText(i) << "\n";
-    }
-    std::cout << "--measurements FILE saves them the next time." << std::endl;
+    out << "  " << list->GetText(i) << "\n";
   }
 }
 
@@ -85,6 +132,7 @@ bool SavedMeasurements::Save(std::string& error)
     return false;
   }
   this->Saved = list->GetMTime();
+  this->InFile = list->GetNumberOfMeasurements();
   return true;
 }
 } // namespace Explore

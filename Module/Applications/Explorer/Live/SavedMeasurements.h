@@ -9,30 +9,35 @@
 #include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <iosfwd>
 #include <string>
 
 namespace Explore
 {
-/// The measurements of a window in a file: by the key S, and when the window is closed.
+/// The measurements of a window in a file: by the key S, and when the window is closed. A file of
+/// which only a part could be read stays as it is, and the list goes to a new one beside it.
 class SavedMeasurements
 {
 public:
   /// Reads the file, if there is one; its name may be empty. Throws InputError if it can't be read.
   SavedMeasurements(TouchScene& touch, std::string file);
 
-  /// From now on, the key S saves: without a file, to measurements.mrk.json.
+  /// From now on, the key S saves: without a file, to a new measurements-001.mrk.json.
   void SaveByKey(vtkRenderWindowInteractor* interactor);
 
-  /// Saves to the file. Without one, tells what is lost. Throws InputError if it can't be written.
+  /// Saves to the file if there is something new; a list that was emptied does not replace one.
+  /// Tells what is lost without a file, or if it can't be written, and then throws InputError.
   void SaveAtEnd();
 
 private:
   /// False, with the reason, if that fails.
   bool Save(std::string& error);
+  void Tell(std::ostream& out) const;
 
   TouchScene& Touch;
   std::string File;
-  vtkMTimeType Saved; ///< the time of the list in the file
+  vtkMTimeType Saved;   ///< the time of the list in the file
+  vtkIdType InFile = 0; ///< the length of the list in the file
   vtkNew<vtkCallbackCommand> Key;
 };
 } // namespace Explore

@@ -45,7 +45,8 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   }
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
-  touch.Measurements->SetMetersPerWorldUnit(analysis.MetersPerWorldUnit);
+  // Not the scale of the hand, by which a small thing is felt larger than it is.
+  touch.Measurements->SetMetersPerWorldUnit(exploration.Input.MetersPerUnit);
   // Half a voxel: 3D Slicer can't work with a point each millisecond.
   const double* const spacing = exploration.Input.Image->GetSpacing();
   touch.Measurements->SetPathSpacing(0.5 * std::min({ spacing[0], spacing[1], spacing[2] }));
@@ -213,8 +214,9 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
+  const bool isSetUp = setup.empty() || touch.Setup->Save(setup.c_str());
   saved.SaveAtEnd();
-  if (!setup.empty() && !touch.Setup->Save(setup.c_str()))
+  if (!isSetUp)
   {
     throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");
   }

@@ -4,35 +4,18 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Report/ReportFiles.h"
 
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <vtksys/SystemTools.hxx>
-
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <thread>
 #include <utility>
-
-namespace
-{
-/// The first of name-001.png, name-002.png and so on that is free.
-std::string FindFree(const std::string& name, const std::string& ending)
-{
-  for (int number = 1;; ++number)
-  {
-    std::ostringstream file;
-    file << name << "-" << std::setw(3) << std::setfill('0') << number << ending;
-    if (!vtksys::SystemTools::FileExists(file.str()))
-    {
-      return file.str();
-    }
-  }
-}
-} // namespace
 
 namespace Explore
 {
@@ -65,6 +48,7 @@ WindowRecorder::~WindowRecorder()
   {
     this->BeginOrEndTouch();
   }
+  this->TellEnded(true);
 }
 
 std::string WindowRecorder::ListKeys()
@@ -88,7 +72,7 @@ void WindowRecorder::PressKey()
   else if (key == "F9")
   {
     std::string error;
-    const std::string file = FindFree("movie", ".ogv");
+    const std::string file = FindFreeFile("movie", ".ogv");
     if (!this->BeginMovie(file, error))
     {
       this->Touch.Display->SetNotice((file + ": " + error).c_str());
@@ -102,7 +86,7 @@ void WindowRecorder::PressKey()
 
 void WindowRecorder::TakePicture()
 {
-  const std::string file = FindFree("picture", ".png");
+  const std::string file = FindFreeFile("picture", ".png");
   try
   {
     WritePicture(this->Touch.Scene.Window, file);
@@ -129,15 +113,40 @@ void WindowRecorder::EndMovie()
   if (this->Movie)
   {
     this->Movie->End();
-    this->Ended.push_back(std::move(this->Movie));
-    std::cout << "Written: " << this->MovieName << std::endl;
-    this->Touch.Display->SetNotice(("Movie saved to " + this->MovieName).c_str());
+    this->Ended.push_back({ std::move(this->Movie), this->MovieName });
+    this->Touch.Display->SetNotice(("Writing the end of " + this->MovieName).c_str());
     this->Tell();
+  }
+}
+
+void WindowRecorder::TellEnded(bool waits)
+{
+  for (auto ended = this->Ended.begin(); ended != this->Ended.end();)
+  {
+    while (waits && ended->Movie->GetState() == MovieFile::State::Writing)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    const MovieFile::State state = ended->Movie->GetState();
+    if (state == MovieFile::State::Writing)
+    {
+      ++ended;
+      continue;
+    }
+    const std::string told = state == MovieFile::State::Written ? "Movie saved to " + ended->Name
+      : state == MovieFile::State::Empty
+      ? ended->Name + ": no movie, for nothing was drawn meanwhile"
+      : ended->Name + ": the movie can't be written. Cure: check the space on the disk";
+    std::cout << (state == MovieFile::State::Written ? "Written: " + ended->Name : told)
+              << std::endl;
+    this->Touch.Display->SetNotice(told.c_str());
+    ended = this->Ended.erase(ended);
   }
 }
 
 void WindowRecorder::Film()
 {
+  this->TellEnded(false);
   vtkRenderWindow* const window = this->Touch.Scene.Window;
   if (!this->Movie || window->GetNeverRendered())
   {
@@ -176,7 +185,7 @@ void WindowRecorder::Film()
 void WindowRecorder::BeginOrEndTouch()
 {
   const bool begins = this->TouchName.empty();
-  const std::string file = begins ? FindFree("touch", ".vtp") : this->TouchName;
+  const std::string file = begins ? FindFreeFile("touch", ".vtp") : this->TouchName;
   std::string told;
   {
     const MessageCapture capture;

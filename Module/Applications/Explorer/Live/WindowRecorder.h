@@ -44,6 +44,8 @@ private:
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
+  /// Tells of movies whose threads have ended, or waits for all.
+  void TellEnded(bool waits);
   /// Takes what is seen into the movie, if that is due.
   void Film();
   void BeginOrEndTouch();
@@ -53,7 +55,12 @@ private:
   TouchScene& Touch;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   std::unique_ptr<MovieFile> Movie;
-  std::vector<std::unique_ptr<MovieFile>> Ended; ///< which threads may still write
+  struct EndedMovie
+  {
+    std::unique_ptr<MovieFile> Movie;
+    std::string Name;
+  };
+  std::vector<EndedMovie> Ended; ///< which threads may still write
   std::string MovieName;
   std::string TouchName;                       ///< of the recording that is under way
   std::chrono::steady_clock::time_point Begin; ///< of the movie

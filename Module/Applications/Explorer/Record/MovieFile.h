@@ -33,6 +33,15 @@ public:
 
   /// No more pictures come. The thread writes those that it has, and ends.
   virtual void End() = 0;
+
+  enum class State
+  {
+    Writing,
+    Written,
+    Empty, // it ended without a picture: there is no file
+    Failed
+  };
+  virtual State GetState() const = 0;
 };
 } // namespace Explore
 

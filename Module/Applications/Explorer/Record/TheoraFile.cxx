@@ -6,7 +6,9 @@
 #include "vtkOggTheoraWriter.h"
 
 #include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -61,10 +63,13 @@ public:
     this->Changed.notify_one();
   }
 
+  State GetState() const override { return this->Reached; }
+
 private:
   void Run()
   {
     bool isOpen = false;
+    bool hasFailed = false;
     for (;;)
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
@@ -80,15 +85,32 @@ private:
       if (!std::exchange(isOpen, true))
       {
         this->Writer->Start();
+        hasFailed = this->Writer->GetError() != 0;
       }
-      for (int i = 0; i < count; ++i)
+      for (int i = 0; i < count && !hasFailed; ++i)
       {
         this->Writer->Write();
+        hasFailed = this->Writer->GetError() != 0;
       }
     }
-    if (isOpen)
+    if (!isOpen)
     {
-      this->Writer->End();
+      RemoveIfEmpty(this->Writer->GetFileName());
+      this->Reached = State::Empty;
+      return;
+    }
+    this->Writer->End();
+    // VTK's writer reports nothing if the disk is full.
+    hasFailed = hasFailed || this->Writer->GetError() != 0 ||
+      vtksys::SystemTools::FileLength(this->Writer->GetFileName()) == 0;
+    this->Reached = hasFailed ? State::Failed : State::Written;
+  }
+
+  static void RemoveIfEmpty(const std::string& file)
+  {
+    if (vtksys::SystemTools::FileLength(file) == 0)
+    {
+      vtksys::SystemTools::RemoveFile(file);
     }
   }
 
@@ -97,6 +119,7 @@ private:
   std::condition_variable Changed;
   std::deque<std::pair<vtkSmartPointer<vtkImageData>, int>> Waiting;
   bool Ends = false;
+  std::atomic<State> Reached{ State::Writing };
   std::thread Thread;
 };
 } // namespace
@@ -108,7 +131,8 @@ bool MovieFile::IsAvailable()
 
 std::unique_ptr<MovieFile> MovieFile::Open(const std::string& file, std::string& error)
 {
-  vtksys::ofstream stream(file.c_str(), std::ios::binary);
+  // A file that is there stays whole until the first picture.
+  vtksys::ofstream stream(file.c_str(), std::ios::binary | std::ios::app);
   if (!stream)
   {
     error = "it can't be written";

@@ -42,6 +42,7 @@ struct Format
   const char* Ending;
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
+  double MetersPerUnit = 0.001; // OpenFOAM has metres, others don't say
 };
 
 template <typename Reader>
@@ -68,7 +69,7 @@ const Format FORMATS[] = {
   { ".vtm", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
   { ".vtmb", "VTK multi-block data set", MakeReader<vtkXMLGenericDataObjectReader> },
   { ".vtk", "legacy VTK", MakeReader<vtkGenericDataObjectReader> },
-  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader> },
+  { ".foam", "OpenFOAM case", MakeReader<vtkOpenFOAMReader>, 1.0 },
   { ".case", "EnSight case", MakeEnSightReader },
 };
 
@@ -229,6 +230,7 @@ Volume ReadGrid(const std::string& path)
   const Format& format = *FindFormat(path);
   Volume volume;
   volume.Format = format.Name;
+  volume.MetersPerUnit = format.MetersPerUnit;
   const vtkSmartPointer<vtkDataObject> data = Read(path, format, volume);
   if (auto* const image = vtkImageData::SafeDownCast(data))
   {

@@ -36,7 +36,8 @@ struct Volume
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
-  bool IsGrid = false;  // resampled from cells
+  double MetersPerUnit = 0.001; // of lengths in the file's world
+  bool IsGrid = false;          // resampled from cells
   bool IsField = false; // its values are those of a grid or the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
   std::string Flow = {}; // the vectors of a grid, which are followed without another wish

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/FreeFile.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <iomanip>
+#include <sstream>
+
+namespace Explore
+{
+std::string FindFreeFile(const std::string& name, const std::string& ending)
+{
+  for (int number = 1;; ++number)
+  {
+    std::ostringstream file;
+    file << name << "-" << std::setw(3) << std::setfill('0') << number << ending;
+    if (!vtksys::SystemTools::FileExists(file.str()))
+    {
+      return file.str();
+    }
+  }
+}
+} // namespace Explore

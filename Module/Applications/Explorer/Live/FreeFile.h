@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_FreeFile_h
+#define Explore_FreeFile_h
+
+#include <string>
+
+namespace Explore
+{
+/// The first of name-001.png, name-002.png and so on that does not exist yet.
+std::string FindFreeFile(const std::string& name, const std::string& ending);
+} // namespace Explore
+
+#endif
