@@ -7,10 +7,11 @@
  * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
  * force that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows
  * the force of each mode instead of these parts, in the colour that its name has in a list below
- * the text; a mode that is off is grey. The text shows what is
- * touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; the status of a device other
- * than the virtual one, or a fault; and of a volume that moves, its time and that of the frame that
- * is nearest. While nothing is touched, there is nothing of a virtual device to tell. A hint, which
+ * the text; a mode that is off is grey. The text shows, from top
+ * to bottom: what is recorded; the status of a device other than the virtual one, or a fault; what
+ * is touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; whether the volume is cut;
+ * of a volume that moves, its time and that of the nearest frame; measurements; and a notice. While
+ * nothing is touched, there is nothing of a virtual device to tell. A hint, which
  * vtkInteractorStyleHaptic sets, says what to do next; the style also shows a list of its keys.
  *
  *   display->SetDevice(device);
@@ -147,8 +148,8 @@ public:
 
   ///@{
   /**
-   * What is being recorded, such as "movie.ogv, 0:12", for the first line of the text. Default
-   * empty.
+   * What is being recorded, such as "movie-001.ogv, 0:12": the text then begins with "Recording
+   * movie-001.ogv, 0:12". Default empty: nothing.
    */
   vtkSetStdStringFromCharMacro(RecordingText);
   vtkGetCharFromStdStringMacro(RecordingText);
@@ -181,8 +182,9 @@ public:
   int FindMode(int x, int y);
 
   /**
-   * Whether text, hint or plot, as they were drawn last, cover a part of a box of the viewport
-   * (pixels from its lower left corner: left, right, bottom, top). The list of keys covers all.
+   * Whether the text, hint or plot of the last frame overlaps a box of the viewport (pixels from
+   * its lower left corner: left, right, bottom, top). True for every box while the list of keys is
+   * shown.
    */
   bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
 

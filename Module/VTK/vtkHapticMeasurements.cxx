@@ -200,13 +200,12 @@ vtkIdType vtkHapticMeasurements::AddPaintedArea(
   vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || image->GetDataDimension() != 3)
   {
-    vtkErrorMacro("There is no surface to paint: give an image in space with point scalars.");
+    vtkErrorMacro("There is no surface to paint: give a 3D image with point scalars.");
     return -1;
   }
   if (!path || !(radius > 0.0) || !std::isfinite(radius))
   {
-    vtkErrorMacro("Nothing can be painted along " << path << " with the radius " << radius
-                                                  << ". Give a path, and a radius above 0.");
+    vtkErrorMacro("There is no path, or the radius " << radius << " is not above 0. Give both.");
     return -1;
   }
   PaintedPatch patch(image, scalars, 0, isoValue, radius);
@@ -217,9 +216,9 @@ vtkIdType vtkHapticMeasurements::AddPaintedArea(
   const vtkSmartPointer<vtkPolyData> painted = patch.Cut();
   if (painted->GetNumberOfPolys() == 0)
   {
-    vtkErrorMacro("The path comes to no part of the isosurface at "
-      << isoValue << ", as near as the radius " << radius
-      << " and three voxels. Give a path along it, another value, or a larger radius.");
+    vtkErrorMacro("The path is nowhere within the radius ("
+      << radius << ") plus three voxels of the isosurface at " << isoValue
+      << ". Give a path along it, another value, or a larger radius.");
     return -1;
   }
   return this->AddMeasurement(AREA, painted, name);

@@ -23,16 +23,17 @@
  *
  * By hand, vtkInteractorStyleHaptic::SetMeasurements fills it with keys, and
  * vtkHapticMeasurementRepresentation shows it. Points placed by hand are those of the proxy, which
- * a surface holds, and not of the tip, which is inside. At an edge such as that of CT, PRECISE
- * holds the proxy where the value is halfway, within a tenth of a voxel; where values rise slowly,
- * it is in front of where they are felt, by up to a kernel radius. PAPER holds it some voxels in
- * front of an edge, and SURFACE_PROXY by its radius (SetProxyRadius) in front of the isosurface. A
- * distance across a body is too long by twice as much.
+ * a surface holds, and not of the tip, which is inside. At a sharp edge, as in CT, the
+ * solver PRECISE holds the proxy halfway up the edge, within a tenth of a voxel; at a gradual
+ * transition, up to a kernel radius in front of what is felt. PAPER holds it some voxels in front
+ * of an edge, SURFACE_PROXY its radius (SetProxyRadius) in front of the isosurface. A distance
+ * across a body is too long by twice this gap.
  *
  * Each point may carry what was felt there: the time (s), the force on the hand (N, world axes) and
  * the value in the surface.
  *
- * Files, by their ending; ReadFile gives the same list again:
+ * Files, by their ending. ReadFile reads them back (a .mrk.json omits quantities that are not known
+ * at every point):
  *
  * - .csv: a line for each point; the first line names the columns. Only x, y and z are needed;
  * - .vtp: see CopyToPolyData;
@@ -97,12 +98,13 @@ public:
   ///@}
 
   /**
-   * Append the area that a brush paints on the isosurface of an image's active scalars: all points
-   * of it that are nearer than the radius (world units), straight through space, to the line that
-   * the brush takes on the surface. The positions of the path may be up to the radius plus three
-   * voxels away from the surface. A dab on a plane or a sphere has the area pi r^2. What is
-   * connected with the brush's line only around an edge beyond the radius, such as the other side
-   * of a thin wall, is not painted. Returns -1, with an error, if nothing is.
+   * Append the area that a brush paints on the isosurface of the active point scalars of a 3D
+   * image. A point of the isosurface is painted if its straight-line distance (not that along the
+   * surface) to the brush's line is below the radius (world units, above 0). The brush's line joins
+   * the points of the surface that are nearest to the positions of the path; positions farther away
+   * than the radius plus three voxels are skipped. Parts that no painted surface connects with that
+   * line, such as the far side of a thin wall, are left out. A single position on a plane or sphere
+   * paints pi r^2. Returns -1, with an error, if an argument is unusable or nothing is painted.
    */
   vtkIdType AddPaintedArea(vtkImageData* image, double isoValue, vtkPolyData* path, double radius,
     const char* name = nullptr);

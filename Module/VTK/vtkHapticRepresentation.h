@@ -149,9 +149,9 @@ public:
   ///@{
   /**
    * Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the
-   * line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs.
-   * Default on. A tensor is an ellipsoid, which is longer than the proxy. See
-   * vtkHapticDevice::GetFollowed.
+   * line of a flow through the proxy, a core line, fibre, vessel or guide, fronts as discs, and a
+   * tensor as an ellipsoid, drawn longer than the proxy so that its axes can be seen. Default on.
+   * See vtkHapticDevice::GetFollowed.
    */
   vtkSetMacro(FollowedVisibility, bool);
   vtkGetMacro(FollowedVisibility, bool);

@@ -54,17 +54,19 @@
  *   P           a point
  *   D           the ends of a distance, one after the other
  *   A           the points of an angle; the second one is its corner
- *   L           a path begins, and ends: a sample each tick while something is touched, or as far
- *               apart as vtkHapticMeasurements::SetPathSpacing says
- *   B           a brush begins to paint an area, and ends: a part of the isosurface of
- *               SURFACE_PROXY, or for other methods of the one halfway between the values at the
- *               proxy and in the surface, where the brush begins; see
+ *   L           begins and ends a path: a sample each tick in contact, or as far apart as
+ *               vtkHapticMeasurements::SetPathSpacing says. FORCE_FIELD has no contact: L and B
+ *               record nothing there
+ *   B           begins and ends an area, painted by a brush on an isosurface: that of
+ *               SURFACE_PROXY; with other methods the one whose value is halfway between those at
+ *               the proxy and in the surface where the brush begins. See
  *               vtkHapticMeasurements::AddPaintedArea
- *   Z and Y     undo, and do it again; a point that was set for D or A first
- *   Delete      remove the last measurement
+ *   Z and Y     undo and redo. While a distance or an angle is incomplete, Z takes back its last
+ *               point instead
+ *   Delete      remove the last measurement of the list
  *   I           the list in the head-up display: on and off
  *
- * Escape ends a path and an area, and drops points that are no distance or angle yet.
+ * Escape ends a path or an area, and discards the points of an incomplete distance or angle.
  *
  * In a slice (SetSliceView):
  *
@@ -195,10 +197,11 @@ public:
 
   ///@{
   /**
-   * The keys of an action: names of X11, as vtkRenderWindowInteractor::GetKeySym() has them, with
-   * spaces between several of them. None ("") switch the action off; vtkInteractorStyle, or the
-   * application, then gets the key. False, with an error, if there is no such action, or if
-   * another one has the key. The hint and the list of keys tell the new ones.
+   * The keys of an action, separated by spaces, with the names that
+   * vtkRenderWindowInteractor::GetKeySym() gives. An empty text ("") disables the action; the key
+   * then goes to vtkInteractorStyle or the application. False, with an error, if there is no such
+   * action, or if another action has one of the keys. The hint and the list of keys show the new
+   * keys.
    *
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none
@@ -321,9 +324,9 @@ public:
    * opacity of the volume's property as its visibility (vtkHapticProperty::SetVisibilityFrom).
    * Of a binary mask (vtkGPUVolumeRayCastMapper::SetMaskTypeToBinary) the filter gets the voxels
    * as a label image, of which the label 0 is not felt, if it has no labels of its own; other
-   * masks colour voxels. Materials, method and the way faces of a cut feel stay the filter's own.
-   * A device without a filter gets one. An image that is placed by a matrix is felt with the
-   * values of its last update, at one time. nullptr ends it, and leaves the filter as it is then.
+   * masks colour voxels. Materials, method and FeelCutFaces stay the filter's own.
+   * A device without a filter gets one. If a matrix places the image, only its current time step
+   * is felt. nullptr ends it, and leaves the filter as it is then.
    * Default: nullptr.
    */
   void TouchVolume(vtkVolume* volume);
@@ -332,13 +335,14 @@ public:
 
   ///@{
   /**
-   * Feel another volume, too, such as an MRI beside a CT, each by a filter of its own with its
-   * materials and method. The hand feels one of them at a time: that whose surface comes first
-   * along the line of sight, where the touch mode begins and then ahead of the tip. This changes
-   * only in the air and a voxel away from surfaces, so that no force steps; GetTouchedVolume() is
-   * the one that is felt, and the device's filter is its filter. The first volume is that of
-   * TouchVolume(), or of the first call; TouchVolume() ends all others. False, with an error, if
-   * something is missing or the filter feels another volume.
+   * Feel another volume, too, such as an MRI beside a CT, with a filter of its own that has its
+   * materials and method. The hand feels one volume at a time: the one whose surface comes first
+   * along the line of sight, through the pointer when the touch mode begins and ahead of the tip
+   * later. The felt volume changes only in the air, more than a voxel away from a surface, so that
+   * the force does not jump. GetTouchedVolume() is then that volume, and the device's filter is its
+   * filter. Volumes count from that of TouchVolume(), or from the first call if there is none;
+   * TouchVolume() removes all others. False, with an error, without a device, volume or filter, if
+   * the volume's mapper is no vtkVolumeMapper, or if the filter already feels another volume.
    */
   bool AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   int GetNumberOfTouchedVolumes();

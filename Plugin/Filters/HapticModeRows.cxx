@@ -113,8 +113,8 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
     guide->SetDistanceField(MakeField(image, array));
     return guide->GetDistanceField()
       ? ""
-      : "guides by the image that is the Surface, which has no such point array of one component. "
-        "Name the array of its distances, or give it active scalars";
+      : "needs an array of distances, but the image chosen as Surface has no such point array with "
+        "one component. Name it in this row, or leave Array empty and make it the active scalars";
   }
   auto* const shape = vtkPolyData::SafeDownCast(data);
   if (!shape)

@@ -137,7 +137,7 @@ void CheckMeasurementsFile(const std::string& name)
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
   if (ending != ".csv" && ending != ".vtp" && ending != ".json")
   {
-    throw InputError("--measurements " + name, "is no name of a file of measurements",
+    throw InputError("--measurements " + name, "has an unknown ending",
       "take one that ends in .csv, .vtp or .mrk.json");
   }
 }
@@ -146,7 +146,7 @@ void CheckMovieFile(const std::string& name)
 {
   if (vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) != ".ogv")
   {
-    throw InputError("--movie " + name, "is no name of a movie", "take one that ends in .ogv");
+    throw InputError("--movie " + name, "has an unknown ending", "take one that ends in .ogv");
   }
   if (!Explore::MovieFile::IsAvailable())
   {
@@ -382,7 +382,7 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     less; Y is 0 if only the first axis has a motor, as that of a wheel
   --setup FILE      of the window: loaded if it is there, saved when the window is closed
   --measurements FILE
-                    of the window: points, distances, angles, lines and areas that you measure by touch (keys P,
+                    of the window: points, distances, angles, paths and areas that you measure by touch (keys P,
                     D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
                     .vtp, or .mrk.json for 3D Slicer
   --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
@@ -394,8 +394,9 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     split-viewport, dresden, left, right, fake, emulate
   --slices          of the window: three slices through the tip beside the volume (key s). A click goes
                     there and touches, the wheel moves across them, the right button sets window and level
-  --cut NAME        of the window: cut open by a plane or a box in front of you. The mouse drags the handles;
-                    key x: plane, box, none; X: the other part is cut away; z: faces of the cut hold
+  --cut NAME        of the window: cut open at first by a plane or a box (default: not cut). The mouse drags the
+                    handles; keys: x plane, box, none; X swaps the kept and the hidden part; z feels the
+                    cut faces
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

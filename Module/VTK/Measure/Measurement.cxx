@@ -100,8 +100,9 @@ std::string FindFault(const Measurement& measurement)
   const std::string kind = GetKindName(measurement.Kind);
   if (wanted > 0 ? count != wanted : count == 0)
   {
-    return "it has " + std::to_string(count) + " points. Give the kind " + kind + " " +
-      (wanted > 0 ? std::to_string(wanted) : "one at least");
+    return "it has " + std::to_string(count) + (count == 1 ? " point. " : " points. ") +
+      (kind.front() == 'A' ? "An " : "A ") + kind + " needs " +
+      (wanted > 0 ? std::to_string(wanted) : "at least 1");
   }
   if (!std::all_of(measurement.Points.begin(), measurement.Points.end(), IsFinite))
   {
@@ -118,7 +119,7 @@ std::string FindFault(const Measurement& measurement)
   }
   if (measurement.Kind == MeasuredKind::Area && measurement.Triangles.empty())
   {
-    return "it has no triangles. Give the kind Area a surface";
+    return "it has no triangles. An Area needs triangles";
   }
   return {};
 }

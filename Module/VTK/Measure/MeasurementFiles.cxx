@@ -58,7 +58,7 @@ bool ReadVtp(const std::string& file, std::vector<Measurement>& measurements, st
 {
   bool failed = false;
   const vtkSmartPointer<vtkPolyData> data = ReadXmlPolyData(file, failed);
-  error = "it is no whole .vtp. Write it again.";
+  error = "it is not a complete .vtp file. Write it again.";
   return !failed && ReadPolyData(data, measurements, error);
 }
 

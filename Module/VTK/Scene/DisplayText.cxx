@@ -99,7 +99,7 @@ std::string DescribeCut(vtkHapticDevice* device)
   {
     return {};
   }
-  return filter->GetFeelCutFaces() ? "Cut open, its faces hold" : "Cut open";
+  return filter->GetFeelCutFaces() ? "Cut open, its faces are felt" : "Cut open";
 }
 
 std::string DescribeDetails(vtkHapticDevice* device)

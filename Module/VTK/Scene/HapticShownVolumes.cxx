@@ -53,10 +53,10 @@ const Difference Differences[] = {
     "of the interactor style, or give vtkVolumeHapticsFilter the mapper's planes with "
     "SetClippingPlanes()." },
   { 8,
-    "Its mapper has a mask that hides voxels, but they are still felt. Cure: TouchVolume() of the "
-    "interactor style, which follows a binary mask if vtkVolumeHapticsFilter has no labels of its "
-    "own, or give these voxels a label that is not felt (vtkHapticLabelTable::SetFelt()), or a "
-    "value, for example with vtkImageMask." },
+    "Its mapper has a mask that hides voxels, but they are still felt. Cure: call "
+    "TouchVolume() of the interactor style, which follows a binary mask if vtkVolumeHapticsFilter "
+    "has no labels of its own; or give these voxels a label that is not felt "
+    "(vtkHapticLabelTable::SetFelt()), or, with vtkImageMask, a value that is not felt." },
   { 16,
     "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
     "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or SetVisibilityFrom() of the haptic "

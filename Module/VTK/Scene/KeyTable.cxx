@@ -100,7 +100,7 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   {
     list.Begin("Measure where you touch");
     list.Add({ { { "P" }, "a point" }, { { "D" }, "a distance: both ends" },
-      { { "A" }, "an angle: end, corner, end" }, { { "L" }, "a line: begin; end" },
+      { { "A" }, "an angle: end, corner, end" }, { { "L" }, "a path: begin; end" },
       { { "B" }, "a painted area: begin; end" }, { { "Z", "Y" }, "undo; redo" },
       { { "Delete" }, "remove the last one" }, { { "I" }, "list" } });
   }

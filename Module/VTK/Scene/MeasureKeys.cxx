@@ -187,7 +187,7 @@ void MeasureKeys::BeginOrEnd(MeasuredKind kind)
     this->Begun.Kind = kind;
     if (!IsTouching(this->Scene.Device))
     {
-      this->Tell(kind == MeasuredKind::Path ? "The line begins where you touch"
+      this->Tell(kind == MeasuredKind::Path ? "The path begins where you touch"
                                             : "The area begins where you touch");
     }
   }
@@ -299,7 +299,9 @@ void MeasureKeys::Follow(vtkTable* states)
   }
   if (isNew)
   {
-    this->Tell({});
+    const bool isPaintable = this->Begun.Kind != MeasuredKind::Area || this->Brush;
+    this->Tell(
+      isPaintable ? "" : "An area can't be painted here: the touched data are no 3D image");
     this->Show();
   }
 }

@@ -36,7 +36,7 @@ public:
   bool Press(const std::string& key);
   /** Takes the states of an update into the path, or under the brush. */
   void Follow(vtkTable* states);
-  /** Ends a path and an area, and drops points that are no measurement yet. */
+  /** Ends a path or an area, and discards the points of an incomplete distance or angle. */
   void End();
 
 private:
@@ -46,7 +46,7 @@ private:
   void BeginOrEnd(MeasuredKind kind);
   /** Adds what was begun to the list. */
   void Finish();
-  /** The brush on the surface that is touched; null, with a notice, if there is none. */
+  /** The brush on the touched surface; null without a 3D image that has point scalars. */
   std::unique_ptr<PaintedPatch> MakeBrush(const Vector3& proxy, double surfaceValue);
   void PaintTo(const Vector3& proxy, double surfaceValue);
   /** Lets displays show what was begun. */

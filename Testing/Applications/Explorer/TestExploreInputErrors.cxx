@@ -113,6 +113,7 @@ void ExpectWindowFiles()
     }
   };
   isRefused("--measurements", "head.txt", "ends in .csv, .vtp or .mrk.json");
+  isRefused("--measurements", "head.txt", "has an unknown ending");
   isRefused("--movie", "head.mp4", "ends in .ogv");
   isRefused("--script", folder + "/missing.txt", "name a file that is there");
   const auto isNoScript = [&isRefused](const std::string& text, const std::string& wanted)
@@ -120,11 +121,11 @@ void ExpectWindowFiles()
   isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is no time");
   isNoScript("soon key t\n", "line 1: 'soon' is no time");
   isNoScript("1 jump\n", "'jump' is no event");
-  isNoScript("1 move 0.5\n", "two shares of the window");
-  isNoScript("1 move 0.5 1.5\n", "two shares of the window");
+  isNoScript("1 move 0.5\n", "two fractions of the window");
+  isNoScript("1 move 0.5 1.5\n", "two fractions of the window");
   isNoScript("1 stroke 0.5 0.5\n", "a duration in seconds");
   isNoScript("1 wheel 1.5\n", "a whole number of steps");
-  isNoScript("# a comment\n1 key\n", "line 2: its event is not complete");
+  isNoScript("# a comment\n1 key\n", "line 2: its event can't be read");
   isNoScript("1 press middle\n", "takes left or right");
   isNoScript("1 key t now\n", "'now' is one word too many");
   const std::vector<Explore::DemoEvent> events = Explore::ReadDemoScript(WriteText(

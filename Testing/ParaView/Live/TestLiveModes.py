@@ -145,7 +145,7 @@ def check_distances():
 def check_distances_live():
     """The same with a device, and what distances can't be."""
     inside = check_distances()
-    check_error(["Guide", "distances", "9", ""], '"distances"', "Name the array of its distances")
+    check_error(["Guide", "distances", "9", ""], '"distances"', "Name it in this row")
     touch.Method = "Surface proxy"
     report = update([])
     live.check("vtkImageData" in report and "no triangles" in report, "distances are no polygons", report)

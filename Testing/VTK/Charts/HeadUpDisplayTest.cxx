@@ -256,5 +256,5 @@ TEST_F(HeadUpDisplay, TellsThatTheVolumeIsCutOpen)
   this->Filter->RemoveAllClippingPlanes();
   this->Filter->CroppingOn();
   this->Filter->FeelCutFacesOn();
-  EXPECT_NE(this->Display->GetText().find("Cut open, its faces hold"), std::string::npos);
+  EXPECT_NE(this->Display->GetText().find("Cut open, its faces are felt"), std::string::npos);
 }

@@ -145,7 +145,7 @@ TEST_F(Markups, LeavesOutWhatIsNoMeasurementAndSaysSo)
   ASSERT_EQ(this->List->GetNumberOfMeasurements(), 1);
   EXPECT_EQ(this->List->GetName(0), "kept");
   ASSERT_EQ(this->Log.Warnings.size(), 1u);
-  for (const char* const word : { "\"cut\"", "\"box\"", "\"begun\"", "1 points" })
+  for (const char* const word : { "\"cut\"", "\"box\"", "\"begun\"", "1 point." })
   {
     EXPECT_NE(this->Log.Warnings[0].find(word), std::string::npos) << word;
   }

@@ -155,7 +155,7 @@ TEST_F(MeasurementFiles, ThatCannotBeReadSayWhy)
   this->Refuse("Bad.csv", "x,y,z\n1,2,3\n1,two,3\n", { "Line 3", "column y", "\"two\"" });
   this->Refuse("Bad.csv", "x,y,z\n1,2\n", { "Line 2", "column z" });
   this->Refuse("Bad.csv", "kind,x,y,z\nline,1,2,3\n", { "Line 2", "\"line\"", "Distance" });
-  this->Refuse("Bad.csv", "kind,x,y,z\ndistance,1,2,3\n", { "1 points", "Distance 2" });
+  this->Refuse("Bad.csv", "kind,x,y,z\ndistance,1,2,3\n", { "1 point.", "A Distance needs 2" });
   this->Refuse("Bad.csv", "name,x,y,z\n\"a,1,2,3\n", { "quote" });
   this->Refuse("Bad.vtp", "no XML", { ".vtp" });
   this->Refuse("Bad.txt", "x,y,z\n1,2,3\n", { ".csv, .vtp or .mrk.json" });

@@ -173,11 +173,11 @@ TEST_F(MeasureTest, WhatCannotBeMeasuredIsRefused)
   this->ExpectError({ "NaN", "finite" });
   using M = vtkHapticMeasurements;
   EXPECT_EQ(this->List->AddMeasurement(M::ANGLE, MakeFelt({ { 0, 0, 0 } })), -1);
-  this->ExpectError({ "1 points", "Angle", "3" });
+  this->ExpectError({ "1 point.", "An Angle needs 3" });
   EXPECT_EQ(this->List->AddMeasurement(M::PATH, MakeFelt({})), -1);
-  this->ExpectError({ "0 points", "Path" });
+  this->ExpectError({ "0 points", "A Path needs at least 1" });
   EXPECT_EQ(this->List->AddMeasurement(M::AREA, MakeFelt({ { 0, 0, 0 } })), -1);
-  this->ExpectError({ "Area" });
+  this->ExpectError({ "An Area needs triangles" });
   EXPECT_EQ(this->List->AddMeasurement(7, MakeFelt({ { 0, 0, 0 } })), -1);
   this->ExpectError({ "kind", "7" });
   EXPECT_EQ(this->List->AddMeasurement(M::POINT, nullptr), -1);

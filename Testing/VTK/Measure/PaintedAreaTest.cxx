@@ -155,7 +155,7 @@ TEST_F(PaintedArea, WhereThereIsNothingToPaintIsAnError)
 {
   const auto sphere = MakeSphere(10.0);
   EXPECT_EQ(this->Paint(sphere, { { 0.0, 0.0, 25.0 } }, 4.0), -1.0);
-  this->ExpectError({ "isosurface at 0", "radius 4" });
+  this->ExpectError({ "isosurface at 0", "radius (4)" });
   EXPECT_EQ(this->Paint(sphere, { { 0.0, 0.0, 10.0 } }, 0.0), -1.0);
   this->ExpectError({ "radius" });
   EXPECT_EQ(this->Paint(nullptr, { { 0.0, 0.0, 10.0 } }, 4.0), -1.0);

@@ -53,7 +53,8 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// Of the window; files that are not named are neither read nor written.
+/// Of the window; files that are not named are not read. The key S saves measurements without a
+/// name to the first free of measurements-001.mrk.json ...
 struct WindowOptions
 {
   std::string Setup;

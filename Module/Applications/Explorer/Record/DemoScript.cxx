@@ -40,7 +40,7 @@ std::string ReadEvent(std::istringstream& line, DemoEvent& event)
       !ReadNumber(line, 0.0, 1.0, event.Place[1]) ||
       (word == "stroke" && !ReadNumber(line, 0.0, LONGEST, event.Duration)))
     {
-      return word + " takes two shares of the window, 0 to 1" +
+      return word + " takes two fractions of the window, 0 to 1" +
         (word == "stroke" ? ", and a duration in seconds: stroke 0.7 0.5 1.5" : ": move 0.5 0.55");
     }
     return {};
@@ -104,7 +104,7 @@ std::vector<DemoEvent> ReadDemoScript(const std::string& file)
     {
       const std::size_t stop = fault.find(". ");
       const bool hasCure = stop != std::string::npos;
-      throw InputError(where, hasCure ? fault.substr(0, stop) : "its event is not complete",
+      throw InputError(where, hasCure ? fault.substr(0, stop) : "its event can't be read",
         hasCure ? fault.substr(stop + 2) : fault);
     }
     std::string more;

@@ -17,14 +17,14 @@ namespace Explore
 /// A demonstration: mouse and keys of a window, from a file of text. Each line has a time (s, from
 /// the beginning) and an event; # begins a comment:
 ///
-///   0.5  move 0.5 0.55        # the mouse is there: shares of the window, from its lower left
+///   0.5  move 0.5 0.55        # puts the mouse there: fractions of the window, from its lower left
 ///   1.0  key t                # a letter, or a name such as Escape, space, F9
 ///   1.5  wheel 3              # steps away from you; negative: towards you
-///   2.0  stroke 0.7 0.5 1.5   # the mouse goes there within 1.5 s
+///   2.0  stroke 0.7 0.5 1.5   # moves the mouse there in 1.5 s
 ///   4.0  press left           # or right; and release
 ///   9.0  key q
 ///
-/// (VTK's own vtkInteractorEventRecorder keeps no times, and a hand that moves at once is no hand.)
+/// (The files of vtkInteractorEventRecorder have no times, which the servo needs.)
 struct DemoEvent
 {
   enum class Kind

@@ -27,8 +27,8 @@ public:
   /// Null, with the reason, if the file can't be written.
   static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
 
-  /// A picture that lasts for so many RATEs. False if the thread is behind: then it is not taken,
-  /// and the next one has to last longer. All pictures have one size.
+  /// Adds a picture that is shown for count / RATE seconds. False if the thread is behind: the
+  /// picture is dropped, and the next one has to last longer. All pictures have one size.
   virtual bool Add(vtkImageData* picture, int count) = 0;
 
   /// No more pictures come. The thread writes those that it has, and ends.

@@ -200,8 +200,9 @@ void VolumeCut::TurnOver()
 const char* VolumeCut::ListKeys() const
 {
   return this->HasBox
-    ? "Cut\nx\tplane; box; none\nX\tkeep the other part\nz\tfaces hold; are open\n"
-    : "Cut\nx\tplane; none\nX\tkeep the other part\nz\tfaces hold; are open\n";
+    ? "Cut\nx\tplane; box; none\nX\tswap the kept and the hidden part\nz\tfeel the cut faces: on; "
+      "off\n"
+    : "Cut\nx\tplane; none\nX\tswap the kept and the hidden part\nz\tfeel the cut faces: on; off\n";
 }
 
 void VolumeCut::GetAxis(int axis, double direction[3]) const
