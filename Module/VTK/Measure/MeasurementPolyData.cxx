@@ -252,6 +252,27 @@ Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtk
   return read;
 }
 
+/** Whether all cells have points that are there, which VTK's readers do not look after. */
+bool HasPointsOfCells(vtkPolyData* all)
+{
+  for (vtkCellArray* const cells :
+    { all->GetVerts(), all->GetLines(), all->GetPolys(), all->GetStrips() })
+  {
+    if (cells->GetNumberOfConnectivityIds() == 0)
+    {
+      continue;
+    }
+    double range[2];
+    cells->GetConnectivityArray()->GetRange(range);
+    if (!cells->IsValid() || range[0] < 0.0 ||
+      range[1] >= static_cast<double>(all->GetNumberOfPoints()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 void CopyShape(const Measurement& measurement, vtkPolyData* shape)
@@ -363,6 +384,11 @@ bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std:
   {
     error = std::string("it has no field arrays \"") + NameField + "\" and \"" + KindField +
       "\" with a text for each measurement" + cure;
+    return false;
+  }
+  if (!HasPointsOfCells(all))
+  {
+    error = std::string("it has cells whose points are not there") + cure;
     return false;
   }
   const auto count = static_cast<std::size_t>(names->GetNumberOfValues());

@@ -3,6 +3,7 @@
 #include "VTK/Measure/PaintedPatch.h"
 
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Baking/HapticVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -12,7 +13,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkGenericCell.h"
-#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataConnectivityFilter.h"
@@ -48,17 +48,21 @@ double SquaredDistance(const Vector3& position, const Vector3& from, const Vecto
 
 PaintedPatch::PaintedPatch(
   vtkImageData* image, vtkDataArray* scalars, int component, double value, double radius)
-  : Image(image)
-  , Scalars(scalars)
+  : Scalars(scalars)
   , Component(component)
   , Value(value)
   , Radius(radius)
 {
-  const double* const spacing = image->GetSpacing();
-  this->Voxel = std::min({ spacing[0], spacing[1], spacing[2] });
+  this->Image->CopyStructure(image);
+  this->Voxel = SmallestSpacing(image);
 }
 
 PaintedPatch::~PaintedPatch() = default;
+
+bool PaintedPatch::IsOf(vtkImageData* image) const
+{
+  return image && std::equal(image->GetExtent(), image->GetExtent() + 6, this->Image->GetExtent());
+}
 
 template <typename F>
 void PaintedPatch::Visit(const Vector3& from, const Vector3& to, double distance, F&& visit)
@@ -215,18 +219,26 @@ bool PaintedPatch::LeadTo(const Vector3& position)
   }
   const Vector3 to = *nearest;
   const Vector3 from = this->Last.value_or(to);
-  // One voxel more, for the triangles that the border cuts.
-  this->Visit(from, to, this->Radius + this->Voxel,
-    [&](Part& part)
-    {
-      for (std::size_t i = 0; i < part.Distances.size(); ++i)
+  // In short pieces, so that no block is made that is far from the line.
+  const int pieces =
+    1 + static_cast<int>(std::min(1e5, Norm(to - from) / (BlockSize * this->Voxel)));
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const Vector3 begin = from + (static_cast<double>(piece) / pieces) * (to - from);
+    const Vector3 end = from + (static_cast<double>(piece + 1) / pieces) * (to - from);
+    // One voxel more, for the triangles that the border cuts.
+    this->Visit(begin, end, this->Radius + this->Voxel,
+      [&](Part& part)
       {
-        double point[3];
-        part.Surface->GetPoint(static_cast<vtkIdType>(i), point);
-        part.Distances[i] =
-          std::min(part.Distances[i], SquaredDistance(FromArray(point), from, to));
-      }
-    });
+        for (std::size_t i = 0; i < part.Distances.size(); ++i)
+        {
+          double point[3];
+          part.Surface->GetPoint(static_cast<vtkIdType>(i), point);
+          part.Distances[i] =
+            std::min(part.Distances[i], SquaredDistance(FromArray(point), begin, end));
+        }
+      });
+  }
   this->Last = to;
   this->Visited.push_back(to);
   return true;

@@ -9,6 +9,7 @@
 
 #include "Core/Math/Vector3.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -20,7 +21,6 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkImageData;
 
 namespace VolumeHaptics
 {
@@ -49,6 +49,12 @@ public:
    */
   bool LeadTo(const Vector3& position);
 
+  /** The next position begins a new line. */
+  void Lift() { this->Last.reset(); }
+
+  /** Whether an image has its samples where this one had them. */
+  bool IsOf(vtkImageData* image) const;
+
   /** The triangles that are painted; empty if there are none. */
   vtkSmartPointer<vtkPolyData> Cut() const;
 
@@ -68,7 +74,7 @@ private:
   void Mesh(const Block& block, Part& part) const;
   std::optional<Vector3> FindNearest(const Vector3& position);
 
-  vtkSmartPointer<vtkImageData> Image;
+  vtkNew<vtkImageData> Image; ///< the structure alone: that of the given one may change
   vtkSmartPointer<vtkDataArray> Scalars;
   const int Component;
   const double Value;

@@ -185,6 +185,7 @@ void MeasureKeys::BeginOrEnd(MeasuredKind kind)
   {
     this->IsFollowing = true;
     this->Begun.Kind = kind;
+    this->NextCut = {};
     if (!IsTouching(this->Scene.Device))
     {
       this->Tell(kind == MeasuredKind::Path ? "The path begins where you touch"
@@ -275,12 +276,22 @@ void MeasureKeys::Follow(vtkTable* states)
   {
     return;
   }
+  if (this->Brush && !this->Brush->IsOf(this->Scene.FindImage()))
+  {
+    this->Finish();
+    this->Tell("The area ends where other samples were read: begin another one");
+    return;
+  }
   const double spacing = this->Scene.Measurements->GetPathSpacing();
   bool isNew = false;
   for (vtkIdType row = 0; row < states->GetNumberOfRows(); ++row)
   {
     if (Read(states, "Contact", row) == 0.0)
     {
+      if (this->Brush)
+      {
+        this->Brush->Lift();
+      }
       continue;
     }
     isNew = true;

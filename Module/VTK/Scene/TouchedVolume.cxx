@@ -162,6 +162,15 @@ void TouchedVolume::Crop(
   }
 }
 
+void TouchedVolume::TakeBack(vtkVolumeHapticsFilter* filter)
+{
+  if (filter->GetInputDataObject(3, 0) == this->Labels)
+  {
+    filter->SetLabelData(nullptr);
+    filter->SetLabelTable(nullptr);
+  }
+}
+
 void TouchedVolume::Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter)
 {
   vtkImageData* const mask = FindBinaryMask(mapper);
@@ -173,11 +182,7 @@ void TouchedVolume::Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter
     std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, felt->GetDimensions());
   if (!fits)
   {
-    if (isOurs)
-    {
-      filter->SetLabelData(nullptr);
-      filter->SetLabelTable(nullptr);
-    }
+    this->TakeBack(filter);
     return;
   }
   if (!isOurs && (labels || filter->GetLabelTable()))

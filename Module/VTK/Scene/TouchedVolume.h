@@ -33,6 +33,9 @@ public:
   void Set(vtkVolume* volume) { this->Volume = volume; }
   vtkVolume* Get() const { return this->Volume; }
 
+  /** Takes the labels of its mask out of the filter. */
+  void TakeBack(vtkVolumeHapticsFilter* filter);
+
   /**
    * Gives the filter the volume's image at its place, its opacity, its cropping, its clipping
    * planes and its binary mask, as far as they have changed. Images of a moving volume, which the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/TouchedVolumes.h"
 
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Scene/HapticViewRay.h"
 
@@ -19,7 +20,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Pause = 0.1; // s between choices, each of which walks along a line
+constexpr double Pause = 0.1;        // s between choices, each of which walks along a line
+constexpr double LeastForce = 0.005; // N
 
 } // namespace
 
@@ -46,6 +48,18 @@ void TouchedVolumes::Set(vtkVolume* volume)
   if (volume && !this->CanTouch(volume))
   {
     return;
+  }
+  if (volume && !this->All.empty())
+  {
+    // The first one's filter feels the new volume, whichever is felt now.
+    this->Feel(this->All.front().Filter);
+    for (const Entry& entry : this->All)
+    {
+      if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
+      {
+        entry.Volume->TakeBack(filter);
+      }
+    }
   }
   this->All.clear();
   if (!volume)
@@ -118,9 +132,7 @@ void TouchedVolumes::Follow()
   }
   for (const Entry& entry : this->All)
   {
-    vtkVolumeHapticsFilter* const filter =
-      entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
-    if (filter)
+    if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
     {
       entry.Volume->Update(filter, this->Pictures);
     }
@@ -148,7 +160,8 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
   for (const Entry& entry : this->All)
   {
     Vector3 landing;
-    if (FindFirstContact(renderer, through, entry.Filter, landing))
+    if (entry.Volume->Get()->GetVisibility() &&
+      FindFirstContact(renderer, through, entry.Filter, landing))
     {
       const double depth = Dot(landing - through, LineOfSight(renderer, through));
       first = depth < least ? entry.Filter.Get() : first;
@@ -161,7 +174,9 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
 void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
 {
   const double now = vtkTimerLog::GetUniversalTime();
+  // FORCE_FIELD has no contact, only a force.
   if (this->All.size() < 2 || !renderer || this->Scene.Device->GetContact() != 0 ||
+    Norm(FromArray(this->Scene.Device->GetComputedForce())) > LeastForce ||
     now - this->ChosenTime < Pause)
   {
     return;
@@ -183,7 +198,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   {
     Vector3 contact;
     Vector3 normal;
-    if (!FindContactAhead(renderer, tip, entry.Filter, contact, normal))
+    if (!entry.Volume->Get()->GetVisibility() ||
+      !FindContactAhead(renderer, tip, entry.Filter, contact, normal))
     {
       continue;
     }

@@ -23,8 +23,9 @@ namespace VolumeHaptics
 
 /**
  * The servo feels one volume at a time: that whose surface is the first one ahead of the tip, along
- * the line of sight. It changes only in the air, a voxel away from any surface, so that no force
- * steps; the device's rate limits a drag that begins.
+ * the line of sight. It changes only while there is no force and the next surface ahead is more than
+ * a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes that
+ * are not seen are not chosen.
  */
 class TouchedVolumes
 {
@@ -61,6 +62,10 @@ private:
   bool CanTouch(vtkVolume* volume) const;
   /** The device feels by this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);
+  vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
+  {
+    return entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
+  }
 
   TouchedScene& Scene;
   const HapticShownFrames& Pictures;

@@ -100,6 +100,27 @@ TEST_F(MeasurementFiles, DoNotDependOnTheLocale)
   std::locale::global(before);
 }
 
+TEST_F(MeasurementFiles, WithCellsWhosePointsAreNotThereAreRefused)
+{
+  vtkNew<vtkPolyData> damaged;
+  Fill(this->List);
+  this->List->CopyToPolyData(damaged);
+  for (const vtkIdType id : { vtkIdType{ 999999 }, vtkIdType{ -1 } })
+  {
+    vtkNew<vtkCellArray> lines;
+    lines->DeepCopy(damaged->GetLines());
+    lines->InsertNextCell({ 0, id });
+    vtkNew<vtkPolyData> read;
+    read->ShallowCopy(damaged);
+    read->SetLines(lines);
+    EXPECT_FALSE(this->List->ReadPolyData(read));
+    this->ExpectError({ "points are not there" });
+  }
+  damaged->SetPoints(nullptr);
+  EXPECT_FALSE(this->List->ReadPolyData(damaged));
+  this->ExpectError({ "points are not there" });
+}
+
 TEST_F(MeasurementFiles, OfNothingAreReadAsNothing)
 {
   for (const char* const name : { "Empty.csv", "Empty.vtp", "Empty.mrk.json" })

@@ -130,6 +130,33 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
   EXPECT_TRUE(this->Style->GetTouchMode()) << "no fault";
 }
 
+TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
+{
+  this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first one
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  this->Other->VisibilityOff();
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_FALSE(this->FeelsOther());
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+}
+
+TEST_F(StyleSeveral, AnotherOneForAllIsFeltByTheFirstFilter)
+{
+  this->Other->SetPosition(70.0, 0.0, 0.0);
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  this->Pointer(150 + 70, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  ASSERT_TRUE(this->FeelsOther());
+  this->Style->TouchModeOff();
+  vtkImageData* const others = this->OtherFilter->GetTouchedImage();
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->Device->GetVolumeHaptics(), this->Filter);
+  EXPECT_EQ(this->OtherFilter->GetTouchedImage(), others) << "is left as it was";
+}
+
 TEST_F(StyleSeveral, WhatIsMissingIsTold)
 {
   EXPECT_FALSE(this->Style->AddTouchedVolume(this->Other, nullptr));

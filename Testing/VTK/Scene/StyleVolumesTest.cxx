@@ -270,6 +270,17 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mask->Modified();
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(-29.0), -500.0 * 0.003, 0.1);
+  // It goes with its volume, and comes again with it.
+  vtkNew<vtkVolume> other;
+  vtkNew<vtkGPUVolumeRayCastMapper> otherMapper;
+  otherMapper->SetInputData(this->Ball);
+  other->SetMapper(otherMapper);
+  this->Style->TouchVolume(other);
+  EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), nullptr);
+  EXPECT_EQ(this->Filter->GetLabelTable(), nullptr);
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_NE(this->Filter->GetInputDataObject(3, 0), nullptr);
   mapper->SetMaskInput(nullptr);
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), nullptr);
