@@ -59,7 +59,7 @@ while read -r source; do
   fi
 done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
   "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
-  -not -name '*Kind.cxx' -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
+  \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.
 for job in $(jobs -p); do
   wait "$job"

@@ -23,9 +23,9 @@ namespace VolumeHaptics
 
 /**
  * The servo feels one volume at a time: that whose surface is the first one ahead of the tip, along
- * the line of sight. It changes only while there is no force and the next surface ahead is more than
- * a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes that
- * are not seen are not chosen.
+ * the line of sight. It changes only while there is no force and the next surface ahead is more
+ * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes
+ * that are not seen are not chosen.
  */
 class TouchedVolumes
 {
