@@ -65,8 +65,9 @@ inline constexpr RepresentationSetting All[] = {
     "the distance; in contact, it lies on the touched surface around the proxy. Default on."),
   HapticFlagMacro(FollowedVisibility, true, NotBaked,
     "Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the "
-    "line of a flow through the proxy, a core line, fibre, vessel or guide, and fronts as discs. "
-    "Default on."),
+    "line of a flow through the proxy, a core line, fibre, vessel or guide, fronts as discs, and a "
+    "tensor as an ellipsoid, drawn longer than the proxy so that its axes can be seen. Default "
+    "on."),
   HapticNumberMacro(FollowedReach, 1.0, 1000.0, 48.0, "voxels", NotBaked,
     "How far these lines are followed to either side (voxels), 1 to 1000. Default 48."),
 };
