@@ -160,7 +160,7 @@ public:
    * - MRIcron, names (.txt) and colours (.lut);
    * - VTK, image (.vti) with the arrays of WriteFieldData;
    * - CSV whose first line names the columns: label (or index, id), name, stiffness (N/m),
-   *   friction, viscosity (N), strength (N), felt, forbidden (1 or 0), and color (#rrggbb). Only
+   *   friction, viscosity (N), strength (N), felt, forbidden (1 or 0), and color (`\#rrggbb`). Only
    *   label is needed, other columns are ignored, and empty cells set nothing.
    *
    * What the file has of a label replaces what the table had of it; everything else stays. Texts

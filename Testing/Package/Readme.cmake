@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The examples in README.md and in Documentation are the files that the other tests build and run, to the letter.
+# The examples in Documentation are the files that the other tests build and run, to the letter.
 cmake_minimum_required(VERSION 3.18)
 get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 foreach (example IN ITEMS
-    "README.md|Examples/Cxx/FirstTouch.cxx|{\n|"
-    "README.md|Examples/Python/first_touch.py|import vtkLineSource\n|"
+    "Documentation/first-touch.md|Examples/Cxx/FirstTouch.cxx|{\n|"
+    "Documentation/first-touch.md|Examples/Python/first_touch.py|import vtkLineSource\n|"
     "Documentation/devices.md|Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
   string(REPLACE "|" ";" example "${example}")
   list(GET example 0 document)

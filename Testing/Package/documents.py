@@ -14,7 +14,7 @@ ROOT = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__)
 ROOMS = "Module|Plugin|Examples|Testing|Data|CMake|Documentation|Core|Devices|VTK|[.]ci|[.]github"
 # Files of these folders are searched for the names of documents and tests.
 SOURCES = ("Module", "Plugin", "Examples", "Testing", "Data", "CMake")
-README_LINES = 150
+README_LINES = 100
 
 
 def documents():

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Builds the documentation as a site that can be read without a network, and treats every warning as an error.
+#
+# usage: Documentation/site/build.sh [FOLDER]
+#
+# Installs what is missing: Doxygen from Debian, Sphinx from PyPI into build/site-python. The site's first page is
+# FOLDER/index.html; FOLDER is build/site by default.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+case ${1:-} in
+  -h | --help) sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+esac
+site=$(realpath -m "${1:-$root/build/site}")
+cd "$root"
+# shellcheck source=../../CMake/install-packages.sh
+source CMake/install-packages.sh
+require_packages doxygen python3 python3-venv
+
+packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1)
+python=build/site-python
+if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme' 2> /dev/null; then
+  rm -rf "$python"
+  /usr/bin/python3 -m venv "$python"
+  "$python/bin/pip" install -q "${packages[@]}"
+fi
+
+rm -rf "$site"
+mkdir -p "$site"
+warnings=$(mktemp)
+trap 'rm -f "$warnings"' EXIT
+"$python/bin/sphinx-build" -q -W --keep-going -c Documentation/site -d "$root/build/site-doctrees" . "$site"
+(cat Documentation/site/Doxyfile; echo "OUTPUT_DIRECTORY = $site"; echo "WARN_LOGFILE = $warnings") | doxygen -
+if [ -s "$warnings" ]; then
+  cat "$warnings" >&2
+  exit 1
+fi
+cat > "$site/index.html" << 'PAGE'
+<!DOCTYPE html>
+<meta http-equiv="refresh" content="0; url=Documentation/index.html">
+<title>VTK Volume Haptics</title>
+<a href="Documentation/index.html">VTK Volume Haptics</a>
+PAGE
+echo "The site: $site/index.html"
