@@ -6,8 +6,8 @@
 #
 # usage: Testing/lint.sh [CHECK...]
 #
-# Checks: format, columns, spelling, python, shell, documents, tidy, analyze; all of them by default. The last two are
-# clang-tidy's, without and with its analyzer. They look at the real-time core only, and take a minute on two cores.
+# Checks: format, columns, spelling, python, shell, documents, site, tidy, analyze; all of them by default. The last two
+# are clang-tidy's, without and with its analyzer. They look at the real-time core only, and take a minute on two cores.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -80,6 +80,18 @@ check_documents()
   Testing/Package/documents.py
 }
 
+# The site of the documentation is built without a warning.
+check_site()
+{
+  local status=0
+  Documentation/site/build.sh || status=$?
+  if [ $status -eq 3 ]; then
+    echo "!!!! SKIPPED: Sphinx could not be installed, so the site of the documentation was not built !!!!" >&2
+    return 0
+  fi
+  return $status
+}
+
 # usage: run_clang_tidy CHECKS FILE..., CHECKS of which are taken off those of .clang-tidy.
 # No build is needed: the core is plain C++17.
 run_clang_tidy()
@@ -117,7 +129,7 @@ check_analyze()
 }
 
 failed=()
-for check in "${@:-format columns spelling python shell documents tidy analyze}"; do
+for check in "${@:-format columns spelling python shell documents site tidy analyze}"; do
   # One word each, if they are the default.
   for name in $check; do
     echo "== Checking: $name"

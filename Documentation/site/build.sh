@@ -7,7 +7,7 @@
 # usage: Documentation/site/build.sh [FOLDER]
 #
 # Installs what is missing: Doxygen from Debian, Sphinx from PyPI into build/site-python. The site's first page is
-# FOLDER/index.html; FOLDER is build/site by default.
+# FOLDER/index.html; FOLDER is build/site by default. Exits with 3 if pip reaches no registry.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -25,7 +25,10 @@ python=build/site-python
 if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme' 2> /dev/null; then
   rm -rf "$python"
   /usr/bin/python3 -m venv "$python"
-  "$python/bin/pip" install -q "${packages[@]}"
+  if ! "$python/bin/pip" install -q "${packages[@]}"; then
+    rm -rf "$python"
+    exit 3
+  fi
 fi
 
 rm -rf "$site"
