@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python of the documents runs as printed, and the commands that they name have the options that they are given.
+
+The blocks of python.md and measuring.md are in TestExamples.py and TestLarge.py, those on PyVista in Testing/PyVista,
+those on ParaView in Testing/ParaView, and those of C++ by Testing/Package/snippets.py.
+"""
+
+import re
+import subprocess
+
+import numpy as np
+import pytest
+import volumehaptics
+from conftest import ROOT
+from volumehaptics import arrays, examples
+
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").glob("*.md"))]
+# Files whose blocks of Python a test runs, and how many there are.
+RUN = {
+    "README.md": 1, "first-touch.md": 1, "devices.md": 1, "materials.md": 7, "measuring.md": 1, "paraview.md": 6,
+    "python.md": 9,
+}
+
+
+def blocks(path, language):
+    return re.findall(rf"```{language}\n(.*?)```", path.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
+def test_every_block_of_python_is_run_by_a_test(path):
+    assert len(blocks(path, "python")) == RUN.get(path.name, 0), "add the block to a test, and its number to RUN"
+
+
+def test_readme(capsys):
+    (code,) = blocks(ROOT / "README.md", "python")
+    exec(compile(code, "README.md", "exec"), {})
+    newtons = float(re.fullmatch(r"(\d+\.\d+) N\n", capsys.readouterr().out)[1])
+    assert 0.1 < newtons < 5.0
+
+
+def write_labels(folder):
+    """What the page on materials reads: a segmentation as 3D Slicer writes it, and a table."""
+    labels = np.zeros((16, 16, 16), np.uint8)
+    labels[4:12, 4:12, 4:12] = 5
+    header = ("NRRD0005\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nspace: left-posterior-superior\n"
+              "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
+              "Segment0_LabelValue:=5\nSegment0_Name:=liver\nSegment0_Layer:=0\nSegment0_Color:=0.8 0.2 0.2\n\n")
+    (folder / "Liver.seg.nrrd").write_bytes(header.encode() + labels.tobytes())
+    (folder / "materials.csv").write_text("label,stiffness\n5,450\n", encoding="utf-8")
+
+
+def test_materials(tmp_path, monkeypatch):
+    """Each block goes on with what the ones before have made."""
+    write_labels(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    head = examples.phantom()
+    haptics = volumehaptics.vtkVolumeHapticsFilter()
+    haptics.SetInputData(head)
+    segmentation = np.zeros(head.GetDimensions()[::-1], np.uint8)
+    names = {
+        **vars(volumehaptics), "volumehaptics": volumehaptics, "haptics": haptics, "image": head,
+        "tip": np.linspace((0, -120, 60), (0, -75, 60), 400),
+        "segmentation": volumehaptics.image(segmentation, spacing=head.GetSpacing(), origin=head.GetOrigin()),
+    }
+    codes = blocks(ROOT / "Documentation" / "materials.md", "python")
+    for code in codes:
+        exec(compile(code, "materials.md", "exec"), names)
+    table = names["table"]
+    assert table.GetForbidden(52)
+    assert table.GetStandOff() == 2.0 and table.GetLabelName(5) == "liver" and table.GetStiffness(5) == 450.0
+    names["reader"].Update()
+    assert haptics.GetLabelTable().GetLabelName(5) == "liver"
+    strength = names["feel"].GetSurfaceStrength()
+    assert strength.GetValue(60.0) == 2.5 and strength.GetValue(-100.0) == 1.0
+    assert np.linalg.norm(arrays.arrays(names["trace"])["Force"], axis=1).max() > 0.1
+
+
+def test_who_could_tell(document, capsys):
+    section = document("python.md").split("\n## Who could tell materials apart\n")[1].split("\n## ")[0]
+    (code,) = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+    names = {}
+    exec(compile(code, "python.md", "exec"), names)
+    assert names["found"].confusion.shape == (2, 2) and capsys.readouterr().out
+
+
+def commands():
+    """The calls of this project's programs in the documents' blocks of shell commands, with the file that has them."""
+    for path in DOCUMENTS:
+        for block in blocks(path, "sh"):
+            for line in block.replace("\\\n", " ").splitlines():
+                call = line.split("#")[0].strip()
+                if call:
+                    yield path.name, call
+
+
+def test_commands_have_the_options_that_documents_give_them():
+    sources = {
+        "volumehaptics-explore": ROOT / "Module/Applications/Explorer",
+        "volumehaptics-device": ROOT / "Module/Applications/DeviceTool",
+    }
+    texts = {
+        name: "\n".join(file.read_text(encoding="utf-8") for file in folder.rglob("*.cxx"))
+        for name, folder in sources.items()
+    }
+    checked = 0
+    for document, call in commands():
+        words = call.split()
+        program = words[0].rsplit("/", 1)[-1]
+        if program in texts:
+            wanted = [word for word in words[1:] if word.startswith("--")]
+            if program == "volumehaptics-device":
+                wanted.append(words[1])
+            for word in wanted:
+                assert f'"{word}"' in texts[program] or f"{word} " in texts[program], f"{document}: {call}: {word}"
+                checked += 1
+        elif words[0].endswith(".sh"):
+            script = ROOT / words[0]
+            assert script.is_file(), f"{document}: {call}"
+            subprocess.run(["bash", "-n", str(script)], check=True)
+            for word in words[1:]:
+                if word.startswith("--"):
+                    assert word in script.read_text(encoding="utf-8"), f"{document}: {call}: {word}"
+            checked += 1
+        elif words[0].startswith("python") and words[1].endswith(".py"):
+            assert (ROOT / words[1]).is_file(), f"{document}: {call}"
+            checked += 1
+    assert checked > 10
