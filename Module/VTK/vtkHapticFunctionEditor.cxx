@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticFunctionEditor.h"
 
+#include "VTK/Charts/EditHistory.h"
+#include "VTK/Charts/EditorPages.h"
 #include "VTK/Charts/HapticDrawing.h"
-#include "VTK/Charts/HapticFunctionChart.h"
-#include "VTK/Charts/HapticLabelSheet.h"
-#include "VTK/Charts/HapticProposalView.h"
+#include "VTK/Docks/EditorDock.h"
+#include "VTK/Scene/HapticSceneSettings.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"
@@ -17,75 +18,26 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkHapticFunctionEditor);
 
-namespace
-{
-
-using VolumeHaptics::EditedQuantity;
-
-struct Choice
-{
-  EditedQuantity Quantity;
-  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
-};
-
-// An empty function means the same as in vtkHapticProperty.
-const Choice Choices[] = {
-  { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
-  { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },
-  { { "Viscosity (N)", 0.0, 1.0, 100.0 }, &vtkHapticProperty::GetViscosity },
-  { { "Surface strength (N)", 2.0, 5.0, 100.0 }, &vtkHapticProperty::GetSurfaceStrength },
-  { { "Opacity", 0.0, 1.0, 1.0 }, nullptr },
-  { { "Materials of labels", 0.0, 1.0, 1.0 }, nullptr },
-};
-
-} // namespace
-
 //------------------------------------------------------------------------------
 struct vtkHapticFunctionEditor::vtkInternals
 {
-  vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
-  vtkWeakPointer<vtkRenderer> Renderer; // that shows the editor
-  VolumeHaptics::HapticFunctionChart Chart;
-  VolumeHaptics::HapticProposalView Proposed{ Chart };
-  VolumeHaptics::HapticLabelSheet Labels;
+  explicit vtkInternals(vtkHapticFunctionEditor* editor)
+    : Dock(editor, [editor](vtkViewport* viewport) { return editor->Draw(viewport); })
+  {
+  }
+
+  VolumeHaptics::EditorPages Pages;
+  VolumeHaptics::EditHistory History;
+  VolumeHaptics::EditorDock Dock;
   int Held = 0;     // the button, between press and release
   int CanDraw = -1; // not known yet
   bool IsCounting = false;
   bool WaitsForProposal = false;
-
-  /** No work goes on with an image that was taken away. */
-  void EndOtherCounts()
-  {
-    this->Chart.EndCountUnless(this->Proposed.Image);
-    this->Labels.List.EndOtherCount();
-    this->Proposed.EndOtherSearch();
-  }
-
-  /** From the display to the viewport. */
-  void ToViewport(int& x, int& y) const
-  {
-    if (this->Renderer)
-    {
-      const int* const origin = this->Renderer->GetOrigin();
-      x -= origin[0];
-      y -= origin[1];
-    }
-  }
-
-  /** From the viewport to the display. */
-  void ToDisplay(double position[2]) const
-  {
-    int origin[2] = { 0, 0 };
-    this->ToViewport(origin[0], origin[1]);
-    position[0] -= origin[0];
-    position[1] -= origin[1];
-  }
 
   /**
    * Does work of the editor between StartEvent and EndEvent. Observers may render meanwhile, which
@@ -105,41 +57,47 @@ struct vtkHapticFunctionEditor::vtkInternals
 
 //------------------------------------------------------------------------------
 vtkHapticFunctionEditor::vtkHapticFunctionEditor()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
 }
 
 vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
 
 //------------------------------------------------------------------------------
-#define vtkHapticEditorObjectMacro(name, type, member)  \
-  void vtkHapticFunctionEditor::Set##name(type* object) \
-  {                                                     \
-    if (this->Internals->member != object)              \
-    {                                                   \
-      this->Internals->member = object;                 \
-      this->Internals->EndOtherCounts();                \
-      this->Modified();                                 \
-    }                                                   \
-  }                                                     \
-  type* vtkHapticFunctionEditor::Get##name()            \
-  {                                                     \
-    return this->Internals->member;                     \
+// Edits of other objects are forgotten; images are not edited.
+#define vtkHapticEditorObjectMacro(name, type, member, forget) \
+  void vtkHapticFunctionEditor::Set##name(type* object)        \
+  {                                                            \
+    if (this->Internals->Pages.member != object)               \
+    {                                                          \
+      this->Internals->Pages.member = object;                  \
+      this->Internals->Pages.EndOtherCounts();                 \
+      forget;                                                  \
+      this->Modified();                                        \
+    }                                                          \
+  }                                                            \
+  type* vtkHapticFunctionEditor::Get##name()                   \
+  {                                                            \
+    return this->Internals->Pages.member;                      \
   }
 
-vtkHapticEditorObjectMacro(Property, vtkHapticProperty, Proposed.Property);
-vtkHapticEditorObjectMacro(VolumeProperty, vtkVolumeProperty, VolumeProperty);
-vtkHapticEditorObjectMacro(InputData, vtkImageData, Proposed.Image);
-vtkHapticEditorObjectMacro(LabelTable, vtkHapticLabelTable, Labels.List.Table);
-vtkHapticEditorObjectMacro(LabelData, vtkImageData, Labels.List.Image);
+vtkHapticEditorObjectMacro(
+  Property, vtkHapticProperty, Proposed.Property, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(
+  VolumeProperty, vtkVolumeProperty, VolumeProperty, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(
+  LabelTable, vtkHapticLabelTable, LabelList.Table, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(InputData, vtkImageData, Proposed.Image, );
+vtkHapticEditorObjectMacro(LabelData, vtkImageData, LabelList.Image, );
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::SetFunction(int function)
 {
-  const int valid = std::clamp<int>(function, STIFFNESS, LABELS);
+  const int valid = std::clamp<int>(function, STIFFNESS, TISSUES);
   if (valid != this->Function)
   {
     this->Function = valid;
+    this->Internals->Pages.SetPage(valid);
     this->Modified();
   }
 }
@@ -150,9 +108,8 @@ void vtkHapticFunctionEditor::NextFunction()
   const int before = this->Function;
   do
   {
-    this->SetFunction(this->Function == LABELS ? STIFFNESS : this->Function + 1);
-  } while (this->Function != before && !this->GetPiecewiseFunction() &&
-    !(this->Function == LABELS && this->GetLabelTable()));
+    this->SetFunction(this->Function == TISSUES ? STIFFNESS : this->Function + 1);
+  } while (this->Function != before && !this->Internals->Pages.Has(this->Function));
 }
 
 //------------------------------------------------------------------------------
@@ -182,12 +139,12 @@ void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
 //------------------------------------------------------------------------------
 vtkIdType vtkHapticFunctionEditor::GetNumberOfListedLabels()
 {
-  VolumeHaptics::HapticLabelList& list = this->Internals->Labels.List;
+  VolumeHaptics::HapticLabelList& list = this->Internals->Pages.LabelList;
   if (!list.IsCounted())
   {
     list.Count();
   }
-  return list.GetNumberOfLabels();
+  return list.GetNumberOfRows();
 }
 
 //------------------------------------------------------------------------------
@@ -200,48 +157,79 @@ int vtkHapticFunctionEditor::GetListedLabel(vtkIdType index)
                   << " labels.");
     return 0;
   }
-  return this->Internals->Labels.List.GetLabel(index);
+  return this->Internals->Pages.LabelList.GetKey(index);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::SelectLabel(int label)
 {
-  return this->GetNumberOfListedLabels() > 0 && this->Internals->Labels.List.Select(label);
+  return this->GetNumberOfListedLabels() > 0 && this->Internals->Pages.LabelList.Select(label);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::HasSelectedLabel()
 {
   return this->GetNumberOfListedLabels() > 0 &&
-    this->Internals->Labels.List.GetSelected().has_value();
+    this->Internals->Pages.LabelList.GetSelected().has_value();
 }
 
 //------------------------------------------------------------------------------
 int vtkHapticFunctionEditor::GetSelectedLabel()
 {
-  return this->HasSelectedLabel() ? *this->Internals->Labels.List.GetSelected() : 0;
+  return this->HasSelectedLabel() ? *this->Internals->Pages.LabelList.GetSelected() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::SelectTissue(int tissue)
+{
+  return this->Internals->Pages.TissueList.Select(tissue);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetSelectedTissue()
+{
+  return this->Internals->Pages.TissueList.GetSelected().value_or(-1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TakeBack(bool hasChanged)
+{
+  if (hasChanged)
+  {
+    this->Modified();
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return hasChanged;
+}
+
+bool vtkHapticFunctionEditor::Undo()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Undo(d.Pages.GetEdited()));
+}
+
+bool vtkHapticFunctionEditor::Redo()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Redo(d.Pages.GetEdited()));
+}
+
+bool vtkHapticFunctionEditor::Reset()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Reset(d.Pages.GetEdited()));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHapticFunctionEditor::GetTitle()
 {
-  return Choices[this->Function].Quantity.Title;
+  return this->Internals->Pages.GetTitle();
 }
 
 //------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 {
-  auto& d = *this->Internals;
-  if (this->Function == OPACITY)
-  {
-    // As vtkHapticProperty::SetVisibilityFrom chooses it.
-    const int component = d.VolumeProperty && d.VolumeProperty->GetIndependentComponents()
-      ? std::min(d.Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
-      : 0;
-    return d.VolumeProperty ? d.VolumeProperty->GetScalarOpacity(component) : nullptr;
-  }
-  const auto get = Choices[this->Function].Get;
-  return d.Proposed.Property && get ? (d.Proposed.Property.Get()->*get)() : nullptr;
+  return this->Internals->Pages.GetFunction();
 }
 
 //------------------------------------------------------------------------------
@@ -254,17 +242,14 @@ double vtkHapticFunctionEditor::EstimateUpdateTime()
 //------------------------------------------------------------------------------
 double vtkHapticFunctionEditor::GetCountedShare()
 {
-  const auto& d = *this->Internals;
-  const double counted =
-    this->Function == LABELS ? d.Labels.List.GetCountedShare() : d.Chart.GetCountedShare();
-  return std::min(counted, d.Proposed.GetProgress());
+  return this->Internals->Pages.GetCountedShare();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::CanPropose()
 {
   const auto& d = *this->Internals;
-  const bool isComplete = d.Proposed.Property && d.Proposed.Image && !d.IsCounting;
+  const bool isComplete = d.Pages.Proposed.Property && d.Pages.Proposed.Image && !d.IsCounting;
   if (!isComplete)
   {
     vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
@@ -286,7 +271,7 @@ bool vtkHapticFunctionEditor::Propose()
   d.DoLongWork(this,
     [&]
     {
-      found = d.Proposed.FindNow();
+      found = d.Pages.Proposed.FindNow();
       if (found.Proposal)
       {
         this->Modified();
@@ -309,7 +294,7 @@ bool vtkHapticFunctionEditor::BeginProposal()
     return false;
   }
   std::string error;
-  if (!d.Proposed.Begin(error))
+  if (!d.Pages.Proposed.Begin(error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -321,13 +306,13 @@ bool vtkHapticFunctionEditor::BeginProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::IsProposing()
 {
-  return this->Internals->Proposed.IsUnderWay();
+  return this->Internals->Pages.Proposed.IsUnderWay();
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::FollowProposal()
 {
-  if (const auto found = this->Internals->Proposed.Follow())
+  if (const auto found = this->Internals->Pages.Proposed.Follow())
   {
     this->Modified();
     if (!found->Proposal)
@@ -340,13 +325,16 @@ void vtkHapticFunctionEditor::FollowProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::HasProposal()
 {
-  return this->Internals->Proposed.IsThere();
+  return this->Internals->Pages.Proposed.IsThere();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::TakeProposal()
 {
-  const bool isTaken = this->Internals->Proposed.Take();
+  auto& d = *this->Internals;
+  d.History.Begin(d.Pages.GetEdited());
+  const bool isTaken = d.Pages.Proposed.Take();
+  d.History.End(d.Pages.GetEdited());
   if (isTaken)
   {
     this->Modified();
@@ -358,7 +346,7 @@ bool vtkHapticFunctionEditor::TakeProposal()
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::DropProposal()
 {
-  const bool wasThere = this->Internals->Proposed.Drop();
+  const bool wasThere = this->Internals->Pages.Proposed.Drop();
   if (wasThere)
   {
     this->Modified();
@@ -374,84 +362,64 @@ void vtkHapticFunctionEditor::Update()
   {
     return;
   }
-  d.Chart.FollowCount();
-  d.Labels.List.FollowCount();
-  if (this->Function == LABELS)
+  d.Pages.FollowCounts();
+  if (!d.Pages.IsCounted())
   {
-    if (!d.Labels.List.IsCounted())
-    {
-      d.DoLongWork(this, [&d] { d.Labels.List.Count(); });
-    }
-  }
-  else if (!d.Chart.ShowsData(d.Proposed.Image, d.Proposed.GetComponent()))
-  {
-    d.DoLongWork(this, [&d] { d.Chart.ShowData(d.Proposed.Image, d.Proposed.GetComponent()); });
+    d.DoLongWork(this, [&d] { d.Pages.Count(); });
   }
   this->FollowProposal();
-  d.Proposed.FollowEdges();
+  d.Pages.Proposed.FollowEdges();
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticFunctionEditor::UpdateChart()
+void vtkHapticFunctionEditor::UpdatePage()
 {
   auto& d = *this->Internals;
   this->Update();
-  if (this->Function == LABELS)
-  {
-    d.Labels.Place(this->Rectangle);
-    return;
-  }
-  vtkPiecewiseFunction* const function = this->GetPiecewiseFunction();
-  d.Chart.Place(this->Rectangle);
-  d.Proposed.ShowFunction(Choices[this->Function].Get);
-  d.Chart.ShowFunction(function, Choices[this->Function].Quantity, d.Held != 0);
-  if (!function)
-  {
-    d.Chart.ShowNothing(
-      this->Function == OPACITY ? "No volume property to edit" : "No haptic property to edit");
-  }
+  d.Pages.Show(d.Dock.GetRectangle().data(), d.Held != 0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::Contains(int x, int y)
 {
-  this->Internals->ToViewport(x, y);
-  const int* const r = this->Rectangle;
-  return this->GetVisibility() && x >= r[0] && x < r[0] + r[2] && y >= r[1] && y < r[1] + r[3];
+  return this->Internals->Dock.Contains(x, y);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
 {
   auto& d = *this->Internals;
+  if (d.Dock.MoveBorder(event, button == LEFT_BUTTON, d.Held == 0, x, y))
+  {
+    return true;
+  }
   const bool starts =
     event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
   if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
   {
     return d.Held != 0; // a second button during a drag is taken, and does nothing
   }
-  if (event == vtkCommand::LeftButtonReleaseEvent && d.Held != button)
+  const bool ends = event == vtkCommand::LeftButtonReleaseEvent;
+  if (ends && d.Held != button)
   {
     return d.Held != 0;
   }
-  this->UpdateChart();
-  vtkObject* const edited = this->Function == LABELS
-    ? static_cast<vtkObject*>(this->GetLabelTable())
-    : this->GetPiecewiseFunction();
-  const vtkMTimeType before = edited ? edited->GetMTime() : 0;
-  d.ToViewport(x, y);
+  this->UpdatePage();
+  if (starts)
+  {
+    d.History.Begin(d.Pages.GetEdited());
+  }
+  const vtkMTimeType before = d.Pages.GetEditTime();
+  d.Dock.ToViewport(x, y);
   d.Held = starts ? button : d.Held;
   const int sent = event == vtkCommand::MouseMoveEvent ? d.Held : button;
-  if (this->Function == LABELS)
+  d.Pages.SendMouse(event, sent, x, y);
+  d.Held = ends ? 0 : d.Held;
+  if (ends)
   {
-    d.Labels.SendMouse(event, sent, x, y);
+    d.History.End(d.Pages.GetEdited());
   }
-  else
-  {
-    d.Chart.SendMouse(event, sent, x, y);
-  }
-  d.Held = event == vtkCommand::LeftButtonReleaseEvent ? 0 : d.Held;
-  if (edited && edited->GetMTime() > before)
+  if (d.Pages.GetEditTime() > before)
   {
     this->InvokeEvent(vtkCommand::InteractionEvent);
   }
@@ -462,20 +430,23 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
 bool vtkHapticFunctionEditor::TurnWheel(double steps, int x, int y)
 {
   auto& d = *this->Internals;
-  if (this->Function != LABELS || !this->Contains(x, y))
+  if (!this->Contains(x, y))
   {
     return false;
   }
-  this->UpdateChart();
-  if (vtkHapticLabelTable* const table = d.Labels.List.Table)
+  this->UpdatePage();
+  d.Dock.ToViewport(x, y);
+  if (d.Held != 0)
   {
-    const vtkMTimeType before = table->GetMTime();
-    d.ToViewport(x, y);
-    d.Labels.Turn(x, y, steps);
-    if (table->GetMTime() > before)
-    {
-      this->InvokeEvent(vtkCommand::InteractionEvent);
-    }
+    return true;
+  }
+  d.History.Begin(d.Pages.GetEdited());
+  const vtkMTimeType before = d.Pages.GetEditTime();
+  d.Pages.Turn(x, y, steps);
+  d.History.End(d.Pages.GetEdited());
+  if (d.Pages.GetEditTime() > before)
+  {
+    this->InvokeEvent(vtkCommand::InteractionEvent);
   }
   return true;
 }
@@ -510,22 +481,35 @@ void vtkHapticFunctionEditor::GetDisplayPosition(
     vtkErrorMacro("GetDisplayPosition() needs an array of two numbers, but got a null pointer.");
     return;
   }
-  this->Internals->Chart.GetPosition(value, functionValue, position);
-  this->Internals->ToDisplay(position);
+  this->Internals->Pages.Chart.GetPosition(value, functionValue, position);
+  this->Internals->Dock.ToDisplay(position);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double position[2])
 {
-  using VolumeHaptics::LabelPart;
-  const auto& d = *this->Internals;
-  const auto kind = part == LABEL_NAME ? LabelPart::Name
-    : part == LABEL_FELT               ? LabelPart::Felt
-                                       : LabelPart::Forbidden;
-  const bool isShown = position && d.Labels.GetLabelPosition(label, kind, position);
+  using VolumeHaptics::MaterialPart;
+  auto& d = *this->Internals;
+  const auto kind = part == LABEL_NAME ? MaterialPart::Name
+    : part == LABEL_FELT               ? MaterialPart::Felt
+                                       : MaterialPart::Forbidden;
+  const bool isShown = position && d.Pages.GetLabels().GetRowPosition(label, kind, position);
   if (isShown)
   {
-    d.ToDisplay(position);
+    d.Dock.ToDisplay(position);
+  }
+  return isShown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetTissuePosition(int tissue, double position[2])
+{
+  auto& d = *this->Internals;
+  const bool isShown = position && d.Pages.GetSheet() == &d.Pages.GetTissues() &&
+    d.Pages.GetTissues().GetRowPosition(tissue, VolumeHaptics::MaterialPart::Name, position);
+  if (isShown)
+  {
+    d.Dock.ToDisplay(position);
   }
   return isShown;
 }
@@ -533,12 +517,13 @@ bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double posit
 //------------------------------------------------------------------------------
 bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, double position[2])
 {
-  const auto& d = *this->Internals;
-  const bool isShown = position && function >= STIFFNESS && function <= SURFACE_STRENGTH &&
-    d.Labels.GetSliderPosition(function, value, position);
+  auto& d = *this->Internals;
+  const VolumeHaptics::HapticMaterialSheet* const sheet = d.Pages.GetSheet();
+  const bool isShown = sheet && position && function >= STIFFNESS && function <= SURFACE_STRENGTH &&
+    sheet->GetSliderPosition(function, value, position);
   if (isShown)
   {
-    d.ToDisplay(position);
+    d.Dock.ToDisplay(position);
   }
   return isShown;
 }
@@ -547,11 +532,18 @@ bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, doub
 int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
 {
   auto& d = *this->Internals;
+  d.Dock.SetHost(vtkRenderer::SafeDownCast(viewport));
+  return d.Dock.IsTaken() ? 0 : this->Draw(viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
   if (!VolumeHaptics::IsDrawing(viewport))
   {
     return 0;
   }
-  d.Renderer = vtkRenderer::SafeDownCast(viewport);
   if (d.CanDraw == -1)
   {
     // A chart that has no device to draw on would crash.
@@ -568,17 +560,22 @@ int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
   {
     return 0;
   }
-  this->UpdateChart();
-  vtkContextActor* const shown =
-    this->Function == LABELS ? d.Labels.GetActor() : d.Chart.GetActor();
-  return shown->RenderOverlay(viewport);
+  this->UpdatePage();
+  int drawn = 0;
+  for (vtkContextActor* const actor : d.Pages.GetActors())
+  {
+    drawn += actor->RenderOverlay(viewport);
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
-  this->Internals->Labels.GetActor()->ReleaseGraphicsResources(window);
+  for (vtkContextActor* const actor : this->Internals->Pages.GetAllActors())
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -587,13 +584,14 @@ void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto& d = *this->Internals;
-  os << indent << "Property: " << d.Proposed.Property.Get() << "\n";
-  os << indent << "VolumeProperty: " << d.VolumeProperty.Get() << "\n";
-  os << indent << "InputData: " << d.Proposed.Image.Get() << "\n";
-  os << indent << "LabelTable: " << d.Labels.List.Table.Get() << "\n";
-  os << indent << "LabelData: " << d.Labels.List.Image.Get() << "\n";
-  os << indent << "Proposal: " << (d.Proposed.IsThere() ? "to be taken" : "(none)") << "\n";
+  os << indent << "Property: " << d.Pages.Proposed.Property.Get() << "\n";
+  os << indent << "VolumeProperty: " << d.Pages.VolumeProperty.Get() << "\n";
+  os << indent << "InputData: " << d.Pages.Proposed.Image.Get() << "\n";
+  os << indent << "LabelTable: " << d.Pages.LabelList.Table.Get() << "\n";
+  os << indent << "LabelData: " << d.Pages.LabelList.Image.Get() << "\n";
+  os << indent << "Proposal: " << (d.Pages.Proposed.IsThere() ? "to be taken" : "(none)") << "\n";
   os << indent << "Function: " << this->GetTitle() << "\n";
   os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
      << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::EditorSettings);
 }

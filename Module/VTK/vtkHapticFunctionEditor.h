@@ -16,7 +16,13 @@
  * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
  * Right button: select points, which then move together. The first and the last point only move up
  * and down. The title shows value and position of the point that was touched last. If a point is
- * left at the top of the chart, the axis grows.
+ * left at the top of the chart, the axis grows. The left button drags the axes, too: values are
+ * moved, the function's axis is stretched; the wheel stretches the axis of values about the mouse,
+ * or over the function's axis that one; a double click on an axis fits it again.
+ *
+ * The tissues of the property (vtkHapticProperty::AddTissue), which its presets bring, are bands
+ * with names behind the function. A page of their own has sliders for the material of each, as the
+ * page of labels, see below.
  *
  * Edits are live: they change the vtkPiecewiseFunction itself, so the property's MTime advances;
  * the hand feels them with the next vtkHapticDevice::Publish. To follow edits, observe
@@ -47,6 +53,15 @@
  * without a bar is a quantity that the functions decide. Wheel: scroll the list, or move a slider
  * by a two-hundredth. If a slider is left near its end, its end grows. Edits change the table
  * itself, as live as those of functions.
+ *
+ * Undo(), Redo() and Reset() take edits back.
+ *
+ * The editor lies over the scene, in its rectangle, or beside it, in a viewport of its own at an
+ * edge of the window, whose border to the scene the mouse drags:
+ *
+ *   editor->DockedOn();
+ *
+ * If it is wide there, the tissues stand beside the function.
  *
  * The editor takes no events by itself. An interactor style passes the events that it wants:
  *
@@ -126,13 +141,15 @@ public:
     VISCOSITY = 2,
     SURFACE_STRENGTH = 3,
     OPACITY = 4,
-    LABELS = 5
+    LABELS = 5,
+    TISSUES = 6
   };
 
   ///@{
   /**
-   * The edited function, or LABELS for the list of labels. Default STIFFNESS. NextFunction goes
-   * through all of those whose property or table is set, in the order above.
+   * The edited function, or LABELS or TISSUES for a list of these. Default STIFFNESS. NextFunction
+   * goes through all of those whose property or table is set, in the order above, and through
+   * TISSUES if there are any.
    */
   void SetFunction(int function);
   vtkGetMacro(Function, int);
@@ -142,6 +159,7 @@ public:
   void SetFunctionToSurfaceStrength() { this->SetFunction(SURFACE_STRENGTH); }
   void SetFunctionToOpacity() { this->SetFunction(OPACITY); }
   void SetFunctionToLabels() { this->SetFunction(LABELS); }
+  void SetFunctionToTissues() { this->SetFunction(TISSUES); }
   void NextFunction();
   ///@}
 
@@ -188,21 +206,83 @@ public:
   int GetSelectedLabel();
   ///@}
 
+  ///@{
+  /**
+   * The tissue whose material has sliders, by its number in the property. SelectTissue returns
+   * whether there is such a tissue; GetSelectedTissue returns -1 if none is selected.
+   */
+  bool SelectTissue(int tissue);
+  int GetSelectedTissue();
+  ///@}
+
+  ///@{
+  /**
+   * Take back the last edit of this editor, do it again, or take back all of them; each returns
+   * whether there was something to do, and invokes vtkCommand::InteractionEvent. An edit goes from
+   * the press of a button to its release, or is a step of the wheel, a proposal that was taken, or
+   * another Reset(). Functions, surface side and tissues of the property, opacity and label table
+   * come back as they were before the edit, also if a program has changed them since; the component
+   * and the visibility stay. The last 100 edits are kept. Another property, volume property or
+   * label table forgets them.
+   */
+  bool Undo();
+  bool Redo();
+  bool Reset();
+  ///@}
+
   /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
   std::string GetTitle();
 
-  /** The function itself; nullptr for LABELS, or if its property is not set. */
+  /** The function itself; nullptr for LABELS and TISSUES, or if its property is not set. */
   vtkPiecewiseFunction* GetPiecewiseFunction();
 
   ///@{
   /**
-   * Lower left corner, width and height in pixels of the viewport; 120 x 90 or more is readable.
-   * Corner coordinates are clamped to -16384 to 16384, width and height to 1 to 16384. Default (10,
-   * 10, 300, 200).
+   * Lower left corner, width and height in pixels of the viewport, unless it is Docked; 120 x 90 or
+   * more is readable. Corner coordinates are clamped to -16384 to 16384, width and height to 1 to
+   * 16384. Default (10, 10, 300, 200).
    */
   void SetRectangle(int x, int y, int width, int height);
   void SetRectangle(const int rectangle[4]) VTK_SIZEHINT(4);
   vtkGetVector4Macro(Rectangle, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the editor is beside the scene, in a viewport of its own, instead of over it in its
+   * rectangle. Default off. Other renderers of the window get what is left, while it is visible.
+   * It takes effect with the next frame of the window in which the editor was drawn.
+   */
+  vtkSetMacro(Docked, bool);
+  vtkGetMacro(Docked, bool);
+  vtkBooleanMacro(Docked, bool);
+  ///@}
+
+  enum DockEdgeType
+  {
+    LEFT_EDGE = 0,
+    RIGHT_EDGE = 1,
+    BOTTOM_EDGE = 2,
+    TOP_EDGE = 3
+  };
+
+  ///@{
+  /** The edge of the window for an editor that is Docked: Left, Right, Bottom (default) or Top. */
+  vtkSetClampMacro(DockEdge, int, LEFT_EDGE, TOP_EDGE);
+  vtkGetMacro(DockEdge, int);
+  void SetDockEdgeToLeft() { this->SetDockEdge(LEFT_EDGE); }
+  void SetDockEdgeToRight() { this->SetDockEdge(RIGHT_EDGE); }
+  void SetDockEdgeToBottom() { this->SetDockEdge(BOTTOM_EDGE); }
+  void SetDockEdgeToTop() { this->SetDockEdge(TOP_EDGE); }
+  ///@}
+
+  ///@{
+  /**
+   * The share of the window's width or height for an editor that is Docked, 0.1 to 0.9. Default
+   * 0.35. The mouse changes it by dragging the border to the scene.
+   */
+  vtkSetClampMacro(DockShare, double, 0.1, 0.9);
+  vtkGetMacro(DockShare, double);
   ///@}
 
   ///@{
@@ -244,8 +324,7 @@ public:
   ///@}
 
   /**
-   * The mouse wheel, with steps that count away from the user. True if the editor uses the event,
-   * which only the list of labels does.
+   * The mouse wheel, with steps that count away from the user. True if the editor uses the event.
    */
   bool TurnWheel(double steps, int x, int y);
 
@@ -264,12 +343,13 @@ public:
 
   ///@{
   /**
-   * The position on the display (pixels) of a label's name or one of its boxes, and of a value on
-   * the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a render. False if it
-   * is not shown: the label is scrolled away, none is selected, or the image is another one or has
-   * changed since the render.
+   * The position on the display (pixels) of a label's name or one of its boxes, of a tissue's name,
+   * and of a value on the slider of STIFFNESS, FRICTION, VISCOSITY or SURFACE_STRENGTH, after a
+   * render. False if it is not shown: the label or tissue is scrolled away, none is selected, or
+   * the image is another one or has changed since the render.
    */
   bool GetLabelPosition(int label, int part, double position[2]) VTK_SIZEHINT(position, 2);
+  bool GetTissuePosition(int tissue, double position[2]) VTK_SIZEHINT(position, 2);
   bool GetSliderPosition(int function, double value, double position[2]) VTK_SIZEHINT(position, 2);
   ///@}
 
@@ -285,15 +365,20 @@ protected:
 
   int Function = STIFFNESS;
   int Rectangle[4] = { 10, 10, 300, 200 };
+  bool Docked = false;
+  int DockEdge = BOTTOM_EDGE;
+  double DockShare = 0.35;
 
 private:
   vtkHapticFunctionEditor(const vtkHapticFunctionEditor&) = delete;
   void operator=(const vtkHapticFunctionEditor&) = delete;
 
-  void UpdateChart();
+  void UpdatePage();
   bool CanPropose();
   void FollowProposal();
   bool Send(int event, int button, int x, int y);
+  bool TakeBack(bool hasChanged);
+  int Draw(vtkViewport* viewport);
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -347,7 +347,8 @@ std::string vtkHapticHeadUpDisplay::GetText()
   std::string text;
   const std::string recorded =
     this->RecordingText.empty() ? "" : "Recording " + this->RecordingText;
-  for (const std::string& part : { recorded, d.GetStatus(*this),
+  const std::string compared = this->SettingsText.empty() ? "" : "Settings " + this->SettingsText;
+  for (const std::string& part : { recorded, compared, d.GetStatus(*this),
          isListed ? ListMeasurements(d.Measurements) : std::string(), this->Notice })
   {
     text += text.empty() || part.empty() ? part : "\n" + part;
@@ -553,6 +554,7 @@ void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Measurements: " << this->GetMeasurements() << "\n";
   os << indent << "Notice: " << this->Notice << "\n";
   os << indent << "RecordingText: " << this->RecordingText << "\n";
+  os << indent << "SettingsText: " << this->SettingsText << "\n";
   os << indent << "Hint: " << this->Hint << "\n";
   os << indent << "HelpText: " << this->HelpText << "\n";
   os << indent << "States: " << this->GetNumberOfStates() << "\n";

@@ -7,10 +7,10 @@
  * The plot shows the normal, friction and drag force of the last seconds and, in grey, the whole
  * force that was sent to the hand; its title is the method. With the modes of PRIMITIVES it shows
  * the force of each mode instead of these parts, in the colour that its name has in a list below
- * the text; a mode that is off is grey. The text shows, from top
- * to bottom: what is recorded; the status of a device other than the virtual one, or a fault; what
- * is touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; whether the volume is cut;
- * of a volume that moves, its time and that of the nearest frame; measurements; and a notice. While
+ * the text; a mode that is off is grey. The text shows, from top to bottom: what is recorded; which
+ * settings are compared; the status of a device other than the virtual one, or a fault; what is
+ * touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; whether the volume is cut; of
+ * a volume that moves, its time and that of the nearest frame; measurements; and a notice. While
  * nothing is touched, there is nothing of a virtual device to tell. A hint, which
  * vtkInteractorStyleHaptic sets, says what to do next; the style also shows a list of its keys.
  *
@@ -156,6 +156,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The name of the settings that are felt, while several are compared: the text then has a line
+   * such as "Settings A". vtkInteractorStyleHaptic::SwapSettings() sets it. Default empty: no line.
+   */
+  vtkSetStdStringFromCharMacro(SettingsText);
+  vtkGetCharFromStdStringMacro(SettingsText);
+  ///@}
+
+  ///@{
   /** A notice for the user, shown below the text until it is set to empty. Default empty. */
   vtkSetStdStringFromCharMacro(Notice);
   vtkGetCharFromStdStringMacro(Notice);
@@ -207,6 +216,7 @@ protected:
   vtkTypeBool HelpVisibility = 0;
   std::string Notice;
   std::string RecordingText;
+  std::string SettingsText;
   std::string Hint;
   std::string HelpText;
 

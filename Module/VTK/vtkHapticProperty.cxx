@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticProperty.h"
 
+#include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticPresets.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/HapticTissues.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Proposal/HapticProposal.h"
+#include "VTK/Setup/HapticPresetFile.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +20,20 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkHapticProperty);
+
+namespace
+{
+
+/** What a function without points stands for. */
+double GetDefault(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
+{
+  const auto* const function = std::find_if(std::begin(VolumeHaptics::PropertyFunctions),
+    std::end(VolumeHaptics::PropertyFunctions),
+    [get](const VolumeHaptics::PropertyFunction& one) { return one.Get == get; });
+  return function->Default;
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 #define vtkHapticPropertyFunctionMacro(name)                        \
@@ -44,17 +61,32 @@ vtkHapticPropertyFunctionMacro(SurfaceStrength);
 vtkHapticPropertyFunctionMacro(Distinctness);
 
 //------------------------------------------------------------------------------
-vtkHapticProperty::vtkHapticProperty() = default;
+struct vtkHapticProperty::vtkInternals
+{
+  VolumeHaptics::HapticTissues Tissues;
+};
+
+//------------------------------------------------------------------------------
+vtkHapticProperty::vtkHapticProperty()
+  : Internals(new vtkInternals)
+{
+}
+
 vtkHapticProperty::~vtkHapticProperty() = default;
 
 //------------------------------------------------------------------------------
 bool vtkHapticProperty::ApplyPreset(const char* name)
 {
+  if (VolumeHaptics::IsPresetFile(name))
+  {
+    return this->ReadPreset(name);
+  }
   if (!VolumeHaptics::FillFromPreset(name, this))
   {
     vtkErrorMacro(<< "There is no preset \""
                   << (name ? VolumeHaptics::Printable(name) : std::string("(null)"))
-                  << "\". Use one of: " << VolumeHaptics::ListPresets() << ".");
+                  << "\". Use one of: " << VolumeHaptics::ListPresets()
+                  << ", or a file of WritePreset() that ends in .json.");
     return false;
   }
   return true;
@@ -66,6 +98,111 @@ vtkStringArray* vtkHapticProperty::GetPresetNames()
   static const vtkSmartPointer<vtkStringArray> names = VolumeHaptics::MakePresetNames();
   return names;
 }
+
+//------------------------------------------------------------------------------
+bool vtkHapticProperty::WritePreset(const char* file)
+{
+  std::string error;
+  if (!VolumeHaptics::WritePresetFile(file ? file : "", this, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticProperty::ReadPreset(const char* file)
+{
+  std::string error;
+  if (!VolumeHaptics::ReadPresetFile(file ? file : "", this, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticProperty::AddTissue(const char* name, double low, double high)
+{
+  std::string error;
+  const int tissue = this->Internals->Tissues.Add({ name ? name : "", low, high }, error);
+  if (tissue < 0)
+  {
+    vtkErrorMacro(<< VolumeHaptics::Printable(error));
+    return -1;
+  }
+  this->Modified();
+  return tissue;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::RemoveAllTissues()
+{
+  if (this->GetNumberOfTissues() > 0)
+  {
+    this->Internals->Tissues.Clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticProperty::GetNumberOfTissues()
+{
+  return this->Internals->Tissues.GetSize();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticProperty::HasTissue(int tissue)
+{
+  const int tissues = this->GetNumberOfTissues();
+  if (tissue < 0 || tissue >= tissues)
+  {
+    vtkErrorMacro("There is no tissue " << tissue << " among " << tissues
+                                        << "; they are numbered from 0. AddTissue() adds one.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticProperty::GetTissueName(int tissue)
+{
+  return this->HasTissue(tissue) ? this->Internals->Tissues.Get(tissue).Name.c_str() : "";
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticProperty::GetTissueRange(int tissue, double range[2])
+{
+  if (range && this->HasTissue(tissue))
+  {
+    range[0] = this->Internals->Tissues.Get(tissue).Low;
+    range[1] = this->Internals->Tissues.Get(tissue).High;
+  }
+}
+
+//------------------------------------------------------------------------------
+#define vtkHapticPropertyTissueMacro(name)                                                        \
+  void vtkHapticProperty::SetTissue##name(int tissue, double value)                               \
+  {                                                                                               \
+    if (this->HasTissue(tissue) && value != this->GetTissue##name(tissue))                        \
+    {                                                                                             \
+      this->Internals->Tissues.SetValue(                                                          \
+        this->Get##name(), tissue, value, GetDefault(&vtkHapticProperty::Get##name));             \
+    }                                                                                             \
+  }                                                                                               \
+  double vtkHapticProperty::GetTissue##name(int tissue)                                           \
+  {                                                                                               \
+    return this->HasTissue(tissue) ? this->Internals->Tissues.GetValue(this->Get##name(), tissue, \
+                                       GetDefault(&vtkHapticProperty::Get##name))                 \
+                                   : 0.0;                                                         \
+  }
+
+vtkHapticPropertyTissueMacro(Stiffness);
+vtkHapticPropertyTissueMacro(Friction);
+vtkHapticPropertyTissueMacro(Viscosity);
+vtkHapticPropertyTissueMacro(SurfaceStrength);
 
 //------------------------------------------------------------------------------
 bool vtkHapticProperty::ProposeFromImage(vtkImageData* image)
@@ -130,7 +267,12 @@ void vtkHapticProperty::DeepCopy(vtkHapticProperty* source)
   }
   for (const PropertyFunction& function : PropertyFunctions)
   {
-    (this->*function.Get)()->DeepCopy((source->*function.Get)());
+    CopyFunction((source->*function.Get)(), (this->*function.Get)());
+  }
+  if (!(this->Internals->Tissues == source->Internals->Tissues))
+  {
+    this->Internals->Tissues = source->Internals->Tissues;
+    this->Modified();
   }
   this->SetVisibilityFrom(source->GetVisibilityFrom());
   this->ProposedBoundaries = source->ProposedBoundaries;
@@ -175,6 +317,13 @@ void vtkHapticProperty::PrintSelf(ostream& os, vtkIndent indent)
   print("Viscosity", this->Viscosity);
   print("SurfaceStrength", this->SurfaceStrength);
   print("Distinctness", this->Distinctness);
+  os << indent << "Tissues:" << (this->GetNumberOfTissues() == 0 ? " (none)" : "") << "\n";
+  for (int i = 0; i < this->GetNumberOfTissues(); ++i)
+  {
+    const VolumeHaptics::NamedTissue& tissue = this->Internals->Tissues.Get(i);
+    os << indent.GetNextIndent() << tissue.Name << ": " << tissue.Low << " to " << tissue.High
+       << "\n";
+  }
   print("VisibilityFrom", this->VisibilityFrom);
   print("ProposedBoundaries", this->ProposedBoundaries);
   os << indent << "ProposedKernelRadius: " << this->ProposedKernelRadius << "\n";

@@ -19,6 +19,13 @@
  * surface impenetrable, 0 makes it penetrable without resistance. The viscosity is a Coulomb drag
  * ("3-D friction"): R newtons against any motion. Below 0.001 N/m of stiffness nothing is felt.
  *
+ * Presets fill all of them. Presets of one's own are files:
+ *
+ *   property->ApplyPreset("CT contrast");
+ *   property->SetTissueSurfaceStrength(2, 1.4); // of fat; or edit the functions
+ *   property->WritePreset("soft.json");         // and later
+ *   property->ApplyPreset("soft.json");
+ *
  * A function without points stands for its default. vtkPiecewiseFunction's midpoints, sharpness and
  * clamping are honoured. For the servo the functions are baked into tables: linear pieces and steps
  * are reproduced exactly, curved pieces to within 0.01 % of the piece's height and 0.1 % of the
@@ -32,6 +39,8 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
 
 class vtkImageData;
 class vtkPiecewiseFunction;
@@ -182,13 +191,61 @@ public:
    *
    * All but "CT physical" have one stiffness, 400 N/m, for whatever is felt, so that a hand feels
    * the shape that it sees: strength, friction and drag tell tissues apart. The values are this
-   * project's, chosen by hand; they are not measurements: see Documentation/materials.md. Returns
-   * false, with an error and no change, for any other name.
+   * project's, chosen by hand; they are not measurements: see Documentation/materials.md. The
+   * preset's tissues become those of AddTissue(). A name that ends in ".json" is that of a file:
+   * see ReadPreset(). Returns false, with an error and no change, for any other name.
    */
   bool ApplyPreset(const char* name);
 
-  /** The names that ApplyPreset understands. */
+  /** The names that ApplyPreset understands, besides those of files. */
   static vtkStringArray* GetPresetNames();
+
+  ///@{
+  /**
+   * A preset of one's own as a file (JSON, readable), to keep and to share: the five functions to
+   * the bit, the tissues, the surface side, DistinctnessFromNoise and ScalarsAreLabels, but neither
+   * the component nor the visibility. WritePreset replaces an existing file only after the whole
+   * new one is on the disk. ReadPreset fills the functions in place; what the file lacks gets its
+   * default. Both return false, with an error that names the file and the cure, if that fails;
+   * nothing has changed then. Give the file a name that ends in ".json", so that ApplyPreset()
+   * takes it.
+   */
+  bool WritePreset(const char* file);
+  bool ReadPreset(const char* file);
+  ///@}
+
+  ///@{
+  /**
+   * Names for ranges of values, from low to high (scalar units, both included). They are for
+   * people: vtkHapticFunctionEditor draws them as bands and edits their materials by sliders, but
+   * forces do not depend on them. Tissues are numbered from 0, in rising order of their values.
+   * AddTissue returns the number of the new one; -1, with an error, if the name is empty or
+   * occurs already, or if the values overlap those of another tissue. Presets and proposals bring
+   * tissues of their own. Default: none.
+   */
+  int AddTissue(const char* name, double low, double high);
+  void RemoveAllTissues();
+  int GetNumberOfTissues();
+  const char* GetTissueName(int tissue);
+  void GetTissueRange(int tissue, double range[2]) VTK_SIZEHINT(range, 2);
+  ///@}
+
+  ///@{
+  /**
+   * The material of a tissue. Set makes the function constant from the tissue's lowest value to its
+   * highest one; from there to the next tissues, which stay as they are, it changes linearly. Get
+   * returns the function's value in the middle of the tissue. A tissue that does not exist is an
+   * error; Get then returns 0.
+   */
+  void SetTissueStiffness(int tissue, double stiffness);
+  double GetTissueStiffness(int tissue);
+  void SetTissueFriction(int tissue, double friction);
+  double GetTissueFriction(int tissue);
+  void SetTissueViscosity(int tissue, double viscosity);
+  double GetTissueViscosity(int tissue);
+  void SetTissueSurfaceStrength(int tissue, double strength);
+  double GetTissueSurfaceStrength(int tissue);
+  ///@}
 
   /**
    * Fill all five functions, in place, and set the surface side from the edges of an image, for
@@ -240,8 +297,8 @@ public:
   ///@}
 
   /**
-   * Copy everything; the functions point by point, the visibility and the boundaries of the last
-   * proposal by reference.
+   * Copy everything; functions point by point, and tissues, but the visibility and the boundaries
+   * of the last proposal by reference.
    */
   void DeepCopy(vtkHapticProperty* source);
 
@@ -269,6 +326,11 @@ protected:
 private:
   vtkHapticProperty(const vtkHapticProperty&) = delete;
   void operator=(const vtkHapticProperty&) = delete;
+
+  bool HasTissue(int tissue);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

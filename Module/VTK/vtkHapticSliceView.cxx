@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSliceView.h"
 
+#include "VTK/Docks/WindowDock.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
 #include "VTK/Slices/SliceImage.h"
-#include "VTK/Slices/SliceLayout.h"
 #include "VTK/Slices/SlicePanel.h"
 
 #include "vtkCallbackCommand.h"
@@ -60,7 +60,7 @@ struct vtkHapticSliceView::vtkInternals
   vtkNew<vtkCallbackCommand> StartObserver;
   SliceImage Shown;
   std::array<SlicePanel, 3> Panels;
-  SliceLayout Layout;
+  WindowDock Dock;
   vtkNew<vtkImageProperty> Look;
   vtkNew<vtkLookupTable> Grey;
   std::array<double, 2> Usual{ { 0.0, 1.0 } };
@@ -70,7 +70,7 @@ struct vtkHapticSliceView::vtkInternals
   bool HasUsual = false;    ///< the usual values of the image, or of those before it
   vtkMTimeType Updated = 0; ///< when the settings were last shown
 
-  std::array<vtkRenderer*, 3> GetColumn() const
+  std::vector<vtkRenderer*> GetColumn() const
   {
     return { this->Panels[0].GetRenderer(), this->Panels[1].GetRenderer(),
       this->Panels[2].GetRenderer() };
@@ -88,7 +88,7 @@ struct vtkHapticSliceView::vtkInternals
 //------------------------------------------------------------------------------
 void vtkHapticSliceView::vtkInternals::LeaveWindow()
 {
-  this->Layout.GiveBack();
+  this->Dock.GiveBack();
   if (this->Window)
   {
     this->Window->RemoveObserver(this->StartObserver);
@@ -428,7 +428,7 @@ void vtkHapticSliceView::vtkInternals::Show(vtkHapticSliceView* self)
 {
   if (self->AutoLayout)
   {
-    this->Layout.Place(this->Window, this->GetColumn(), self->Share);
+    this->Dock.Place(this->Window, DockEdge::Right, self->Share, this->GetColumn());
   }
   if (!this->Shown.HasSamples())
   {
@@ -472,7 +472,7 @@ bool vtkHapticSliceView::Update()
   }
   if (!this->Visibility || !this->AutoLayout)
   {
-    d.Layout.GiveBack();
+    d.Dock.GiveBack();
   }
   if (this->Visibility && d.Window)
   {

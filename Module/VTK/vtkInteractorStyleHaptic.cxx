@@ -242,6 +242,24 @@ bool vtkInteractorStyleHaptic::NextMethod()
 }
 
 //------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::SwapSettings()
+{
+  return this->Internals->Interaction.SwapSettings();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::GetComparedSettings()
+{
+  return this->Internals->Interaction.Compared.GetName();
+}
+
+//------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::EndComparison()
+{
+  this->Internals->Interaction.Compared.End();
+}
+
+//------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
   return this->Internals->Interaction.UpdateHaptics();
@@ -495,6 +513,7 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Measurements: " << scene.Measurements.GetPointer() << "\n";
   os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
   PrintSettings(os, indent, this, StyleSettings);
+  os << indent << "ComparedSettings: " << this->GetComparedSettings() << "\n";
   os << indent << "ApplicationKeys: " << this->GetApplicationKeys() << "\n";
   for (const std::string& action : KeyMap::ListActions())
   {

@@ -36,11 +36,15 @@
  *   Home        search for the zero of a real device's encoders: see vtkHapticDevice::Home()
  *   + and -     a larger and a smaller workspace
  *   m           the next method: see NextMethod()
+ *   C           compare two settings, A and B, on one spot: see SwapSettings()
  *   M           of the modes of PRIMITIVES the next one alone; after the last one, all together. A
  *               click on a mode in the head-up display turns it on and off
  *   ? or F1     the list of the keys that do something in this scene; again, or Escape: no list
  *   h, g and d  head-up display: text, graph, and details in the text
  *   v and n     function editor: on and off, and the next function
+ *   V           function editor beside the scene, and over it
+ *   Z and Y     undo and redo, with the pointer over the function editor, or if there are no
+ *               measurements; R takes back all edits
  *   l           materials of labels in the function editor: on, with the touched label selected,
  *               and off
  *   p           let functions propose themselves in the editor; again: take the proposal, and the
@@ -206,12 +210,12 @@ public:
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none
    *
-   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, NextMode M, Help
-   * question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path L, Area
-   * B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
-   * Propose p, DropProposal BackSpace, Labels l, Play space, FrameBefore Left, FrameAfter Right,
-   * Slower comma, Faster period, AtTheEnd b, RecenterWorkspace c, Clutch k, LargerWorkspace plus
-   * KP_Add, SmallerWorkspace minus KP_Subtract, Home Home.
+   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, Compare C, NextMode M,
+   * Help question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path L,
+   * Area B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
+   * Propose p, DropProposal BackSpace, DockEditor V, ResetFunctions R, Labels l, Play space,
+   * FrameBefore Left, FrameAfter Right, Slower comma, Faster period, AtTheEnd b, RecenterWorkspace
+   * c, Clutch k, LargerWorkspace plus KP_Add, SmallerWorkspace minus KP_Subtract, Home Home.
    */
   bool SetKey(const char* action, const char* keys);
   std::string GetKey(const char* action);
@@ -309,6 +313,26 @@ public:
    * skips the other one.
    */
   bool NextMethod();
+
+  ///@{
+  /**
+   * Compare two settings of the device's filter on one spot. The first call keeps the settings of
+   * now as A, and B begins as the same: change its method, apply another preset, or edit its
+   * functions. Each further call goes over from the one to the other, under the hand. No change
+   * pushes a hand that rests: where the other settings would have more force, that comes when the
+   * hand lifts and presses again, as if it were armed inside. The settings are those of the filter,
+   * of its property and of its label table; the modes of PRIMITIVES, and what is connected, are the
+   * same in both. The head-up display tells which ones are felt. False, with an error, without a
+   * filter, or if the other settings can't be felt here; those of now then stay.
+   *
+   * GetComparedSettings returns which ones are felt, "A" or "B", or an empty text if none are
+   * compared. EndComparison goes on with these and forgets the others, as another device or another
+   * filter does, too.
+   */
+  bool SwapSettings();
+  std::string GetComparedSettings();
+  void EndComparison();
+  ///@}
 
   /**
    * One update as the timer does it, without drawing: changes, states, events, head-up display. For

@@ -23,6 +23,8 @@ vtkStandardNewMacro(vtkHapticViewStyle);
 vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
 {
+  // The properties of the filter Volume Haptics say what is felt: ParaView's undo and redo compare.
+  this->SetKey("Compare", "");
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Presets from Python: names, effect, and that a filter notices."""
 
+import pytest
+import volumehaptics
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkVolumeProperty
@@ -58,6 +60,23 @@ def test_presets_are_felt():
     assert last(haptics, "Force") < -0.5, "bone pushes back"
     haptics.GetProperty().ApplyPreset("CT physical")
     assert abs(last(haptics, "Friction") - 0.32) < 1e-9, "the filter runs again by itself"
+
+
+def test_a_preset_of_ones_own_is_a_file(tmp_path):
+    haptics = make_filter(900)
+    own = vtkHapticProperty()
+    own.ApplyPreset("CT contrast")
+    bone = own.GetNumberOfTissues() - 1
+    assert own.GetTissueName(bone) == "bone"
+    own.SetTissueStiffness(bone, 250.0)
+    file = str(tmp_path / "soft.json")
+    assert own.WritePreset(file) is True
+    haptics.GetProperty().ApplyPreset(file)
+    assert abs(last(haptics, "Stiffness") - 250.0) < 1e-9
+    trace = volumehaptics.touch(haptics.GetInputDataObject(0, 0), haptics.GetInputDataObject(1, 0), preset=file)
+    assert abs(trace.GetPointData().GetArray("Stiffness").GetTuple1(30) - 250.0) < 1e-9
+    with pytest.raises(ValueError, match="nowhere.json can't be read"):
+        volumehaptics.touch(haptics.GetInputDataObject(0, 0), haptics.GetInputDataObject(1, 0), preset="nowhere.json")
 
 
 def test_what_is_not_seen_is_not_felt():

@@ -45,6 +45,7 @@ set(Explore_SOURCES
   Exploration/TissueTable.cxx
   Live/FreeFile.cxx
   Live/LiveRun.cxx
+  Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx
   Live/TouchScene.cxx
   Live/WindowRecorder.cxx

@@ -402,7 +402,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --sound FILE.wav  the sound along the path, in a file
   --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
                     (what the volume's own edges suggest), histogram)" +
-    presets + R"(
+    presets + R"(,
+                    or a file .json that the key F8 of the window saved
   --array NAME      of several point arrays, the one that is shown and felt: its values, or the magnitude of
                     its vectors (default: the active scalars, or else the first array)
   --series N        which series of a DICOM folder with several (default: that with most pixels; the

@@ -324,7 +324,7 @@ def add_haptics(
     times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
         preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
-        "propose": what the volume's own edges suggest, as in touch().
+        "propose": what the volume's own edges suggest, as in touch(). Or a file ".json", also as there.
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
         open and stays so.
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one

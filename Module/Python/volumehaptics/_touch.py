@@ -309,7 +309,8 @@ def touch(
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
         Several polylines in a vtkPolyData are several paths, too: their trace has a line for each.
     preset: the feel of the tissues, such as "CT contrast" or "MRI": see vtkHapticProperty. Default:
-        500 N/m everywhere. "propose", for data of any unit: functions from the edges of the volume, with the kernel
+        500 N/m everywhere. Or a file ".json" that vtkHapticProperty.WritePreset() has written, or key F8 of
+        volumehaptics-explore. "propose", for data of any unit: functions from the edges of the volume, with the kernel
         radius that suits them unless settings have one: see vtkHapticProperty.ProposeFromImage().
     mode: a way to feel vectors, tensors or vessels, such as "Follow the flow", "Find a vortex" or "Slide along
         fibres": see vtkVolumeHapticsFilter.ApplyModePreset(). Default: none for an image; for a grid without a preset,

@@ -77,7 +77,7 @@ def touch(
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s. A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
     preset: what the tissues feel like: see vtkHapticProperty. Default: 500 N/m everywhere. "propose": what the
-        volume's own edges suggest, as in volumehaptics.touch().
+        volume's own edges suggest; or a file ".json": as in volumehaptics.touch().
     scalars: the name of the point array that is felt. Default: the active scalars.
     settings: of vtkVolumeHapticsFilter, in snake_case, and labels and materials, as for volumehaptics.touch().
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -95,7 +96,42 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   Subdivide(function, kink, { b.X, b.Y }, height, depth, line);
 }
 
+std::vector<Node> GetNodes(vtkPiecewiseFunction* function)
+{
+  std::vector<Node> nodes;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double values[4];
+    function->GetNodeValue(i, values);
+    nodes.push_back({ values[0], values[1], values[2], values[3] });
+  }
+  return nodes;
+}
+
+bool AreSame(const Node& a, const Node& b)
+{
+  return a.X == b.X && a.Y == b.Y && a.Midpoint == b.Midpoint && a.Sharpness == b.Sharpness;
+}
+
 } // namespace
+
+void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target)
+{
+  const std::vector<Node> nodes = GetNodes(source);
+  const std::vector<Node> before = GetNodes(target);
+  if (!std::equal(nodes.begin(), nodes.end(), before.begin(), before.end(), AreSame))
+  {
+    target->SetAllowDuplicateScalars(1);
+    target->RemoveAllPoints();
+    for (const Node& node : nodes)
+    {
+      target->AddPoint(node.X, node.Y, node.Midpoint, node.Sharpness);
+    }
+  }
+  target->SetAllowDuplicateScalars(source->GetAllowDuplicateScalars());
+  target->SetClamping(source->GetClamping());
+  target->SetUseLogScale(source->GetUseLogScale());
+}
 
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
 {

@@ -26,6 +26,13 @@ constexpr double CurveValueTolerance = 1e-3;
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 
+/**
+ * Makes a function the same as another one, in place, with all of its nodes: vtkPiecewiseFunction's
+ * DeepCopy() loses one of two nodes at one position, and the logarithmic scale. A function that is
+ * the same already is not modified.
+ */
+void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target);
+
 } // namespace VolumeHaptics
 
 #endif

@@ -15,6 +15,7 @@ namespace
 /** A tissue keeps its material from Low to High; between tissues it changes linearly. */
 struct Tissue
 {
+  const char* Name;
   double Low;
   double High;
   double Stiffness; // N/m
@@ -54,46 +55,46 @@ const std::vector<Preset>& Presets()
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
-        { -1024, -955, 0, 0.00, 0.00, 0.0 }, // air
-        { -900, -500, K, 0.10, 0.05, 0.4 },  // lung
-        { -150, -80, K, 0.18, 0.30, 1.0 },   // fat
-        { -10, 10, K, 0.12, 0.15, 1.5 },     // fluid
-        { 50, 80, K, 0.30, 0.50, 2.2 },      // muscle, organ
-        { 150, 250, K, 0.25, 0.50, 3.2 },    // contrast medium, cartilage
-        { 350, 3071, K, 0.30, 0.00, Solid }, // bone
+        { "air", -1024, -955, 0, 0.00, 0.00, 0.0 },
+        { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "fluid", -10, 10, K, 0.12, 0.15, 1.5 },
+        { "muscle, organ", 50, 80, K, 0.30, 0.50, 2.2 },
+        { "contrast medium, cartilage", 150, 250, K, 0.25, 0.50, 3.2 },
+        { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       8, 40, vtkHapticProperty::HIGHER },
     { "CT physical",
       {
-        { -1024, -955, 0, 0.00, 0.00, 0.00 },          // air
-        { -950, -500, 8, 0.46, 0.01, 0.05 },           // lung
-        { -150, -30, 16, 0.46, 0.02, 0.15 },           // fat
-        { -10, 15, 4, 0.05, 0.02, 0.01 },              // fluid
-        { 20, 80, 28, 0.46, 0.03, 0.30 },              // muscle, organ
-        { 100, 300, 200, 0.30, 0.03, 1.50 },           // cartilage
-        { 310, 3071, 1000, 0.32, 0.00, Impenetrable }, // bone
+        { "air", -1024, -955, 0, 0.00, 0.00, 0.00 },
+        { "lung", -950, -500, 8, 0.46, 0.01, 0.05 },
+        { "fat", -150, -30, 16, 0.46, 0.02, 0.15 },
+        { "fluid", -10, 15, 4, 0.05, 0.02, 0.01 },
+        { "muscle, organ", 20, 80, 28, 0.46, 0.03, 0.30 },
+        { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
+        { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
       8, 40, vtkHapticProperty::HIGHER },
     // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
     { "CT angiography",
       {
-        { -1024, -955, 0, 0.00, 0.00, 0.0 }, // air
-        { -900, -500, K, 0.10, 0.05, 0.4 },  // lung
-        { -150, -80, K, 0.18, 0.30, 1.0 },   // fat
-        { 30, 100, K, 0.30, 0.50, 2.0 },     // muscle, organ with medium
-        { 180, 450, K, 0.05, 0.30, 3.2 },    // vessel with medium, spongy bone
-        { 650, 3071, K, 0.30, 0.00, Solid }, // bone
+        { "air", -1024, -955, 0, 0.00, 0.00, 0.0 },
+        { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "muscle, organ", 30, 100, K, 0.30, 0.50, 2.0 },
+        { "vessel, spongy bone", 180, 450, K, 0.05, 0.30, 3.2 },
+        { "bone", 650, 3071, K, 0.30, 0.00, Solid },
       },
       8, 40, vtkHapticProperty::HIGHER },
     // Lung has strengths of its own; fluid is not told apart in the noise of a chest.
     { "CT chest",
       {
-        { -1024, -980, 0, 0.00, 0.00, 0.0 }, // air
-        { -920, -750, K, 0.10, 0.10, 0.6 },  // lung
-        { -150, -80, K, 0.18, 0.30, 1.2 },   // fat
-        { 20, 80, K, 0.30, 0.50, 2.2 },      // muscle, organ, blood
-        { 140, 220, K, 0.25, 0.50, 3.2 },    // medium, spongy bone
-        { 350, 3071, K, 0.30, 0.00, Solid }, // bone
+        { "air", -1024, -980, 0, 0.00, 0.00, 0.0 },
+        { "lung", -920, -750, K, 0.10, 0.10, 0.6 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
+        { "muscle, organ, blood", 20, 80, K, 0.30, 0.50, 2.2 },
+        { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.50, 3.2 },
+        { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       8, 40, vtkHapticProperty::HIGHER },
     // Surfaces are felt from both sides here, so that the background can be inside one: it is as
@@ -102,20 +103,20 @@ const std::vector<Preset>& Presets()
     // rises slowly, so that the one does not take over from the other in a step.
     { "MRI",
       {
-        { 0, 12, K, 0.00, 0.00, 0.0 },    // background
-        { 30, 50, K, 0.05, 0.30, 0.8 },   // fluid
-        { 80, 95, K, 0.20, 0.30, 1.4 },   // grey matter, muscle
-        { 115, 135, K, 0.35, 0.40, 2.0 }, // white matter
-        { 175, 255, K, 0.15, 0.20, 2.6 }, // fat
+        { "background", 0, 12, K, 0.00, 0.00, 0.0 },
+        { "fluid", 30, 50, K, 0.05, 0.30, 0.8 },
+        { "grey matter, muscle", 80, 95, K, 0.20, 0.30, 1.4 },
+        { "white matter", 115, 135, K, 0.35, 0.40, 2.0 },
+        { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH },
     // One hard material of any unit: its surfaces are where the gradient is beyond the noise.
-    { "Micro-CT", { { 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER },
+    { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER },
     // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
     { "Labels",
       {
-        { 0, 0.25, 0, 0.00, 0.00, 0.0 }, // no label
-        { 0.75, 1, K, 0.25, 0.20, 3.0 }, // any other
+        { "no label", 0, 0.25, 0, 0.00, 0.00, 0.0 },
+        { "any label", 0.75, 1, K, 0.25, 0.20, 3.0 },
       },
       0, 0, vtkHapticProperty::BOTH, true },
   };
@@ -161,6 +162,11 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       else
       {
         property->DistinctnessFromNoiseOn();
+      }
+      property->RemoveAllTissues();
+      for (const Tissue& tissue : preset.Tissues)
+      {
+        property->AddTissue(tissue.Name, tissue.Low, tissue.High);
       }
       property->SetSurfaceSide(preset.Side);
       property->SetScalarsAreLabels(preset.IsOfLabels);

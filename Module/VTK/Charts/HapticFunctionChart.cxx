@@ -72,7 +72,7 @@ HapticFunctionChart::HapticFunctionChart()
   // plots on other axes would be painted before or after all of these. The left axis shows the
   // value of 1.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
-         this->Bars, this->Edges, this->Proposed, this->Curve, this->Points })
+         this->Bars, this->Edges, this->Bands, this->Proposed, this->Curve, this->Points })
   {
     this->Chart->AddPlot(plot);
     this->Chart->SetPlotCorner(plot, RightBottom);
@@ -80,6 +80,7 @@ HapticFunctionChart::HapticFunctionChart()
   this->Bars->SetColor(196, 202, 212, 255);
   this->Bars->GetPen()->SetOpacity(0);
   this->Edges->SetVisible(false);
+  this->Bands->SetVisible(false);
   this->Proposed->SetColor(0, 130, 75, 255);
   this->Proposed->SetWidth(2.0f);
   this->Proposed->GetPen()->SetLineType(vtkPen::DASH_LINE);
@@ -99,6 +100,7 @@ void HapticFunctionChart::Place(const int rectangle[4])
   this->Panel->SetDimensions(area[0], area[1], area[2], area[3]);
   this->Chart->SetSize(area);
   const int font = std::clamp(rectangle[3] / 18, 8, 16);
+  this->Letters = font;
   SetChartText(this->Chart->GetTitleProperties(), font + 2, DarkText);
   for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
   {
@@ -121,6 +123,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   {
     return;
   }
+  this->HasChosenValues = this->HasChosenValues && image == this->ShownImage;
   this->ShownImage = image;
   this->ShownComponent = component;
   this->DataTime.Modified();
@@ -299,6 +302,16 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
   const double scale = share || !(highest > 1.0 / FarthestShown)
     ? quantity.Usual
     : std::min(RoundUp(room * highest), quantity.Most);
+  const auto top = this->ChosenTops.find(&quantity);
+  this->HasChosenValues
+    ? this->SetAxes(
+        this->Range[0], this->Range[1], top == this->ChosenTops.end() ? scale : top->second)
+    : this->SetAxes(from, to, top == this->ChosenTops.end() ? scale : top->second);
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::SetAxes(double from, double to, double scale)
+{
   if (from != this->Range[0] || to != this->Range[1] || scale != this->Scale)
   {
     this->Range[0] = from;
@@ -308,6 +321,116 @@ void HapticFunctionChart::FitAxes(vtkPiecewiseFunction* function, const EditedQu
     this->Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(from, to);
     this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, scale);
   }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ShowTissues(vtkHapticProperty* property)
+{
+  this->Bands->Show(property, this->Range, std::max(8, this->Letters - 1));
+}
+
+//------------------------------------------------------------------------------
+HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
+{
+  const float* const corner = this->Chart->GetAxis(vtkAxis::BOTTOM)->GetPoint1();
+  const float* const end = this->Chart->GetAxis(vtkAxis::BOTTOM)->GetPoint2();
+  const float* const top = this->Chart->GetAxis(vtkAxis::LEFT)->GetPoint2();
+  const auto right = static_cast<float>(x);
+  const auto up = static_cast<float>(y);
+  // A control point at the end of an axis reaches beyond it.
+  constexpr float reach = 4.0f; // pixels
+  if (up < corner[1] - reach && right >= corner[0] && right <= end[0])
+  {
+    return AxisKind::Values;
+  }
+  return right < corner[0] - reach && up >= corner[1] && up <= top[1] ? AxisKind::Function
+                                                                      : AxisKind::None;
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ChooseValues(double from, double to)
+{
+  // As far as single precision tells the ticks apart.
+  constexpr double precision = 1e-5;
+  const double least =
+    std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
+  if (to - from >= least && std::abs(from) <= FarthestShown && std::abs(to) <= FarthestShown)
+  {
+    this->HasChosenValues = true;
+    this->SetAxes(from, to, this->Scale);
+  }
+}
+
+void HapticFunctionChart::ChooseTop(double top)
+{
+  if (this->Shown)
+  {
+    constexpr double smallest = 1e-4; // of the usual top
+    const double chosen = std::clamp(top, smallest * this->Shown->Usual, this->Shown->Most);
+    this->ChosenTops[this->Shown] = chosen;
+    this->SetAxes(this->Range[0], this->Range[1], chosen);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
+{
+  vtkAxis* const bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* const left = this->Chart->GetAxis(vtkAxis::LEFT);
+  if (event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent)
+  {
+    const AxisKind axis = this->FindAxis(x, y);
+    this->DraggedAxis = button == vtkContextMouseEvent::LEFT_BUTTON ? axis : AxisKind::None;
+    if (event == vtkCommand::LeftButtonDoubleClickEvent && axis != AxisKind::None)
+    {
+      this->HasChosenValues = false;
+      this->ChosenTops.erase(this->Shown);
+      this->DraggedAxis = AxisKind::None;
+    }
+    return axis != AxisKind::None;
+  }
+  if (this->DraggedAxis == AxisKind::None)
+  {
+    return false;
+  }
+  if (event == vtkCommand::LeftButtonReleaseEvent)
+  {
+    this->DraggedAxis = AxisKind::None;
+    return true;
+  }
+  if (this->DraggedAxis == AxisKind::Values)
+  {
+    const double pixels = bottom->GetPoint2()[0] - bottom->GetPoint1()[0];
+    const double shift =
+      (this->LastMouse[0] - x) * (this->Range[1] - this->Range[0]) / std::max(1.0, pixels);
+    this->ChooseValues(this->Range[0] + shift, this->Range[1] + shift);
+  }
+  else
+  {
+    // What is under the mouse stays there.
+    const double foot = left->GetPoint1()[1];
+    this->ChooseTop(
+      this->Scale * std::max(1.0, this->LastMouse[1] - foot) / std::max(1.0, y - foot));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::Turn(int x, int y, double steps)
+{
+  constexpr double stretch = 1.25; // of a step
+  const double factor = std::pow(stretch, -steps);
+  if (this->FindAxis(x, y) == AxisKind::Function)
+  {
+    this->ChooseTop(this->Scale * factor);
+    return;
+  }
+  vtkAxis* const bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
+  const double pixels = std::max(1.0f, bottom->GetPoint2()[0] - bottom->GetPoint1()[0]);
+  const double share = std::clamp((x - bottom->GetPoint1()[0]) / pixels, 0.0, 1.0);
+  const double width = this->Range[1] - this->Range[0];
+  const double at = this->Range[0] + share * width;
+  this->ChooseValues(at - share * factor * width, at + (1.0 - share) * factor * width);
 }
 
 //------------------------------------------------------------------------------
@@ -351,6 +474,11 @@ void HapticFunctionChart::DrawCurve(vtkPiecewiseFunction* function, const Edited
 void HapticFunctionChart::SendMouse(int event, int button, int x, int y)
 {
   const vtkVector2i place(x, y);
+  if (this->MoveAxes(event, button, x, y))
+  {
+    this->LastMouse = place;
+    return;
+  }
   vtkContextMouseEvent mouse;
   mouse.SetInteractor(nullptr);
   mouse.SetButton(button);

@@ -10,6 +10,7 @@
 #include "VTK/Charts/HapticControlPointsItem.h"
 #include "VTK/Charts/HapticEdgePlot.h"
 #include "VTK/Charts/HapticHistogram.h"
+#include "VTK/Charts/HapticTissueBands.h"
 #include "VTK/Work/BackgroundWork.h"
 
 #include "vtkBlockItem.h"
@@ -25,6 +26,9 @@
 #include "vtkTimeStamp.h"
 #include "vtkVector.h"
 
+#include <map>
+
+class vtkHapticProperty;
 class vtkImageData;
 class vtkTable;
 
@@ -100,13 +104,20 @@ public:
   /** Shows a function, or none; while it is dragged the axes stay unchanged. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
 
+  /** Shows the tissues of a property as bands; call it after ShowFunction. */
+  void ShowTissues(vtkHapticProperty* property);
+
   /** Shows a text instead of a title. */
   void ShowNothing(const char* reason) { this->Chart->SetTitle(reason); }
 
   /**
    * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
+   * The left button drags the axes, too: that of values moves, that of the function is stretched; a
+   * double click on one fits both again.
    */
   void SendMouse(int event, int button, int x, int y);
+  /** The wheel: stretches the axis of values about a position, or that of the function over it. */
+  void Turn(int x, int y, double steps);
 
   /** The position in the viewport of a point of the curve. */
   void GetPosition(double x, double y, double position[2]);
@@ -114,6 +125,20 @@ public:
 private:
   void ShowCounts(const ValueCounts& counts);
   void FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
+
+  /** The axis under the mouse, beside the area of the curves. */
+  enum class AxisKind
+  {
+    None,
+    Values,
+    Function
+  };
+  AxisKind FindAxis(int x, int y);
+  /** True if the event was for an axis. */
+  bool MoveAxes(int event, int button, int x, int y);
+  void ChooseValues(double from, double to);
+  void ChooseTop(double top);
+  void SetAxes(double from, double to, double scale);
   void DrawCurve(vtkPiecewiseFunction* function, const EditedQuantity& quantity, vtkTable* table,
     vtkPlotLine* curve);
 
@@ -123,6 +148,7 @@ private:
   vtkNew<vtkChartXY> Chart;
   vtkNew<vtkPlotBar> Bars;
   vtkNew<HapticEdgePlot> Edges;
+  vtkNew<HapticTissueBands> Bands;
   vtkNew<vtkPlotLine> Proposed;
   vtkNew<vtkPlotLine> Curve;
   vtkNew<HapticControlPointsItem> Points;
@@ -143,6 +169,10 @@ private:
   double DataRange[2] = { 0.0, 1.0 };
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
+  int Letters = 8;              ///< points
+  bool HasChosenValues = false; ///< by the user, of the axis of values: it stays then
+  std::map<const EditedQuantity*, double> ChosenTops; ///< the same of the functions' axes
+  AxisKind DraggedAxis = AxisKind::None;
   vtkVector2i LastMouse{ 0, 0 };
 };
 

@@ -2,32 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticLabelList.h"
 
-#include "VTK/Charts/HapticAxisTop.h"
+#include "VTK/Charts/HapticChartText.h"
 #include "VTK/Charts/HapticPresentLabels.h"
 
 #include "vtkHapticLabelTable.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace VolumeHaptics
 {
 
-const LabelQuantity& HapticLabelList::GetQuantity(int quantity)
+namespace
 {
-  static const LabelQuantity quantities[Quantities] = {
-    { "Stiffness (N/m)", 1000.0, 1e5, &vtkHapticLabelTable::SetStiffness,
-      &vtkHapticLabelTable::GetStiffness },
-    { "Friction", 1.0, 10.0, &vtkHapticLabelTable::SetFriction, &vtkHapticLabelTable::GetFriction },
-    { "Viscosity (N)", 1.0, 100.0, &vtkHapticLabelTable::SetViscosity,
-      &vtkHapticLabelTable::GetViscosity },
-    { "Strength (N)", 5.0, 100.0, &vtkHapticLabelTable::SetSurfaceStrength,
-      &vtkHapticLabelTable::GetSurfaceStrength },
-  };
-  return quantities[quantity];
-}
+
+struct LabelAccess
+{
+  void (vtkHapticLabelTable::*Set)(int, double);
+  double (vtkHapticLabelTable::*Get)(int); ///< -1: by the functions
+};
+
+constexpr LabelAccess LabelQuantities[HapticMaterialList::Quantities] = {
+  { &vtkHapticLabelTable::SetStiffness, &vtkHapticLabelTable::GetStiffness },
+  { &vtkHapticLabelTable::SetFriction, &vtkHapticLabelTable::GetFriction },
+  { &vtkHapticLabelTable::SetViscosity, &vtkHapticLabelTable::GetViscosity },
+  { &vtkHapticLabelTable::SetSurfaceStrength, &vtkHapticLabelTable::GetSurfaceStrength },
+};
+
+} // namespace
 
 //------------------------------------------------------------------------------
 bool HapticLabelList::IsCounted() const
@@ -73,7 +76,7 @@ void HapticLabelList::FollowCount()
   if (present)
   {
     this->Present = *present;
-    this->ScrollTo(this->FirstRow);
+    this->ScrollTo(this->GetFirstRow());
   }
   if (!this->Counting.IsUnderWay())
   {
@@ -99,93 +102,80 @@ double HapticLabelList::GetCountedShare() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType HapticLabelList::GetNumberOfLabels() const
+vtkIdType HapticLabelList::GetNumberOfRows() const
 {
   return !this->Table ? 0
     : this->Image     ? static_cast<vtkIdType>(this->Present.size())
                       : this->Table->GetNumberOfLabels();
 }
 
-int HapticLabelList::GetLabel(vtkIdType row) const
+int HapticLabelList::GetKey(vtkIdType row) const
 {
   return this->Image ? this->Present[static_cast<std::size_t>(row)] : this->Table->GetLabel(row);
 }
 
-vtkIdType HapticLabelList::FindRow(int label) const
+vtkObject* HapticLabelList::GetEdited() const
 {
-  vtkIdType first = 0;
-  const vtkIdType rows = this->GetNumberOfLabels();
-  for (vtkIdType length = rows; length > 0;)
-  {
-    const vtkIdType half = length / 2;
-    const bool isBehind = this->GetLabel(first + half) < label;
-    first = isBehind ? first + half + 1 : first;
-    length = isBehind ? length - half - 1 : half;
-  }
-  return first < rows && this->GetLabel(first) == label ? first : -1;
+  return this->Table;
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelList::SetVisibleRows(vtkIdType rows)
+std::string HapticLabelList::GetTitle() const
 {
-  this->VisibleRows = rows;
-  this->ScrollTo(this->FirstRow);
+  const vtkIdType labels = this->GetNumberOfRows();
+  return labels > 0
+    ? "Labels (" + std::to_string(labels) + ")" + DescribeShare(this->GetCountedShare(), "counted")
+    : this->Table ? "There are no labels to edit"
+                  : "There is no label table to edit";
 }
 
-void HapticLabelList::ScrollTo(vtkIdType first)
+std::array<double, 3> HapticLabelList::GetColor(int label) const
 {
-  const vtkIdType last = std::max<vtkIdType>(0, this->GetNumberOfLabels() - this->VisibleRows);
-  this->FirstRow = std::clamp<vtkIdType>(first, 0, last);
-}
-
-//------------------------------------------------------------------------------
-bool HapticLabelList::Select(int label)
-{
-  const vtkIdType row = this->FindRow(label);
-  if (row < 0)
-  {
-    return false;
-  }
-  this->Selected = label;
-  if (row < this->FirstRow || row >= this->FirstRow + this->VisibleRows)
-  {
-    this->ScrollTo(row - this->VisibleRows / 2);
-  }
-  this->FitEnds();
-  return true;
-}
-
-std::optional<int> HapticLabelList::GetSelected() const
-{
-  return this->Selected && this->FindRow(*this->Selected) >= 0 ? this->Selected : std::nullopt;
+  const double* const color = this->Table->GetColor(label);
+  return { color[0], color[1], color[2] };
 }
 
 //------------------------------------------------------------------------------
-double HapticLabelList::GetValue(int quantity) const
+bool HapticLabelList::IsFelt(int label) const
 {
-  const std::optional<int> label = this->GetSelected();
-  return label ? (this->Table->*GetQuantity(quantity).Get)(*label) : -1.0;
+  return this->Table->GetFelt(label);
 }
 
-void HapticLabelList::SetValue(int quantity, double value)
+bool HapticLabelList::IsForbidden(int label) const
 {
-  if (const std::optional<int> label = this->GetSelected())
-  {
-    (this->Table->*GetQuantity(quantity).Set)(*label, value);
-  }
+  return this->Table->GetForbidden(label);
+}
+
+void HapticLabelList::ToggleFelt(int label)
+{
+  this->Table->SetFelt(label, !this->Table->GetFelt(label));
+}
+
+void HapticLabelList::ToggleForbidden(int label)
+{
+  this->Table->SetForbidden(label, !this->Table->GetForbidden(label));
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelList::FitEnds()
+bool HapticLabelList::HasMaterial(int label) const
 {
-  constexpr double room = 1.1;
-  for (int quantity = 0; quantity < Quantities; ++quantity)
-  {
-    const LabelQuantity& shown = GetQuantity(quantity);
-    const double value = this->GetValue(quantity);
-    this->Ends[static_cast<std::size_t>(quantity)] =
-      room * value > shown.Usual ? std::min(RoundUp(room * value), shown.Most) : shown.Usual;
-  }
+  return this->Table->HasMaterial(label);
+}
+
+void HapticLabelList::RemoveMaterial(int label)
+{
+  this->Table->RemoveMaterial(label);
+}
+
+//------------------------------------------------------------------------------
+double HapticLabelList::ReadValue(int label, int quantity) const
+{
+  return (this->Table->*LabelQuantities[quantity].Get)(label);
+}
+
+void HapticLabelList::WriteValue(int label, int quantity, double value)
+{
+  (this->Table->*LabelQuantities[quantity].Set)(label, value);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #ifndef HapticLabelList_h
 #define HapticLabelList_h
 
+#include "VTK/Charts/HapticMaterialList.h"
 #include "VTK/Work/BackgroundWork.h"
 
 #include "vtkDataArray.h"
@@ -14,9 +15,6 @@
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 
-#include <array>
-#include <optional>
-#include <string>
 #include <vector>
 
 class vtkHapticLabelTable;
@@ -25,26 +23,10 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** A quantity of a label's material, as a slider shows it. */
-struct LabelQuantity
-{
-  const char* Title;
-  double Usual; ///< the end of the slider, unless the value is larger
-  double Most;  ///< the largest end
-  void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< -1: by the functions
-};
-
-/**
- * Lists the labels that a label image has or, without one, those of the table. Only what a window
- * of some rows shows is looked up, so that a million labels are as quick as ten.
- */
-class HapticLabelList
+/** Lists the labels that a label image has or, without one, those of the table. */
+class HapticLabelList : public HapticMaterialList
 {
 public:
-  static constexpr int Quantities = 4;
-  static const LabelQuantity& GetQuantity(int quantity);
-
   vtkSmartPointer<vtkHapticLabelTable> Table;
   vtkSmartPointer<vtkImageData> Image;
 
@@ -55,7 +37,7 @@ public:
    * background.
    */
   void Count();
-  bool IsCounted() const;
+  bool IsCounted() const override;
   void FollowCount();
   /** Ends the search in an image that is no longer the image, and that the program may remove. */
   void EndOtherCount();
@@ -63,41 +45,24 @@ public:
   double GetCountedShare() const;
   ///@}
 
-  vtkIdType GetNumberOfLabels() const;
-  int GetLabel(vtkIdType row) const;
-  /** The row of a label; -1 if it is not listed. */
-  vtkIdType FindRow(int label) const;
-
-  ///@{
-  /** The window of rows; the first one is moved so that all of them exist, if possible. */
-  void SetVisibleRows(vtkIdType rows);
-  vtkIdType GetVisibleRows() const { return this->VisibleRows; }
-  void ScrollTo(vtkIdType first);
-  vtkIdType GetFirstRow() const { return this->FirstRow; }
-  ///@}
-
-  ///@{
-  /** The selected label, if it is listed. Select also scrolls to it, and returns whether it is. */
-  bool Select(int label);
-  std::optional<int> GetSelected() const;
-  ///@}
-
-  ///@{
-  /** Of the selected label: the value of a quantity, -1 if it is by the functions. */
-  double GetValue(int quantity) const;
-  void SetValue(int quantity, double value);
-  ///@}
-
-  ///@{
-  /**
-   * The end of a slider. It stays while the slider is dragged; FitEnds makes it suit the value.
-   */
-  double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
-  void FitEnds();
-  ///@}
-
+  vtkIdType GetNumberOfRows() const override;
+  int GetKey(vtkIdType row) const override;
+  vtkObject* GetEdited() const override;
+  std::string GetTitle() const override;
   /** Such as "5 liver". */
-  std::string Describe(int label) const;
+  std::string Describe(int label) const override;
+  std::array<double, 3> GetColor(int label) const override;
+  bool HasBoxes() const override { return true; }
+  bool IsFelt(int label) const override;
+  bool IsForbidden(int label) const override;
+  void ToggleFelt(int label) override;
+  void ToggleForbidden(int label) override;
+  bool HasMaterial(int label) const override;
+  void RemoveMaterial(int label) override;
+
+protected:
+  double ReadValue(int label, int quantity) const override;
+  void WriteValue(int label, int quantity, double value) override;
 
 private:
   std::vector<int> Present;
@@ -105,10 +70,6 @@ private:
   vtkTimeStamp CountTime;
   vtkSmartPointer<vtkDataArray> Counted; // while it is looked at
   KeyedWork<vtkMTimeType, std::vector<int>> Counting;
-  vtkIdType FirstRow = 0;
-  vtkIdType VisibleRows = 1;
-  std::optional<int> Selected;
-  std::array<double, Quantities> Ends{ 1.0, 1.0, 1.0, 1.0 };
 };
 
 } // namespace VolumeHaptics

@@ -3,6 +3,7 @@
 #include "VTK/Proposal/HapticProposal.h"
 
 #include "Core/Field/NoiseEstimate.h"
+#include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticVolume.h"
@@ -220,6 +221,16 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
   property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
       : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
                                                                  : vtkHapticProperty::BOTH);
+  property->RemoveAllTissues();
+  for (std::size_t i = 0; i < proposal.Materials.size(); ++i)
+  {
+    const std::string name = i == proposal.Background
+      ? "outside"
+      : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
+    // Where the functions are constant.
+    property->AddTissue(
+      name.c_str(), proposal.SurfaceStrength[2 * i].X, proposal.SurfaceStrength[2 * i + 1].X);
+  }
   property->NoteProposal(MakeBoundaryTable(proposal), proposal.KernelRadius);
 }
 
@@ -228,9 +239,16 @@ void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
 {
   for (const PropertyFunction& function : PropertyFunctions)
   {
-    (property->*function.Get)()->DeepCopy((proposed->*function.Get)());
+    CopyFunction((proposed->*function.Get)(), (property->*function.Get)());
   }
   property->SetSurfaceSide(proposed->GetSurfaceSide());
+  property->RemoveAllTissues();
+  for (int i = 0; i < proposed->GetNumberOfTissues(); ++i)
+  {
+    double range[2];
+    proposed->GetTissueRange(i, range);
+    property->AddTissue(proposed->GetTissueName(i), range[0], range[1]);
+  }
   property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());
 }
 

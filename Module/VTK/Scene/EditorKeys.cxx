@@ -5,6 +5,8 @@
 #include "VTK/Scene/SceneFrames.h"
 
 #include "vtkHapticProperty.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <cstring>
@@ -32,9 +34,24 @@ bool EditorKeys::Press(const std::string& key)
   {
     editor->SetVisibility(!editor->GetVisibility());
   }
+  else if (key == "V")
+  {
+    // One that is hidden is shown beside the scene.
+    editor->SetDocked(!editor->GetVisibility() || !editor->GetDocked());
+    editor->VisibilityOn();
+  }
   else if (key == "n")
   {
     editor->NextFunction();
+  }
+  else if (key == "R")
+  {
+    this->Tell(editor->Reset(), "There are no edits to take back");
+  }
+  else if ((key == "Z" || key == "Y") && this->HasPointer())
+  {
+    key == "Z" ? this->Tell(editor->Undo(), "There is no edit to undo")
+               : this->Tell(editor->Redo(), "There is no edit to redo");
   }
   else if (key == "l")
   {
@@ -54,6 +71,22 @@ bool EditorKeys::Press(const std::string& key)
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool EditorKeys::HasPointer() const
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  return !this->Scene.Measurements || this->Scene.Editor->Contains(at[0], at[1]);
+}
+
+//------------------------------------------------------------------------------
+void EditorKeys::Tell(bool isDone, const char* notice)
+{
+  if (!isDone)
+  {
+    this->Frames.Notify(notice);
+  }
 }
 
 //------------------------------------------------------------------------------

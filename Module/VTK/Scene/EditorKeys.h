@@ -33,6 +33,10 @@ public:
   void FollowProposal();
 
 private:
+  /** Whether undo and redo are for the editor: the pointer is over it, or nothing else has them. */
+  bool HasPointer() const;
+  /** Shows a notice if nothing was done. */
+  void Tell(bool isDone, const char* notice);
   /** Looks for a proposal in the editor, or takes the one that it shows. */
   void Propose();
   /** Shows a notice, or none, instead of that about the search. */

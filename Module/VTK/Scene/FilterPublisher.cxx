@@ -50,6 +50,41 @@ void FilterPublisher::Update(bool isPlaced)
   }
 }
 
+bool FilterPublisher::Try(const std::function<void()>& change, const std::function<void()>& undo,
+  const std::string& name, const std::function<void(const std::string&)>& notify)
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
+  MethodChange method{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {} };
+  const bool wasPublished = this->Published == this->GetChangeTime();
+  change();
+  method.Wanted = filter->GetMethodText();
+  this->Unfelt.clear();
+  this->Awaited = {};
+  const bool isFelt = device->Publish();
+  const bool isOurs = this->Scene.Device == device;
+  if (!isFelt)
+  {
+    undo();
+    // The servo still has the model of before.
+    this->Published = isOurs && wasPublished ? this->GetChangeTime() : 0;
+    vtkErrorWithObjectMacro(
+      style, << "Settings " << name << " can't be felt here, for the reason given before.");
+    notify("Settings " + name + " can't be felt here: see the messages.");
+    return false;
+  }
+  this->Published = isOurs ? this->GetChangeTime() : this->Published;
+  const bool isAwaited = isOurs && !device->IsPublished();
+  if (isAwaited)
+  {
+    this->Awaited = method;
+  }
+  notify(isAwaited ? method.Wanted + " is being prepared ..." : "");
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
 {
   // Observers of the following events may take any of these away.

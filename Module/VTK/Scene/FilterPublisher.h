@@ -35,6 +35,13 @@ public:
    */
   void Update(bool isPlaced);
 
+  /**
+   * Changes the filter and publishes it; undoes the change, with an error, if it can't be felt.
+   * `name` is that of the settings that are tried.
+   */
+  bool Try(const std::function<void()>& change, const std::function<void()>& undo,
+    const std::string& name, const std::function<void(const std::string&)>& notify);
+
   /** See vtkInteractorStyleHaptic::NextMethod. The function shows a notice, or none for "". */
   bool NextMethod(const std::function<void(const std::string&)>& notify);
 

@@ -36,6 +36,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Displays(Scene, Touch, Keys)
   , Touched(Scene, ShownFrames)
   , Publisher(Scene)
+  , Compared(Scene, Publisher)
   , Playback(Scene)
   , Modes(Scene)
   , Editor(Scene, Frames)
@@ -95,6 +96,7 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   this->Workspace.Reset();
   this->Watch.Reset();
   this->Publisher.Reset();
+  this->Compared.End();
   this->Touch.Reset();
   return true;
 }
@@ -334,6 +336,10 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     this->NextMethod();
   }
+  else if (key == "C" && scene.Device)
+  {
+    this->SwapSettings();
+  }
   else if (key == "s" && scene.Slices)
   {
     scene.Slices->SetVisibility(!scene.Slices->GetVisibility());
@@ -367,11 +373,13 @@ bool HapticInteraction::ReleaseKey(const std::string& released)
 bool HapticInteraction::TypeKey(const std::string& typed) const
 {
   // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
-  // animation, its p picks a prop, its s shows surfaces, and what else an application may choose.
+  // animation, its R resets the camera, its p picks a prop, its s shows surfaces, and what else an
+  // application may choose.
   const std::string key = this->Keys.Find(typed);
   return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
-    (key == "s" && this->Scene.Slices) || (key == "p" && this->Scene.Editor) ||
-    (key == "P" && this->Scene.Measurements) || (!key.empty() && key != typed);
+    (key == "R" && this->Scene.Editor) || (key == "s" && this->Scene.Slices) ||
+    (key == "p" && this->Scene.Editor) || (key == "P" && this->Scene.Measurements) ||
+    (!key.empty() && key != typed);
 }
 
 //------------------------------------------------------------------------------
@@ -412,6 +420,12 @@ bool HapticInteraction::NextMethod()
 }
 
 //------------------------------------------------------------------------------
+bool HapticInteraction::SwapSettings()
+{
+  return this->Compared.Swap([this](const std::string& notice) { this->Frames.Notify(notice); });
+}
+
+//------------------------------------------------------------------------------
 bool HapticInteraction::UpdateHaptics()
 {
   auto& scene = this->Scene;
@@ -423,6 +437,7 @@ bool HapticInteraction::UpdateHaptics()
     interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr);
   this->Editor.FollowProposal();
   this->Displays.UpdateHint();
+  this->Compared.Tell();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;

@@ -7,6 +7,7 @@
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
 
+#include "VTK/Scene/ComparedSettings.h"
 #include "VTK/Scene/DisplayKeys.h"
 #include "VTK/Scene/EditorKeys.h"
 #include "VTK/Scene/FilterPublisher.h"
@@ -96,6 +97,7 @@ public:
   bool UpdateHaptics();
   void CheckShownVolumes();
   bool NextMethod();
+  bool SwapSettings();
   ///@}
 
   // The parts, in the order of their dependence.
@@ -108,6 +110,8 @@ public:
   DisplayKeys Displays;
   HapticShownFrames ShownFrames;
   TouchedVolumes Touched;
+  FilterPublisher Publisher;
+  ComparedSettings Compared;
   vtkNew<vtkTable> States; ///< of the last update
 
 private:
@@ -116,7 +120,6 @@ private:
   bool DrawSlices();
   void FollowWork(vtkObject* worker, bool begins);
 
-  FilterPublisher Publisher;
   PlaybackKeys Playback;
   KeyRepeat Repeat;
   ModeKeys Modes;

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The settings of vtkHapticRepresentation, vtkHapticHeadUpDisplay, vtkHapticRegionPicture,
- * vtkHapticMeasurementRepresentation, vtkHapticSliceView, vtkHapticXRController and
- * vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
+ * The settings of vtkHapticRepresentation, vtkHapticFunctionEditor, vtkHapticHeadUpDisplay,
+ * vtkHapticRegionPicture, vtkHapticMeasurementRepresentation, vtkHapticSliceView,
+ * vtkHapticXRController and vtkInteractorStyleHaptic, one row each: see HapticSetting.h.
  */
 #ifndef HapticSceneSettings_h
 #define HapticSceneSettings_h
 
 #include "VTK/Baking/HapticSetting.h"
 
+#include "vtkHapticFunctionEditor.h"
 #include "vtkHapticHeadUpDisplay.h"
 #include "vtkHapticMeasurementRepresentation.h"
 #include "vtkHapticRegionPicture.h"
@@ -23,6 +24,7 @@ namespace VolumeHaptics
 {
 
 using RepresentationSetting = HapticSetting<vtkHapticRepresentation>;
+using EditorSetting = HapticSetting<vtkHapticFunctionEditor>;
 using DisplaySetting = HapticSetting<vtkHapticHeadUpDisplay>;
 using PictureSetting = HapticSetting<vtkHapticRegionPicture>;
 using MeasurementViewSetting = HapticSetting<vtkHapticMeasurementRepresentation>;
@@ -72,6 +74,25 @@ inline constexpr RepresentationSetting All[] = {
     "How far these lines are followed to either side (voxels), 1 to 1000. Default 48."),
 };
 } // namespace RepresentationSettingRows
+
+inline constexpr SettingChoice DockEdgeNames[] = { { "Left", "Left" }, { "Right", "Right" },
+  { "Bottom", "Bottom" }, { "Top", "Top" } };
+
+namespace EditorSettingRows
+{
+using Owner = vtkHapticFunctionEditor;
+
+inline constexpr EditorSetting All[] = {
+  HapticFlagMacro(Docked, false, NotBaked,
+    "Whether the editor is beside the scene, in a viewport of its own, instead of over it in its "
+    "rectangle. Default off."),
+  HapticChoiceMacro(DockEdge, Owner::BOTTOM_EDGE, NotBaked,
+    "The edge of the window for an editor that is Docked: Left, Right, Bottom (default) or Top."),
+  HapticNumberMacro(DockShare, 0.1, 0.9, 0.35, "", NotBaked,
+    "The share of the window's width or height for an editor that is Docked, 0.1 to 0.9. Default "
+    "0.35."),
+};
+} // namespace EditorSettingRows
 
 namespace DisplaySettingRows
 {
@@ -177,6 +198,7 @@ inline constexpr StyleSetting All[] = {
 } // namespace StyleSettingRows
 
 inline constexpr const auto& RepresentationSettings = RepresentationSettingRows::All;
+inline constexpr const auto& EditorSettings = EditorSettingRows::All;
 inline constexpr const auto& DisplaySettings = DisplaySettingRows::All;
 inline constexpr const auto& PictureSettings = PictureSettingRows::All;
 inline constexpr const auto& MeasurementViewSettings = MeasurementViewSettingRows::All;

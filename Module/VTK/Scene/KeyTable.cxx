@@ -81,7 +81,7 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
       { "right button", "turn the view and keep touching" } });
   }
   list.Add({ { { "a" }, "force on; off" }, { { "Escape" }, "let go, force off" },
-    { { "m" }, "the next method" } });
+    { { "m" }, "the next method" }, { { "C" }, "compare settings A and B" } });
   if (parts.HasModes)
   {
     list.Add({ { { "M" }, "the next mode alone; all modes" } });
@@ -107,8 +107,10 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   list.Begin("Materials");
   if (parts.HasEditor)
   {
-    list.Add({ { { "v" }, "function editor" }, { { "n" }, "the next function" },
-      { { "p" }, "propose functions; take them" }, { { "BackSpace" }, "drop the proposal" } });
+    list.Add({ { { "v" }, "function editor" }, { { "V" }, "beside the scene; over it" },
+      { { "n" }, "the next function" }, { { "Z", "Y" }, "undo; redo, over the editor" },
+      { { "R" }, "undo all edits" }, { { "p" }, "propose functions; take them" },
+      { { "BackSpace" }, "drop the proposal" } });
   }
   if (parts.HasLabels)
   {

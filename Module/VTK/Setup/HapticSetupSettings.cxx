@@ -7,6 +7,7 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Setup/HapticSetupFunctions.h"
 #include "VTK/Setup/HapticSetupLabels.h"
+#include "VTK/Setup/HapticSetupMaterials.h"
 #include "VTK/Setup/HapticSetupModes.h"
 #include "VTK/Setup/PassSettings.h"
 
@@ -40,12 +41,7 @@ namespace
 
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
-  for (const PropertyFunction& f : PropertyFunctions)
-  {
-    PassFunction(node.Child(f.Name), { 0.0, f.Maximum },
-      [filter, get = f.Get] { return (filter->GetProperty()->*get)(); });
-  }
-  PassSettings(node, filter->GetProperty(), PropertySettings);
+  PassMaterials(node, [filter] { return filter->GetProperty(); });
   // This setup could not restore the visibility of another property.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)

@@ -8,7 +8,9 @@
 #include "HeadExploration.h"
 
 #include "vtkExtractVOI.h"
+#include "vtkHapticProperty.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkXMLImageDataWriter.h"
 
@@ -139,6 +141,49 @@ void ExpectWindowFiles()
     ++failures;
   }
 }
+/// A preset of one's own, and files that are none.
+void ExpectPresetFiles(vtkImageData* head)
+{
+  const std::string volume = Image("preset.vti", head);
+  vtkNew<vtkHapticProperty> own;
+  own->ApplyPreset("CT contrast");
+  own->GetStiffness()->RemoveAllPoints();
+  own->GetStiffness()->AddPoint(0.0, 321.0);
+  const std::string file = folder + "/own.json";
+  own->WritePreset(file.c_str());
+  Explore::Settings settings;
+  settings.Preset = file;
+  const Explore::Exploration explored =
+    Explore::ExploreVolume(Explore::LoadVolume(volume), settings);
+  if (explored.Filter->GetProperty()->GetStiffness()->GetValue(100.0) != 321.0 ||
+    explored.Materials != file)
+  {
+    std::cerr << "--preset " << file << " is not what is felt.\n";
+    ++failures;
+  }
+  for (const auto& [wrong, words] :
+    { std::pair<std::string, const char*>{ folder + "/missing.json", "Choose a file that exists" },
+      { WriteText("cut.json", "{\"Format\": \"VTK Volume Haptics preset\","), "not JSON" },
+      { "no preset", "or a file that ends in .json" } })
+  {
+    settings.Preset = wrong;
+    std::string message = "nothing";
+    try
+    {
+      Explore::ExploreVolume(Explore::LoadVolume(volume), settings);
+    }
+    catch (const Explore::InputError& error)
+    {
+      message = error.what();
+    }
+    if (message.find(words) == std::string::npos || message.find("Cure: ") == std::string::npos ||
+      message.find("--preset") != 0)
+    {
+      std::cerr << "--preset '" << wrong << "' said: " << message << "\n";
+      ++failures;
+    }
+  }
+}
 } // namespace
 
 int TestExploreInputErrors(int argc, char* argv[])
@@ -149,6 +194,7 @@ int TestExploreInputErrors(int argc, char* argv[])
 
   ExpectNewtons();
   ExpectWindowFiles();
+  ExpectPresetFiles(head);
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
   ExpectRefusal(WriteText("notes.txt", "hello"), "ending that is not known");

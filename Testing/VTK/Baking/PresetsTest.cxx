@@ -114,9 +114,11 @@ TEST_F(Presets, AreThoseOfTheTables)
     EXPECT_EQ(this->Property->GetStiffness(), stiffness) << "filled in place";
     const std::vector<Tissue> table = ReadTable(names->GetValue(n));
     ASSERT_FALSE(table.empty());
+    ASSERT_EQ(this->Property->GetNumberOfTissues(), static_cast<int>(table.size()));
     for (std::size_t t = 0; t < table.size(); ++t)
     {
       const Tissue& tissue = table[t];
+      EXPECT_EQ(this->Property->GetTissueName(static_cast<int>(t)), tissue.Name);
       const double low = std::max(tissue.Low, std::min(tissue.High, 0.0) - 3000.0);
       const double high = std::min(tissue.High, std::max(tissue.Low, 0.0) + 30000.0);
       for (int f = 0; f < 4; ++f)

@@ -14,6 +14,7 @@ using namespace VolumeHaptics;
 TEST(SceneSettings, HeadersHaveTheDefaultsAndKeepTheRanges)
 {
   ExpectHeadersBehave<vtkHapticRepresentation>(RepresentationSettings);
+  ExpectHeadersBehave<vtkHapticFunctionEditor>(EditorSettings);
   ExpectHeadersBehave<vtkHapticHeadUpDisplay>(DisplaySettings);
   ExpectHeadersBehave<vtkHapticRegionPicture>(PictureSettings);
   ExpectHeadersBehave<vtkHapticMeasurementRepresentation>(MeasurementViewSettings);
@@ -27,8 +28,9 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> representation = Names(RepresentationSettings);
   representation.insert(representation.end(), { "WorldUnitName", "TrailArrayName" }); // texts
   ExpectRows("vtkHapticRepresentation", representation);
+  ExpectRows("vtkHapticFunctionEditor", Names(EditorSettings));
   std::vector<std::string> display = Names(DisplaySettings);
-  for (const char* text : { "HelpText", "Hint", "Notice", "RecordingText" })
+  for (const char* text : { "HelpText", "Hint", "Notice", "RecordingText", "SettingsText" })
   {
     display.emplace_back(text);
   }
@@ -47,6 +49,7 @@ TEST(SceneSettings, EveryMacroOfTheHeadersHasARow)
 TEST(SceneSettings, CommentsOfTheHeadersBeginWithTheDocumentation)
 {
   ExpectComments("vtkHapticRepresentation", RepresentationSettings);
+  ExpectComments("vtkHapticFunctionEditor", EditorSettings);
   ExpectComments("vtkHapticHeadUpDisplay", DisplaySettings);
   ExpectComments("vtkHapticRegionPicture", PictureSettings);
   ExpectComments("vtkHapticMeasurementRepresentation", MeasurementViewSettings);

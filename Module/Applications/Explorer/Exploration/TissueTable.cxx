@@ -13,6 +13,8 @@
 #include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <limits>
 
@@ -45,6 +47,16 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   TwoSteps(property->GetFriction(), analysis, friction);
   TwoSteps(property->GetViscosity(), analysis, viscosity);
   TwoSteps(property->GetSurfaceStrength(), analysis, strength);
+  const double edge = 0.02 * (analysis.High - analysis.Low);
+  const double ends[2] = { std::min(analysis.Low, analysis.OuterThreshold - 2.0 * edge),
+    std::max(analysis.High, analysis.DeepThreshold + edge) };
+  property->RemoveAllTissues();
+  property->AddTissue("background", ends[0], analysis.OuterThreshold - edge);
+  if (analysis.DeepThreshold - edge > analysis.OuterThreshold)
+  {
+    property->AddTissue("body, darker", analysis.OuterThreshold, analysis.DeepThreshold - edge);
+    property->AddTissue("body, brighter", analysis.DeepThreshold, ends[1]);
+  }
   // A surface is distinct if the step to the body takes no more than about 8 mm.
   const double step = analysis.OuterThreshold - analysis.Low;
   const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
@@ -128,6 +140,17 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
     HistogramMaterials(analysis, filter->GetProperty());
     return name;
   }
+  if (vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) ==
+    ".json")
+  {
+    const MessageCapture capture;
+    if (!filter->GetProperty()->ReadPreset(name.c_str()))
+    {
+      throw InputError("--preset " + name, capture.FirstError(),
+        "take a file that the key F8 of the window saved, or another preset");
+    }
+    return name;
+  }
   vtkStringArray* known = vtkHapticProperty::GetPresetNames();
   if (known->LookupValue(name) < 0)
   {
@@ -136,7 +159,8 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
     {
       list += ", " + known->GetValue(i);
     }
-    throw InputError("--preset '" + name + "'", "there is no such preset", "take one of: " + list);
+    throw InputError("--preset '" + name + "'", "there is no such preset",
+      "take one of: " + list + ", or a file that ends in .json");
   }
   filter->GetProperty()->ApplyPreset(name.c_str());
   return name;

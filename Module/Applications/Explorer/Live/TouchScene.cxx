@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/WindowRecorder.h"
 #include "Applications/Explorer/Live/WindowSound.h"
@@ -195,6 +196,7 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   interactor->SetInteractorStyle(touch.Style);
   touch.Cut.SetInteractor(interactor);
   saved.SaveByKey(interactor);
+  auto presets = std::make_unique<PresetSaver>(touch, interactor);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
     ? nullptr
@@ -202,8 +204,8 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
   const std::string keys = touch.Cut.ListKeys();
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((keys + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" +
-    sound + "S\tsave measurements\nq\tclose\n")
+  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + keys + WindowRecorder::ListKeys() +
+    "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n")
                                     .c_str());
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
@@ -211,6 +213,7 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   interactor->Start();
   script.reset();
   recorder.reset();
+  presets.reset();
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();

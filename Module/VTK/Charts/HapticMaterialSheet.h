@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The page of vtkHapticFunctionEditor that lists labels: what the mouse does to them.
+ * A page of vtkHapticFunctionEditor that lists labels or tissues: what the mouse does to them.
  */
-#ifndef HapticLabelSheet_h
-#define HapticLabelSheet_h
+#ifndef HapticMaterialSheet_h
+#define HapticMaterialSheet_h
 
-#include "VTK/Charts/HapticLabelItem.h"
-#include "VTK/Charts/HapticLabelLayout.h"
-#include "VTK/Charts/HapticLabelList.h"
+#include "VTK/Charts/HapticMaterialItem.h"
+#include "VTK/Charts/HapticMaterialLayout.h"
+#include "VTK/Charts/HapticMaterialList.h"
 
 #include "vtkBlockItem.h"
 #include "vtkContextActor.h"
@@ -18,18 +18,17 @@
 namespace VolumeHaptics
 {
 
-class HapticLabelSheet
+class HapticMaterialSheet
 {
 public:
-  HapticLabelSheet();
-
-  HapticLabelList List;
+  /** The list has to outlive the sheet. */
+  explicit HapticMaterialSheet(HapticMaterialList& list);
 
   vtkContextActor* GetActor() { return this->Actor; }
 
   /** The rectangle in pixels of the viewport: x, y, width, height. */
   void Place(const int rectangle[4]);
-  HapticLabelLayout GetLayout() const { return { this->Rectangle, this->List }; }
+  HapticMaterialLayout GetLayout() const { return { this->Rectangle, this->List }; }
 
   /**
    * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
@@ -41,14 +40,16 @@ public:
 
   ///@{
   /**
-   * The position in the viewport of a label's name or one of its boxes, and of a value on the
+   * The position in the viewport of a row's name or one of its boxes, and of a value on the
    * slider of a quantity. False if it is not shown.
    */
-  bool GetLabelPosition(int label, LabelPart::KindType part, double position[2]) const;
+  bool GetRowPosition(int key, MaterialPart::KindType part, double position[2]) const;
   bool GetSliderPosition(int quantity, double value, double position[2]) const;
   ///@}
 
 private:
+  HapticMaterialList& List;
+
   void Press(int x, int y);
   void Move(int x, int y);
   void Release();
@@ -57,9 +58,9 @@ private:
 
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkBlockItem> Panel;
-  vtkNew<HapticLabelItem> Item;
+  vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
-  LabelPart Held; ///< from press to release: the scroll bar or a slider
+  MaterialPart Held; ///< from press to release: the scroll bar or a slider
 };
 
 } // namespace VolumeHaptics

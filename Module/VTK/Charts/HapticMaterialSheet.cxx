@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Charts/HapticLabelSheet.h"
+#include "VTK/Charts/HapticMaterialSheet.h"
 
 #include "VTK/Charts/HapticChartText.h"
 
 #include "vtkCommand.h"
 #include "vtkContextMouseEvent.h"
 #include "vtkContextScene.h"
-#include "vtkHapticLabelTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,8 @@ constexpr double RowsPerTurn = 3.0;
 
 } // namespace
 
-HapticLabelSheet::HapticLabelSheet()
+HapticMaterialSheet::HapticMaterialSheet(HapticMaterialList& list)
+  : List(list)
 {
   MakePanel(this->Panel);
   this->Actor->GetScene()->AddItem(this->Panel);
@@ -31,21 +31,21 @@ HapticLabelSheet::HapticLabelSheet()
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Place(const int rectangle[4])
+void HapticMaterialSheet::Place(const int rectangle[4])
 {
   std::copy_n(rectangle, 4, this->Rectangle);
   this->Panel->SetDimensions(static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
     static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]));
   this->List.SetVisibleRows(this->GetLayout().GetRoom());
   this->Item->Show(this->List, this->Rectangle);
-  if (this->Held.Kind != LabelPart::Slider)
+  if (this->Held.Kind != MaterialPart::Slider)
   {
     this->List.FitEnds();
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Slide(int quantity, float x)
+void HapticMaterialSheet::Slide(int quantity, float x)
 {
   const vtkRectf bar = this->GetLayout().GetSlider(quantity);
   const double share = std::clamp<double>((x - bar.GetLeft()) / bar.GetWidth(), 0.0, 1.0);
@@ -54,9 +54,9 @@ void HapticLabelSheet::Slide(int quantity, float x)
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::SendMouse(int event, int button, int x, int y)
+void HapticMaterialSheet::SendMouse(int event, int button, int x, int y)
 {
-  if (!this->List.Table || button != vtkContextMouseEvent::LEFT_BUTTON)
+  if (!this->List.GetEdited() || button != vtkContextMouseEvent::LEFT_BUTTON)
   {
     return;
   }
@@ -74,61 +74,60 @@ void HapticLabelSheet::SendMouse(int event, int button, int x, int y)
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Press(int x, int y)
+void HapticMaterialSheet::Press(int x, int y)
 {
-  const LabelPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
+  const MaterialPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
   this->Held = part;
-  vtkHapticLabelTable* const table = this->List.Table;
   switch (part.Kind)
   {
-    case LabelPart::Nothing:
+    case MaterialPart::Nothing:
       break;
-    case LabelPart::Name:
-      this->List.Select(this->List.GetLabel(part.Row));
+    case MaterialPart::Name:
+      this->List.Select(this->List.GetKey(part.Row));
       break;
-    case LabelPart::Felt:
-    case LabelPart::Forbidden:
+    case MaterialPart::Felt:
+    case MaterialPart::Forbidden:
     {
-      const int label = this->List.GetLabel(part.Row);
-      this->List.Select(label);
-      part.Kind == LabelPart::Felt ? table->SetFelt(label, !table->GetFelt(label))
-                                   : table->SetForbidden(label, !table->GetForbidden(label));
+      const int key = this->List.GetKey(part.Row);
+      this->List.Select(key);
+      part.Kind == MaterialPart::Felt ? this->List.ToggleFelt(key)
+                                      : this->List.ToggleForbidden(key);
       break;
     }
-    case LabelPart::ByFunctions:
-      table->RemoveMaterial(*this->List.GetSelected());
+    case MaterialPart::ByFunctions:
+      this->List.RemoveMaterial(*this->List.GetSelected());
       break;
-    case LabelPart::ScrollBar:
-    case LabelPart::Slider:
+    case MaterialPart::ScrollBar:
+    case MaterialPart::Slider:
       this->Move(x, y);
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Move(int x, int y)
+void HapticMaterialSheet::Move(int x, int y)
 {
-  if (this->Held.Kind == LabelPart::ScrollBar)
+  if (this->Held.Kind == MaterialPart::ScrollBar)
   {
     this->List.ScrollTo(this->GetLayout().GetFirstRowAt(static_cast<float>(y)));
   }
-  else if (this->Held.Kind == LabelPart::Slider)
+  else if (this->Held.Kind == MaterialPart::Slider)
   {
     this->Slide(this->Held.Quantity, static_cast<float>(x));
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Release()
+void HapticMaterialSheet::Release()
 {
   this->Held = {};
   this->List.FitEnds();
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelSheet::Turn(int x, int y, double steps)
+void HapticMaterialSheet::Turn(int x, int y, double steps)
 {
-  const LabelPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
-  if (part.Kind == LabelPart::Slider)
+  const MaterialPart part = this->GetLayout().Find(static_cast<float>(x), static_cast<float>(y));
+  if (part.Kind == MaterialPart::Slider)
   {
     const double end = this->List.GetEnd(part.Quantity);
     const double before = std::max(0.0, this->List.GetValue(part.Quantity));
@@ -143,24 +142,25 @@ void HapticLabelSheet::Turn(int x, int y, double steps)
 }
 
 //------------------------------------------------------------------------------
-bool HapticLabelSheet::GetLabelPosition(
-  int label, LabelPart::KindType part, double position[2]) const
+bool HapticMaterialSheet::GetRowPosition(
+  int key, MaterialPart::KindType part, double position[2]) const
 {
-  const vtkIdType row = this->List.FindRow(label);
+  const vtkIdType row = this->List.FindRow(key);
   const vtkIdType first = this->List.GetFirstRow();
   if (!this->List.IsCounted() || row < first || row >= first + this->List.GetVisibleRows())
   {
     return false;
   }
-  const HapticLabelLayout layout = this->GetLayout();
-  const vtkRectf place = part == LabelPart::Name ? layout.GetName(row) : layout.GetBox(row, part);
+  const HapticMaterialLayout layout = this->GetLayout();
+  const vtkRectf place =
+    part == MaterialPart::Name ? layout.GetName(row) : layout.GetBox(row, part);
   position[0] = place.GetLeft() + 0.5 * place.GetWidth();
   position[1] = place.GetBottom() + 0.5 * place.GetHeight();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool HapticLabelSheet::GetSliderPosition(int quantity, double value, double position[2]) const
+bool HapticMaterialSheet::GetSliderPosition(int quantity, double value, double position[2]) const
 {
   if (!this->List.IsCounted() || !this->List.GetSelected())
   {

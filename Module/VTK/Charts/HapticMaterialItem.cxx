@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Charts/HapticLabelItem.h"
+#include "VTK/Charts/HapticMaterialItem.h"
 
 #include "VTK/Charts/HapticChartText.h"
-#include "VTK/Charts/HapticLabelList.h"
+#include "VTK/Charts/HapticMaterialList.h"
 
 #include "vtkBrush.h"
 #include "vtkContext2D.h"
-#include "vtkHapticLabelTable.h"
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
 #include "vtkTextProperty.h"
@@ -17,13 +16,13 @@
 #include <locale>
 #include <sstream>
 
-vtkStandardNewMacro(HapticLabelItem);
+vtkStandardNewMacro(HapticMaterialItem);
 
 namespace
 {
-using VolumeHaptics::HapticLabelLayout;
-using VolumeHaptics::HapticLabelList;
-using VolumeHaptics::LabelPart;
+using VolumeHaptics::HapticMaterialLayout;
+using VolumeHaptics::HapticMaterialList;
+using VolumeHaptics::MaterialPart;
 
 using Colour = unsigned char[3];
 constexpr Colour SelectedColour = { 205, 222, 245 };
@@ -123,50 +122,48 @@ std::string WriteValue(double value)
 } // namespace
 
 //------------------------------------------------------------------------------
-HapticLabelItem::HapticLabelItem()
+HapticMaterialItem::HapticMaterialItem()
 {
   this->SetInteractive(false);
 }
 
-HapticLabelItem::~HapticLabelItem() = default;
+HapticMaterialItem::~HapticMaterialItem() = default;
 
 //------------------------------------------------------------------------------
-void HapticLabelItem::Show(const HapticLabelList& list, const int rectangle[4])
+void HapticMaterialItem::Show(const HapticMaterialList& list, const int rectangle[4])
 {
   this->List = &list;
   std::copy_n(rectangle, 4, this->Rectangle);
 }
 
 //------------------------------------------------------------------------------
-bool HapticLabelItem::Paint(vtkContext2D* painter)
+bool HapticMaterialItem::Paint(vtkContext2D* painter)
 {
   if (!this->List)
   {
     return true;
   }
-  const HapticLabelList& list = *this->List;
-  const HapticLabelLayout layout(this->Rectangle, list);
+  const HapticMaterialList& list = *this->List;
+  const HapticMaterialLayout layout(this->Rectangle, list);
   const int font = layout.GetFontSize();
-  const vtkIdType labels = list.GetNumberOfLabels();
-  if (labels == 0)
+  const vtkIdType rows = list.GetNumberOfRows();
+  PaintText(painter, layout.GetTitle(), list.GetTitle(), Side::Left, font, Ink);
+  if (rows == 0)
   {
-    PaintText(painter, layout.GetTitle(),
-      list.Table ? "There are no labels to edit" : "There is no label table to edit", Side::Left,
-      font, Ink);
     return true;
   }
-  PaintText(painter, layout.GetTitle(),
-    "Labels (" + std::to_string(labels) + ")" +
-      VolumeHaptics::DescribeShare(list.GetCountedShare(), "counted"),
-    Side::Left, font, Ink);
-  PaintText(painter, layout.GetHead(LabelPart::Felt), "felt", Side::Middle, font - 1, Ink);
-  PaintText(painter, layout.GetHead(LabelPart::Forbidden), "forbid", Side::Middle, font - 1, Ink);
-  const vtkIdType end = std::min(labels, list.GetFirstRow() + layout.GetRoom());
+  if (list.HasBoxes())
+  {
+    PaintText(painter, layout.GetHead(MaterialPart::Felt), "felt", Side::Middle, font - 1, Ink);
+    PaintText(
+      painter, layout.GetHead(MaterialPart::Forbidden), "forbid", Side::Middle, font - 1, Ink);
+  }
+  const vtkIdType end = std::min(rows, list.GetFirstRow() + layout.GetRoom());
   for (vtkIdType row = list.GetFirstRow(); row < end; ++row)
   {
     this->PaintRow(painter, layout, row);
   }
-  if (labels > layout.GetRoom())
+  if (rows > layout.GetRoom())
   {
     PaintBox(painter, layout.GetScrollBar(), EmptyColour);
     PaintBox(painter, layout.GetThumb(), BarColour);
@@ -176,17 +173,17 @@ bool HapticLabelItem::Paint(vtkContext2D* painter)
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelItem::PaintRow(
-  vtkContext2D* painter, const HapticLabelLayout& layout, vtkIdType row)
+void HapticMaterialItem::PaintRow(
+  vtkContext2D* painter, const HapticMaterialLayout& layout, vtkIdType row)
 {
-  const HapticLabelList& list = *this->List;
-  const int label = list.GetLabel(row);
-  if (list.GetSelected() == label)
+  const HapticMaterialList& list = *this->List;
+  const int key = list.GetKey(row);
+  if (list.GetSelected() == key)
   {
     PaintBox(painter, layout.GetRow(row), SelectedColour);
   }
   PaintFrame(painter, layout.GetSwatch(row));
-  const double* const color = list.Table->GetColor(label);
+  const std::array<double, 3> color = list.GetColor(key);
   constexpr double most = 255.0;
   Colour shown;
   for (int i = 0; i < 3; ++i)
@@ -199,25 +196,29 @@ void HapticLabelItem::PaintRow(
       r.GetHeight() - 2.0f * inset);
   };
   PaintBox(painter, inner(layout.GetSwatch(row), 1.0f), shown);
-  const bool isFelt = list.Table->GetFelt(label);
-  PaintText(painter, layout.GetName(row), list.Describe(label), Side::Left, layout.GetFontSize(),
+  const bool isFelt = list.IsFelt(key);
+  PaintText(painter, layout.GetName(row), list.Describe(key), Side::Left, layout.GetFontSize(),
     isFelt ? Ink : FaintInk);
-  const vtkRectf felt = layout.GetBox(row, LabelPart::Felt);
+  if (!list.HasBoxes())
+  {
+    return;
+  }
+  const vtkRectf felt = layout.GetBox(row, MaterialPart::Felt);
   PaintFrame(painter, felt);
   if (isFelt)
   {
     PaintBox(painter, inner(felt, 3.0f), FeltColour);
   }
-  const vtkRectf forbidden = layout.GetBox(row, LabelPart::Forbidden);
+  const vtkRectf forbidden = layout.GetBox(row, MaterialPart::Forbidden);
   PaintFrame(painter, forbidden);
-  if (list.Table->GetForbidden(label))
+  if (list.IsForbidden(key))
   {
     PaintBox(painter, inner(forbidden, 3.0f), ForbiddenColour);
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelItem::PaintMaterial(vtkContext2D* painter, const HapticLabelLayout& layout)
+void HapticMaterialItem::PaintMaterial(vtkContext2D* painter, const HapticMaterialLayout& layout)
 {
   const auto selected = this->List->GetSelected();
   if (!selected)
@@ -226,29 +227,33 @@ void HapticLabelItem::PaintMaterial(vtkContext2D* painter, const HapticLabelLayo
     const float right = layout.GetByFunctions().GetRight();
     PaintText(painter,
       { name.GetLeft(), name.GetBottom(), right - name.GetLeft(), name.GetHeight() },
-      "Click on a label to edit its material", Side::Left, layout.GetFontSize(), FaintInk);
+      this->List->HasBoxes() ? "Click on a label to edit its material"
+                             : "Click on a tissue to edit its material",
+      Side::Left, layout.GetFontSize(), FaintInk);
     return;
   }
   PaintText(painter, layout.GetSelectedName(), this->List->Describe(*selected), Side::Left,
     layout.GetFontSize(), Ink);
-  const bool isOwn = this->List->Table->HasMaterial(*selected);
-  PaintFrame(painter, layout.GetByFunctions());
-  PaintText(painter, layout.GetByFunctions(), "by functions", Side::Middle,
-    layout.GetFontSize() - 1, isOwn ? Ink : FaintInk);
-  for (int quantity = 0; quantity < HapticLabelList::Quantities; ++quantity)
+  if (this->List->HasBoxes())
+  {
+    PaintFrame(painter, layout.GetByFunctions());
+    PaintText(painter, layout.GetByFunctions(), "by functions", Side::Middle,
+      layout.GetFontSize() - 1, this->List->HasMaterial(*selected) ? Ink : FaintInk);
+  }
+  for (int quantity = 0; quantity < HapticMaterialList::Quantities; ++quantity)
   {
     this->PaintSlider(painter, layout, quantity);
   }
 }
 
 //------------------------------------------------------------------------------
-void HapticLabelItem::PaintSlider(
-  vtkContext2D* painter, const HapticLabelLayout& layout, int quantity)
+void HapticMaterialItem::PaintSlider(
+  vtkContext2D* painter, const HapticMaterialLayout& layout, int quantity)
 {
-  const HapticLabelList& list = *this->List;
+  const HapticMaterialList& list = *this->List;
   const int font = layout.GetFontSize();
   PaintText(painter, layout.GetQuantityTitle(quantity),
-    HapticLabelList::GetQuantity(quantity).Title, Side::Left, font - 1, Ink);
+    HapticMaterialList::GetQuantity(quantity).Title, Side::Left, font - 1, Ink);
   const vtkRectf bar = layout.GetSlider(quantity);
   PaintBox(painter, bar, EmptyColour);
   const double value = list.GetValue(quantity);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Charts/HapticLabelLayout.h"
+#include "VTK/Charts/HapticMaterialLayout.h"
 
-#include "VTK/Charts/HapticLabelList.h"
+#include "VTK/Charts/HapticMaterialList.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace
 
 constexpr float Margin = 6.0f;
 constexpr float BarWidth = 9.0f;
-constexpr int FooterLines = 1 + HapticLabelList::Quantities;
+constexpr int FooterLines = 1 + HapticMaterialList::Quantities;
 
 bool Holds(const vtkRectf& r, float x, float y)
 {
@@ -24,7 +24,7 @@ bool Holds(const vtkRectf& r, float x, float y)
 } // namespace
 
 //------------------------------------------------------------------------------
-HapticLabelLayout::HapticLabelLayout(const int rectangle[4], const HapticLabelList& list)
+HapticMaterialLayout::HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list)
   : List(list)
   , Area(static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
       static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]))
@@ -36,40 +36,46 @@ HapticLabelLayout::HapticLabelLayout(const int rectangle[4], const HapticLabelLi
 }
 
 //------------------------------------------------------------------------------
-float HapticLabelLayout::GetLineTop(int line) const
+float HapticMaterialLayout::GetLineTop(int line) const
 {
   return this->Area.GetTop() - Margin - static_cast<float>(line) * this->Line;
 }
 
-float HapticLabelLayout::GetFooterTop() const
+float HapticMaterialLayout::GetFooterTop() const
 {
   return this->GetLineTop(1 + static_cast<int>(this->Room)) - Margin;
 }
 
-vtkRectf HapticLabelLayout::GetTitle() const
+float HapticMaterialLayout::GetNamesRight() const
 {
-  const float right = this->GetHead(LabelPart::Felt).GetLeft();
+  return this->List.HasBoxes() ? this->GetHead(MaterialPart::Felt).GetLeft()
+                               : this->Area.GetRight() - Margin - BarWidth;
+}
+
+vtkRectf HapticMaterialLayout::GetTitle() const
+{
+  const float right = this->GetNamesRight();
   const float left = this->Area.GetLeft() + Margin;
   return { left, this->GetLineTop(1), std::max(0.0f, right - left), this->Line };
 }
 
-vtkRectf HapticLabelLayout::GetHead(LabelPart::KindType column) const
+vtkRectf HapticMaterialLayout::GetHead(MaterialPart::KindType column) const
 {
   const float width = 3.1f * static_cast<float>(this->Font);
-  const float fromRight = column == LabelPart::Felt ? 2.0f : 1.0f;
+  const float fromRight = column == MaterialPart::Felt ? 2.0f : 1.0f;
   return { this->Area.GetRight() - Margin - BarWidth - fromRight * width, this->GetLineTop(1),
     width, this->Line };
 }
 
 //------------------------------------------------------------------------------
-vtkRectf HapticLabelLayout::GetRow(vtkIdType row) const
+vtkRectf HapticMaterialLayout::GetRow(vtkIdType row) const
 {
   const int line = static_cast<int>(row - this->List.GetFirstRow());
   return { this->Area.GetLeft() + Margin, this->GetLineTop(line + 2),
     this->Area.GetWidth() - 2.0f * Margin - BarWidth, this->Line };
 }
 
-vtkRectf HapticLabelLayout::GetSwatch(vtkIdType row) const
+vtkRectf HapticMaterialLayout::GetSwatch(vtkIdType row) const
 {
   const vtkRectf r = this->GetRow(row);
   const float inset = 3.0f;
@@ -77,15 +83,15 @@ vtkRectf HapticLabelLayout::GetSwatch(vtkIdType row) const
     this->Line - 2.0f * inset };
 }
 
-vtkRectf HapticLabelLayout::GetName(vtkIdType row) const
+vtkRectf HapticMaterialLayout::GetName(vtkIdType row) const
 {
   const vtkRectf r = this->GetRow(row);
   const float left = r.GetLeft() + this->Line + 2.0f;
-  const float right = this->GetHead(LabelPart::Felt).GetLeft();
+  const float right = this->GetNamesRight();
   return { left, r.GetBottom(), std::max(0.0f, right - left), this->Line };
 }
 
-vtkRectf HapticLabelLayout::GetBox(vtkIdType row, LabelPart::KindType column) const
+vtkRectf HapticMaterialLayout::GetBox(vtkIdType row, MaterialPart::KindType column) const
 {
   const vtkRectf head = this->GetHead(column);
   const float size = static_cast<float>(this->Font);
@@ -95,18 +101,18 @@ vtkRectf HapticLabelLayout::GetBox(vtkIdType row, LabelPart::KindType column) co
 }
 
 //------------------------------------------------------------------------------
-vtkRectf HapticLabelLayout::GetScrollBar() const
+vtkRectf HapticMaterialLayout::GetScrollBar() const
 {
   const float bottom = this->GetLineTop(1 + static_cast<int>(this->Room));
   return { this->Area.GetRight() - Margin - BarWidth + 2.0f, bottom, BarWidth - 2.0f,
     this->GetLineTop(1) - bottom };
 }
 
-vtkRectf HapticLabelLayout::GetThumb() const
+vtkRectf HapticMaterialLayout::GetThumb() const
 {
   constexpr float least = 8.0f;
   const vtkRectf bar = this->GetScrollBar();
-  const auto rows = static_cast<float>(std::max<vtkIdType>(1, this->List.GetNumberOfLabels()));
+  const auto rows = static_cast<float>(std::max<vtkIdType>(1, this->List.GetNumberOfRows()));
   const auto room = static_cast<float>(this->Room);
   const float height =
     std::clamp(bar.GetHeight() * room / rows, std::min(least, bar.GetHeight()), bar.GetHeight());
@@ -116,39 +122,42 @@ vtkRectf HapticLabelLayout::GetThumb() const
     bar.GetWidth(), height };
 }
 
-vtkIdType HapticLabelLayout::GetFirstRowAt(float y) const
+vtkIdType HapticMaterialLayout::GetFirstRowAt(float y) const
 {
   const vtkRectf bar = this->GetScrollBar();
   const float height = this->GetThumb().GetHeight();
   const double way = std::max(1.0f, bar.GetHeight() - height);
   const double share = std::clamp((bar.GetTop() - 0.5f * height - y) / way, 0.0, 1.0);
-  return std::llround(share *
-    static_cast<double>(std::max<vtkIdType>(0, this->List.GetNumberOfLabels() - this->Room)));
+  return std::llround(
+    share * static_cast<double>(std::max<vtkIdType>(0, this->List.GetNumberOfRows() - this->Room)));
 }
 
 //------------------------------------------------------------------------------
-vtkRectf HapticLabelLayout::GetSelectedName() const
+vtkRectf HapticMaterialLayout::GetSelectedName() const
 {
   const float left = this->Area.GetLeft() + Margin;
   return { left, this->GetFooterTop() - this->Line,
-    std::max(0.0f, this->GetByFunctions().GetLeft() - left), this->Line };
+    std::max(0.0f,
+      (this->List.HasBoxes() ? this->GetByFunctions().GetLeft() : this->Area.GetRight() - Margin) -
+        left),
+    this->Line };
 }
 
-vtkRectf HapticLabelLayout::GetByFunctions() const
+vtkRectf HapticMaterialLayout::GetByFunctions() const
 {
   const float width = 7.0f * static_cast<float>(this->Font);
   return { this->Area.GetRight() - Margin - width, this->GetFooterTop() - this->Line + 1.0f, width,
     this->Line - 2.0f };
 }
 
-vtkRectf HapticLabelLayout::GetQuantityTitle(int quantity) const
+vtkRectf HapticMaterialLayout::GetQuantityTitle(int quantity) const
 {
   return { this->Area.GetLeft() + Margin,
     this->GetFooterTop() - static_cast<float>(quantity + 2) * this->Line,
     8.5f * static_cast<float>(this->Font), this->Line };
 }
 
-vtkRectf HapticLabelLayout::GetSlider(int quantity) const
+vtkRectf HapticMaterialLayout::GetSlider(int quantity) const
 {
   const vtkRectf title = this->GetQuantityTitle(quantity);
   return { title.GetRight(), title.GetBottom() + 2.0f,
@@ -156,37 +165,37 @@ vtkRectf HapticLabelLayout::GetSlider(int quantity) const
 }
 
 //------------------------------------------------------------------------------
-LabelPart HapticLabelLayout::Find(float x, float y) const
+MaterialPart HapticMaterialLayout::Find(float x, float y) const
 {
   if (Holds(this->GetScrollBar(), x, y))
   {
-    return { LabelPart::ScrollBar };
+    return { MaterialPart::ScrollBar };
   }
   const vtkIdType first = this->List.GetFirstRow();
-  const vtkIdType end = std::min(this->List.GetNumberOfLabels(), first + this->Room);
+  const vtkIdType end = std::min(this->List.GetNumberOfRows(), first + this->Room);
   for (vtkIdType row = first; row < end; ++row)
   {
     if (Holds(this->GetRow(row), x, y))
     {
-      const LabelPart::KindType kind = x >= this->GetHead(LabelPart::Forbidden).GetLeft()
-        ? LabelPart::Forbidden
-        : x >= this->GetHead(LabelPart::Felt).GetLeft() ? LabelPart::Felt
-                                                        : LabelPart::Name;
+      const MaterialPart::KindType kind = !this->List.HasBoxes() ? MaterialPart::Name
+        : x >= this->GetHead(MaterialPart::Forbidden).GetLeft()  ? MaterialPart::Forbidden
+        : x >= this->GetHead(MaterialPart::Felt).GetLeft()       ? MaterialPart::Felt
+                                                                 : MaterialPart::Name;
       return { kind, row };
     }
   }
   if (this->List.GetSelected())
   {
-    for (int quantity = 0; quantity < HapticLabelList::Quantities; ++quantity)
+    for (int quantity = 0; quantity < HapticMaterialList::Quantities; ++quantity)
     {
       if (Holds(this->GetSlider(quantity), x, y))
       {
-        return { LabelPart::Slider, 0, quantity };
+        return { MaterialPart::Slider, 0, quantity };
       }
     }
-    if (Holds(this->GetByFunctions(), x, y))
+    if (this->List.HasBoxes() && Holds(this->GetByFunctions(), x, y))
     {
-      return { LabelPart::ByFunctions };
+      return { MaterialPart::ByFunctions };
     }
   }
   return {};

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the parts of the list of labels stand.
+ * Where the parts of a list of materials stand.
  */
-#ifndef HapticLabelLayout_h
-#define HapticLabelLayout_h
+#ifndef HapticMaterialLayout_h
+#define HapticMaterialLayout_h
 
 #include "vtkRect.h"
 #include "vtkType.h"
@@ -13,16 +13,16 @@
 namespace VolumeHaptics
 {
 
-class HapticLabelList;
+class HapticMaterialList;
 
 /** The part of the list at a position. */
-struct LabelPart
+struct MaterialPart
 {
   enum KindType
   {
     Nothing,
     Name, ///< with the swatch
-    Felt,
+    Felt, ///< as the next one, of lists with boxes
     Forbidden,
     ScrollBar,
     ByFunctions, ///< the button that takes the material away
@@ -35,25 +35,25 @@ struct LabelPart
 };
 
 /**
- * From top to bottom: a title with the heads of the columns; rows with swatch, name and two boxes,
- * and a bar to scroll them; name, button and sliders of the selected label. All rectangles are in
- * pixels of the viewport.
+ * From top to bottom: a title with the heads of the columns; rows with swatch and name, and two
+ * boxes if the list has them, and a bar to scroll them; name, button and sliders of the selected
+ * row. All rectangles are in pixels of the viewport.
  */
-class HapticLabelLayout
+class HapticMaterialLayout
 {
 public:
-  HapticLabelLayout(const int rectangle[4], const HapticLabelList& list);
+  HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list);
 
   int GetFontSize() const { return this->Font; }
   /** How many rows there is room for. */
   vtkIdType GetRoom() const { return this->Room; }
 
   vtkRectf GetTitle() const;
-  vtkRectf GetHead(LabelPart::KindType column) const; ///< Felt or Forbidden
+  vtkRectf GetHead(MaterialPart::KindType column) const; ///< Felt or Forbidden
   vtkRectf GetRow(vtkIdType row) const;
   vtkRectf GetSwatch(vtkIdType row) const;
   vtkRectf GetName(vtkIdType row) const;
-  vtkRectf GetBox(vtkIdType row, LabelPart::KindType column) const; ///< Felt or Forbidden
+  vtkRectf GetBox(vtkIdType row, MaterialPart::KindType column) const; ///< Felt or Forbidden
   vtkRectf GetScrollBar() const;
   vtkRectf GetThumb() const;
   vtkRectf GetSelectedName() const;
@@ -61,15 +61,16 @@ public:
   vtkRectf GetQuantityTitle(int quantity) const;
   vtkRectf GetSlider(int quantity) const;
 
-  LabelPart Find(float x, float y) const;
+  MaterialPart Find(float x, float y) const;
   /** The first row for a position on the scroll bar. */
   vtkIdType GetFirstRowAt(float y) const;
 
 private:
   float GetLineTop(int line) const; ///< counted from 0, from the top
   float GetFooterTop() const;
+  float GetNamesRight() const;
 
-  const HapticLabelList& List;
+  const HapticMaterialList& List;
   vtkRectf Area;
   int Font;
   float Line;

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The tissues of vtkHapticProperty: named ranges of values, and their materials in functions.
+ */
+#ifndef HapticTissues_h
+#define HapticTissues_h
+
+#include <string>
+#include <vector>
+
+class vtkPiecewiseFunction;
+
+namespace VolumeHaptics
+{
+
+/** A range of values (scalar units), both ends included, that has a name. */
+struct NamedTissue
+{
+  std::string Name;
+  double Low = 0.0;
+  double High = 0.0;
+
+  bool operator==(const NamedTissue& other) const
+  {
+    return this->Name == other.Name && this->Low == other.Low && this->High == other.High;
+  }
+};
+
+/** Tissues in rising order, which do not overlap. */
+class HapticTissues
+{
+public:
+  /** The number of the new tissue; -1, with the reason and the cure, if it can't be added. */
+  int Add(const NamedTissue& tissue, std::string& error);
+  void Clear() { this->All.clear(); }
+  bool operator==(const HapticTissues& other) const { return this->All == other.All; }
+
+  int GetSize() const { return static_cast<int>(this->All.size()); }
+  const NamedTissue& Get(int tissue) const { return this->All[static_cast<std::size_t>(tissue)]; }
+
+  /** The value of a function in the middle of a tissue; `empty` is that without points. */
+  double GetValue(vtkPiecewiseFunction* function, int tissue, double empty) const;
+  /**
+   * Makes a function constant in a tissue. Between it and the next ones it changes linearly, and
+   * these keep their values. Before the first tissue and behind the last one, the function goes on
+   * with the value of that tissue, unless it has points there.
+   */
+  void SetValue(vtkPiecewiseFunction* function, int tissue, double value, double empty) const;
+
+private:
+  std::vector<NamedTissue> All;
+};
+
+} // namespace VolumeHaptics
+
+#endif

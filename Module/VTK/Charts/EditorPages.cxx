@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Charts/EditorPages.h"
+
+#include "vtkCommand.h"
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+using Editor = vtkHapticFunctionEditor;
+
+struct EditedPage
+{
+  EditedQuantity Quantity;
+  vtkPiecewiseFunction* (vtkHapticProperty::*Get)();
+};
+
+// An empty function means the same as in vtkHapticProperty.
+const EditedPage Pages[] = {
+  { { "Stiffness (N/m)", 500.0, 1000.0, 1e5 }, &vtkHapticProperty::GetStiffness },
+  { { "Friction coefficient", 0.0, 1.0, 10.0 }, &vtkHapticProperty::GetFriction },
+  { { "Viscosity (N)", 0.0, 1.0, 100.0 }, &vtkHapticProperty::GetViscosity },
+  { { "Surface strength (N)", 2.0, 5.0, 100.0 }, &vtkHapticProperty::GetSurfaceStrength },
+  { { "Opacity", 0.0, 1.0, 1.0 }, nullptr },
+  { { "Materials of labels", 0.0, 1.0, 1.0 }, nullptr },
+  { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
+};
+
+constexpr int SheetWidth = 270;      // pixels, of tissues beside a chart
+constexpr int LeastChartWidth = 330; // beside which there is room for them
+constexpr int LeastSheetHeight = 150;
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool EditorPages::IsSheetPage() const
+{
+  return this->Page == Editor::LABELS || this->Page == Editor::TISSUES;
+}
+
+bool EditorPages::Has(int page) const
+{
+  switch (page)
+  {
+    case Editor::OPACITY:
+      return this->VolumeProperty != nullptr;
+    case Editor::LABELS:
+      return this->LabelList.Table != nullptr;
+    case Editor::TISSUES:
+      return this->TissueList.GetNumberOfRows() > 0;
+    default:
+      return this->Proposed.Property != nullptr;
+  }
+}
+
+const char* EditorPages::GetTitle() const
+{
+  return Pages[this->Page].Quantity.Title;
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* EditorPages::GetFunction() const
+{
+  if (this->Page == Editor::OPACITY)
+  {
+    return this->GetEdited().Opacity;
+  }
+  const auto get = Pages[this->Page].Get;
+  return this->Proposed.Property && get ? (this->Proposed.Property.Get()->*get)() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+EditedObjects EditorPages::GetEdited() const
+{
+  // As vtkHapticProperty::SetVisibilityFrom chooses it.
+  const int component = this->VolumeProperty && this->VolumeProperty->GetIndependentComponents()
+    ? std::min(this->Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
+    : 0;
+  return { this->Proposed.Property,
+    this->VolumeProperty ? this->VolumeProperty->GetScalarOpacity(component) : nullptr,
+    this->LabelList.Table };
+}
+
+vtkMTimeType EditorPages::GetEditTime() const
+{
+  const EditedObjects objects = this->GetEdited();
+  vtkMTimeType time = 0;
+  for (vtkObject* const object :
+    std::initializer_list<vtkObject*>{ objects.Property, objects.Opacity, objects.Labels })
+  {
+    time = object ? std::max(time, object->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+bool EditorPages::IsCounted() const
+{
+  return this->IsSheetPage()
+    ? (this->Page == Editor::TISSUES || this->LabelList.IsCounted())
+    : this->Chart.ShowsData(this->Proposed.Image, this->Proposed.GetComponent());
+}
+
+void EditorPages::Count()
+{
+  if (this->Page == Editor::LABELS)
+  {
+    this->LabelList.Count();
+  }
+  else if (this->Page != Editor::TISSUES)
+  {
+    this->Chart.ShowData(this->Proposed.Image, this->Proposed.GetComponent());
+  }
+}
+
+void EditorPages::FollowCounts()
+{
+  this->Chart.FollowCount();
+  this->LabelList.FollowCount();
+}
+
+double EditorPages::GetCountedShare() const
+{
+  const double counted = this->Page == Editor::LABELS ? this->LabelList.GetCountedShare()
+    : this->Page == Editor::TISSUES                   ? 1.0
+                                                      : this->Chart.GetCountedShare();
+  return std::min(counted, this->Proposed.GetProgress());
+}
+
+void EditorPages::EndOtherCounts()
+{
+  this->Chart.EndCountUnless(this->Proposed.Image);
+  this->LabelList.EndOtherCount();
+  this->Proposed.EndOtherSearch();
+}
+
+//------------------------------------------------------------------------------
+HapticMaterialSheet* EditorPages::GetSheet()
+{
+  return this->Page == Editor::LABELS                ? &this->Labels
+    : this->Page == Editor::TISSUES || this->HasBoth ? &this->Tissues
+                                                     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void EditorPages::Show(const int rectangle[4], bool isDragged)
+{
+  this->HasBoth = !this->IsSheetPage() && this->Has(Editor::TISSUES) &&
+    rectangle[2] >= LeastChartWidth + SheetWidth && rectangle[3] >= LeastSheetHeight;
+  const int sheetWidth = this->HasBoth ? SheetWidth : this->IsSheetPage() ? rectangle[2] : 0;
+  this->Split = rectangle[0] + rectangle[2] - sheetWidth;
+  if (HapticMaterialSheet* const sheet = this->GetSheet())
+  {
+    const int place[4] = { this->Split, rectangle[1], sheetWidth, rectangle[3] };
+    sheet->Place(place);
+  }
+  if (this->IsSheetPage())
+  {
+    return;
+  }
+  const int place[4] = { rectangle[0], rectangle[1], rectangle[2] - sheetWidth, rectangle[3] };
+  vtkPiecewiseFunction* const function = this->GetFunction();
+  this->Chart.Place(place);
+  this->Proposed.ShowFunction(Pages[this->Page].Get);
+  this->Chart.ShowFunction(function, Pages[this->Page].Quantity, isDragged);
+  this->Chart.ShowTissues(this->Proposed.Property);
+  if (!function)
+  {
+    this->Chart.ShowNothing(
+      this->Page == Editor::OPACITY ? "No volume property to edit" : "No haptic property to edit");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkContextActor*> EditorPages::GetActors()
+{
+  std::vector<vtkContextActor*> actors;
+  if (!this->IsSheetPage())
+  {
+    actors.push_back(this->Chart.GetActor());
+  }
+  if (HapticMaterialSheet* const sheet = this->GetSheet())
+  {
+    actors.push_back(sheet->GetActor());
+  }
+  return actors;
+}
+
+std::vector<vtkContextActor*> EditorPages::GetAllActors()
+{
+  return { this->Chart.GetActor(), this->Labels.GetActor(), this->Tissues.GetActor() };
+}
+
+//------------------------------------------------------------------------------
+bool EditorPages::IsOnSheet(int x) const
+{
+  return this->IsSheetPage() || (this->HasBoth && x >= this->Split);
+}
+
+void EditorPages::SendMouse(int event, int button, int x, int y)
+{
+  if (event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent)
+  {
+    this->HoldsSheet = this->IsOnSheet(x);
+  }
+  const bool isHeld = button != 0;
+  HapticMaterialSheet* const sheet = this->GetSheet();
+  if (sheet && (isHeld ? this->HoldsSheet : this->IsOnSheet(x)))
+  {
+    sheet->SendMouse(event, button, x, y);
+  }
+  else if (!this->IsSheetPage())
+  {
+    this->Chart.SendMouse(event, button, x, y);
+  }
+}
+
+void EditorPages::Turn(int x, int y, double steps)
+{
+  HapticMaterialSheet* const sheet = this->GetSheet();
+  if (sheet && this->IsOnSheet(x))
+  {
+    sheet->Turn(x, y, steps);
+  }
+  else
+  {
+    this->Chart.Turn(x, y, steps);
+  }
+}
+
+} // namespace VolumeHaptics

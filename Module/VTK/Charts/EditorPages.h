@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The pages of vtkHapticFunctionEditor: a chart for each function, and lists of labels and tissues.
+ */
+#ifndef EditorPages_h
+#define EditorPages_h
+
+#include "VTK/Charts/EditHistory.h"
+#include "VTK/Charts/HapticFunctionChart.h"
+#include "VTK/Charts/HapticLabelList.h"
+#include "VTK/Charts/HapticMaterialSheet.h"
+#include "VTK/Charts/HapticProposalView.h"
+#include "VTK/Charts/HapticTissueList.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
+
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Of a wide editor, the page of a function has the tissues beside the chart. Positions are pixels
+ * of the viewport.
+ */
+class EditorPages
+{
+public:
+  vtkSmartPointer<vtkVolumeProperty> VolumeProperty;
+  HapticFunctionChart Chart;
+  HapticProposalView Proposed{ Chart };
+  HapticLabelList LabelList;
+  HapticTissueList TissueList{ Proposed.Property };
+
+  /** The page: vtkHapticFunctionEditor::FunctionType. */
+  void SetPage(int page) { this->Page = page; }
+  /** Whether there is something to edit on a page. */
+  bool Has(int page) const;
+  const char* GetTitle() const;
+
+  /** The function of the page, or none. */
+  vtkPiecewiseFunction* GetFunction() const;
+  EditedObjects GetEdited() const;
+  /** When something was last edited. */
+  vtkMTimeType GetEditTime() const;
+
+  ///@{
+  /** The histogram or the list of the page. */
+  bool IsCounted() const;
+  void Count();
+  void FollowCounts();
+  double GetCountedShare() const;
+  /** No work goes on with an image that was taken away. */
+  void EndOtherCounts();
+  ///@}
+
+  /** Fits the page into a rectangle: left, bottom, width and height. */
+  void Show(const int rectangle[4], bool isDragged);
+  /** What draws the page. */
+  std::vector<vtkContextActor*> GetActors();
+  std::vector<vtkContextActor*> GetAllActors();
+
+  /** As HapticFunctionChart::SendMouse; what a press begins goes on where it began. */
+  void SendMouse(int event, int button, int x, int y);
+  void Turn(int x, int y, double steps);
+
+  /** The list with sliders that the page shows; null if none. */
+  HapticMaterialSheet* GetSheet();
+  HapticMaterialSheet& GetLabels() { return this->Labels; }
+  HapticMaterialSheet& GetTissues() { return this->Tissues; }
+
+private:
+  bool IsSheetPage() const;
+  bool IsOnSheet(int x) const;
+
+  HapticMaterialSheet Labels{ LabelList };
+  HapticMaterialSheet Tissues{ TissueList };
+  int Page = 0;
+  bool HasBoth = false;    ///< chart and tissues
+  int Split = 0;           ///< x between them
+  bool HoldsSheet = false; ///< from press to release
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   HapticMaterialItem
+ * @brief   draws a list of materials, and that of the selected row
+ */
+#ifndef HapticMaterialItem_h
+#define HapticMaterialItem_h
+
+#include "VTK/Charts/HapticMaterialLayout.h"
+
+#include "vtkContextItem.h"
+
+#include <string>
+
+class HapticMaterialItem : public vtkContextItem
+{
+public:
+  static HapticMaterialItem* New();
+  vtkTypeMacro(HapticMaterialItem, vtkContextItem);
+
+  /** The list to draw, and its rectangle; the list has to outlive the item. */
+  void Show(const VolumeHaptics::HapticMaterialList& list, const int rectangle[4]);
+
+  bool Paint(vtkContext2D* painter) override;
+
+protected:
+  HapticMaterialItem();
+  ~HapticMaterialItem() override;
+
+private:
+  HapticMaterialItem(const HapticMaterialItem&) = delete;
+  void operator=(const HapticMaterialItem&) = delete;
+
+  void PaintRow(
+    vtkContext2D* painter, const VolumeHaptics::HapticMaterialLayout& layout, vtkIdType row);
+  void PaintMaterial(vtkContext2D* painter, const VolumeHaptics::HapticMaterialLayout& layout);
+  void PaintSlider(
+    vtkContext2D* painter, const VolumeHaptics::HapticMaterialLayout& layout, int quantity);
+
+  const VolumeHaptics::HapticMaterialList* List = nullptr;
+  int Rectangle[4] = { 0, 0, 1, 1 };
+};
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the function editor lists to edit its materials by sliders: labels, or tissues.
+ */
+#ifndef HapticMaterialList_h
+#define HapticMaterialList_h
+
+#include "vtkType.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+class vtkObject;
+
+namespace VolumeHaptics
+{
+
+/** A quantity of a material, as a slider shows it. */
+struct MaterialQuantity
+{
+  const char* Title;
+  double Usual; ///< the end of the slider, unless the value is larger
+  double Most;  ///< the largest end
+};
+
+/**
+ * Rows of materials, each with a number of its own, its key, in rising order; a window of rows; and
+ * a selected one. Only what the window shows is looked up, so that a million labels are as quick as
+ * ten.
+ */
+class HapticMaterialList
+{
+public:
+  static constexpr int Quantities = 4;
+  static const MaterialQuantity& GetQuantity(int quantity);
+
+  HapticMaterialList() = default;
+  virtual ~HapticMaterialList() = default;
+  HapticMaterialList(const HapticMaterialList&) = delete;
+  HapticMaterialList& operator=(const HapticMaterialList&) = delete;
+
+  virtual vtkIdType GetNumberOfRows() const = 0;
+  virtual int GetKey(vtkIdType row) const = 0;
+  /** Whether the rows are those of the data as they are now. */
+  virtual bool IsCounted() const { return true; }
+  /** The object whose MTime advances with edits; may be null. */
+  virtual vtkObject* GetEdited() const = 0;
+
+  ///@{
+  /** What is painted: the title, or why there are no rows; and for a row its text and colour. */
+  virtual std::string GetTitle() const = 0;
+  virtual std::string Describe(int key) const = 0;
+  virtual std::array<double, 3> GetColor(int key) const = 0;
+  ///@}
+
+  ///@{
+  /** Whether rows have boxes for what is felt and what is forbidden, and what is in them. */
+  virtual bool HasBoxes() const { return false; }
+  virtual bool IsFelt(int) const { return true; }
+  virtual bool IsForbidden(int) const { return false; }
+  virtual void ToggleFelt(int) {}
+  virtual void ToggleForbidden(int) {}
+  ///@}
+
+  ///@{
+  /** Of rows with boxes: whether a row has a material of its own, which can be taken away. */
+  virtual bool HasMaterial(int) const { return true; }
+  virtual void RemoveMaterial(int) {}
+  ///@}
+
+  /** The row of a key; -1 if it is not listed. */
+  vtkIdType FindRow(int key) const;
+
+  ///@{
+  /** The window of rows; the first one is moved so that all of them exist, if possible. */
+  void SetVisibleRows(vtkIdType rows);
+  vtkIdType GetVisibleRows() const { return this->VisibleRows; }
+  void ScrollTo(vtkIdType first);
+  vtkIdType GetFirstRow() const { return this->FirstRow; }
+  ///@}
+
+  ///@{
+  /** The selected key, if it is listed. Select also scrolls to it, and returns whether it is. */
+  bool Select(int key);
+  std::optional<int> GetSelected() const;
+  ///@}
+
+  ///@{
+  /** Of the selected row: the value of a quantity, -1 if it is by the functions. */
+  double GetValue(int quantity) const;
+  void SetValue(int quantity, double value);
+  ///@}
+
+  ///@{
+  /**
+   * The end of a slider. It stays while the slider is dragged; FitEnds makes it suit the value.
+   */
+  double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
+  void FitEnds();
+  ///@}
+
+protected:
+  virtual double ReadValue(int key, int quantity) const = 0;
+  virtual void WriteValue(int key, int quantity, double value) = 0;
+
+private:
+  vtkIdType FirstRow = 0;
+  vtkIdType VisibleRows = 1;
+  std::optional<int> Selected;
+  std::array<double, Quantities> Ends{ 1.0, 1.0, 1.0, 1.0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif

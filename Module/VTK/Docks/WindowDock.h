@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Room at an edge of a window for renderers beside the scene.
+ */
+#ifndef WindowDock_h
+#define WindowDock_h
+
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace VolumeHaptics
+{
+
+class DockLayout;
+
+enum class DockEdge
+{
+  Left,
+  Right,
+  Bottom,
+  Top
+};
+
+/**
+ * A strip along an edge. Several of a window share its room: the first one that was placed has the
+ * whole edge, the next one what that leaves, and all other renderers of the window get the rest.
+ */
+class WindowDock
+{
+public:
+  WindowDock() = default;
+  ~WindowDock() { this->GiveBack(); }
+  WindowDock(const WindowDock&) = delete;
+  WindowDock& operator=(const WindowDock&) = delete;
+
+  /**
+   * Puts renderers into the strip: below each other at the left and the right, the first one at the
+   * top; else side by side. `share` is the strip's share of the window's width or height. Call it
+   * before each frame, since other renderers may come and go.
+   */
+  void Place(
+    vtkRenderWindow* window, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
+
+  /** Gives the others their viewports back, but those that have got another one meanwhile. */
+  void GiveBack();
+
+private:
+  std::shared_ptr<DockLayout> Layout; ///< of the window
+};
+
+} // namespace VolumeHaptics
+
+#endif

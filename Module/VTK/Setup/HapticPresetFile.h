@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Materials of one's own as files: see vtkHapticProperty::WritePreset and ReadPreset.
+ */
+#ifndef HapticPresetFile_h
+#define HapticPresetFile_h
+
+#include <string>
+
+class vtkHapticProperty;
+
+namespace VolumeHaptics
+{
+
+/** Whether the name of a preset, which may be null, is that of a file. */
+bool IsPresetFile(const char* name);
+
+///@{
+/** False, with an error that names the file and the cure; then nothing has changed. */
+bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
+bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
+///@}
+
+} // namespace VolumeHaptics
+
+#endif

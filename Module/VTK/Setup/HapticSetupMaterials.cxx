@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Setup/HapticSetupMaterials.h"
+
+#include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/HapticTissues.h"
+#include "VTK/Setup/HapticSetupFunctions.h"
+#include "VTK/Setup/PassSettings.h"
+
+#include "vtkHapticProperty.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** An object with a range for each name. */
+void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>& get)
+{
+  if (!materials.IsWriting() && !materials.Has("Tissues"))
+  {
+    return;
+  }
+  SetupNode node = materials.Child("Tissues");
+  if (materials.IsWriting())
+  {
+    vtkHapticProperty* const property = get();
+    for (int i = 0; i < property->GetNumberOfTissues(); ++i)
+    {
+      node.Row(
+        property->GetTissueName(i), 2,
+        [=]
+        {
+          NumberRow range(2);
+          property->GetTissueRange(i, range.data());
+          return range;
+        },
+        [](const NumberRow&) {});
+    }
+    return;
+  }
+  HapticTissues tissues;
+  for (const std::string& name : node.GetKeys())
+  {
+    const NumberRow range = node.Row(
+      name.c_str(), 2, [] { return NumberRow(2); }, [](const NumberRow&) {});
+    if (range.empty())
+    {
+      return; // the error is told
+    }
+    std::string error;
+    node.Require(name.c_str(), tissues.Add({ name, range[0], range[1] }, error) >= 0,
+      "a range of values, the lower one first, that no other tissue has values of");
+  }
+  // At once, so that tissues that are the same already are not modified.
+  node.Then(
+    [get, tissues]
+    {
+      vtkHapticProperty* const property = get();
+      bool isSame = property->GetNumberOfTissues() == tissues.GetSize();
+      for (int i = 0; isSame && i < tissues.GetSize(); ++i)
+      {
+        double range[2];
+        property->GetTissueRange(i, range);
+        const NamedTissue& tissue = tissues.Get(i);
+        isSame = tissue.Name == property->GetTissueName(i) && tissue.Low == range[0] &&
+          tissue.High == range[1];
+      }
+      if (isSame)
+      {
+        return;
+      }
+      property->RemoveAllTissues();
+      for (int i = 0; i < tissues.GetSize(); ++i)
+      {
+        const NamedTissue& tissue = tissues.Get(i);
+        property->AddTissue(tissue.Name.c_str(), tissue.Low, tissue.High);
+      }
+    });
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get)
+{
+  for (const PropertyFunction& f : PropertyFunctions)
+  {
+    PassFunction(node.Child(f.Name), { 0.0, f.Maximum },
+      [get, getFunction = f.Get] { return (get()->*getFunction)(); });
+  }
+  PassSettings(node, get(), PropertySettings);
+  PassTissues(node, get);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The materials of a vtkHapticProperty in setups and presets, for writing and for reading alike.
+ */
+#ifndef HapticSetupMaterials_h
+#define HapticSetupMaterials_h
+
+#include "VTK/Setup/HapticSetupNode.h"
+
+#include <functional>
+
+class vtkHapticProperty;
+
+namespace VolumeHaptics
+{
+
+/** Functions, settings and tissues; the getter is called for each change again. */
+void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get);
+
+} // namespace VolumeHaptics
+
+#endif

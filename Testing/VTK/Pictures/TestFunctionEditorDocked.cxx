@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The editor below a view: the surface strength of a preset over the histogram of the head phantom
+// and its tissues, whose materials stand beside it.
+#include "Factories.h"
+
+#include "vtkHapticFunctionEditor.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTestUtilities.h"
+#include "vtkXMLImageDataReader.h"
+
+// VTK's test driver initializes what draws volumes, not what draws charts and their text.
+
+int TestFunctionEditorDocked(int argc, char* argv[])
+{
+  vtkNew<vtkXMLImageDataReader> head;
+  char* const file = vtkTestUtilities::GetArgOrEnvOrDefault("--volume", argc, argv, "", "");
+  head->SetFileName(file);
+  head->Update();
+  delete[] file;
+
+  vtkNew<vtkHapticProperty> property;
+  property->ApplyPreset("CT contrast");
+  property->SetTissueSurfaceStrength(5, 5.5);
+  vtkNew<vtkHapticFunctionEditor> editor;
+  editor->SetProperty(property);
+  editor->SetInputData(head->GetOutput());
+  editor->SetFunctionToSurfaceStrength();
+  editor->SelectTissue(5);
+  editor->DockedOn();
+  editor->SetDockShare(0.75);
+
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(0.32, 0.34, 0.43);
+  renderer->AddViewProp(editor);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(760, 400);
+  window->AddRenderer(renderer);
+  window->Render(); // the editor learns of its window
+  window->Render();
+  return vtkRegressionTestImage(window) == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+}

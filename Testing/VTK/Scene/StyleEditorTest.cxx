@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Keys for edits of the function editor: undo, redo, reset, and its place in the window.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkHapticFunctionEditor.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticMeasurements.h>
+
+using namespace scenetest;
+
+namespace
+{
+class StyleEditor : public StyleTest
+{
+protected:
+  StyleEditor()
+  {
+    this->Display->SetDevice(this->Device);
+    this->Style->SetHeadUpDisplay(this->Display);
+    this->Property->ApplyPreset("CT contrast");
+    this->Editor->SetProperty(this->Property);
+    this->Editor->SetRectangle(10, 10, 280, 200);
+    this->Editor->SetFunctionToTissues();
+    this->Renderer->AddViewProp(this->Editor);
+    this->Style->SetFunctionEditor(this->Editor);
+    this->Window->Render();
+  }
+  /// A click on the slider of a tissue's stiffness, at a value.
+  void Slide(double stiffness)
+  {
+    double at[2];
+    ASSERT_TRUE(this->Editor->SelectTissue(2));
+    this->Window->Render();
+    ASSERT_TRUE(this->Editor->GetSliderPosition(vtkHapticFunctionEditor::STIFFNESS, stiffness, at));
+    const int x = static_cast<int>(std::lround(at[0]));
+    const int y = static_cast<int>(std::lround(at[1]));
+    this->Pointer(x, y, vtkCommand::LeftButtonPressEvent);
+    this->Pointer(x, y, vtkCommand::LeftButtonReleaseEvent);
+  }
+  double Stiffness() { return this->Property->GetTissueStiffness(2); }
+  bool Notices(const char* words)
+  {
+    return std::string(this->Display->GetNotice()).find(words) != std::string::npos;
+  }
+
+  vtkNew<vtkHapticProperty> Property;
+  vtkNew<vtkHapticFunctionEditor> Editor;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+};
+} // namespace
+
+TEST_F(StyleEditor, KeysTakeEditsBackAndDoThemAgain)
+{
+  this->Slide(200.0);
+  EXPECT_NEAR(this->Stiffness(), 200.0, 8.0);
+  const double first = this->Stiffness();
+  this->Slide(700.0);
+  const double second = this->Stiffness();
+  EXPECT_NEAR(second, 700.0, 8.0);
+  this->Press("Z");
+  EXPECT_EQ(this->Stiffness(), first);
+  this->Press("Z");
+  EXPECT_EQ(this->Stiffness(), 400.0);
+  this->Press("Z");
+  EXPECT_EQ(this->Stiffness(), 400.0);
+  EXPECT_TRUE(this->Notices("There is no edit to undo"));
+  this->Press("Y");
+  this->Press("Y");
+  EXPECT_EQ(this->Stiffness(), second);
+  this->Press("Y");
+  EXPECT_TRUE(this->Notices("There is no edit to redo"));
+  this->Press("R");
+  EXPECT_EQ(this->Stiffness(), 400.0);
+  this->Press("Z");
+  EXPECT_EQ(this->Stiffness(), second) << "a reset is an edit, too";
+}
+
+TEST_F(StyleEditor, UndoBelongsToMeasurementsBesideTheEditor)
+{
+  vtkNew<vtkHapticMeasurements> list;
+  const double point[3] = { 1.0, 2.0, 3.0 };
+  list->AddPoint(point);
+  this->Style->SetMeasurements(list);
+  this->Slide(200.0);
+  this->Press("Z");
+  EXPECT_EQ(this->Stiffness(), 400.0) << "the pointer is over the editor";
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 1);
+  this->Press("Y");
+  this->Pointer(295, 295);
+  this->Press("Z");
+  EXPECT_EQ(list->GetNumberOfMeasurements(), 0);
+  EXPECT_NE(this->Stiffness(), 400.0);
+}
+
+TEST_F(StyleEditor, AKeyPutsItBesideTheScene)
+{
+  double viewport[4];
+  this->Editor->VisibilityOff();
+  this->Press("V");
+  EXPECT_TRUE(this->Editor->GetVisibility());
+  EXPECT_TRUE(this->Editor->GetDocked());
+  this->Window->Render();
+  this->Window->Render();
+  this->Renderer->GetViewport(viewport);
+  EXPECT_NEAR(viewport[1], 0.35, 1e-12);
+  EXPECT_TRUE(this->Editor->Contains(150, 20));
+  EXPECT_FALSE(this->Editor->Contains(150, 200)) << "in its rectangle over the scene";
+
+  // The border is dragged by the mouse, and the camera stays.
+  double before[3];
+  this->Renderer->GetActiveCamera()->GetPosition(before);
+  this->Pointer(150, 105);
+  this->Pointer(150, 105, vtkCommand::LeftButtonPressEvent);
+  this->Pointer(150, 180);
+  this->Pointer(150, 180, vtkCommand::LeftButtonReleaseEvent);
+  this->Window->Render();
+  EXPECT_NEAR(this->Editor->GetDockShare(), 0.6, 0.01);
+  this->Renderer->GetViewport(viewport);
+  EXPECT_NEAR(viewport[1], 0.6, 0.01);
+  double after[3];
+  this->Renderer->GetActiveCamera()->GetPosition(after);
+  EXPECT_TRUE(std::equal(before, before + 3, after));
+  this->Pointer(150, 200);
+  EXPECT_NEAR(this->Editor->GetDockShare(), 0.6, 0.01) << "it was let go";
+
+  this->Press("V");
+  EXPECT_FALSE(this->Editor->GetDocked());
+  this->Window->Render();
+  this->Renderer->GetViewport(viewport);
+  EXPECT_EQ(viewport[1], 0.0);
+  EXPECT_EQ(viewport[3], 1.0);
+}
