@@ -7,6 +7,10 @@
 #include <new>
 #include <sstream>
 
+#if defined(__GLIBCXX__)
+#include <cxxabi.h>
+#endif
+
 namespace VolumeHaptics
 {
 namespace
@@ -27,6 +31,12 @@ std::string CallReader(const LargeVolume& volume, const BoxExtent& box, void* sa
   {
     return failure.what();
   }
+#if defined(__GLIBCXX__)
+  catch (const abi::__forced_unwind&)
+  {
+    throw; // the end of the thread (pthread_exit), which can't be stopped
+  }
+#endif
   catch (...)
   {
     return "it throws an exception that is no std::exception.";

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace VolumeHaptics
@@ -39,10 +40,12 @@ struct RegionReader::Work
   std::optional<VolumeFacts> Facts;
   std::optional<RegionSamples> Arrived;
   std::string Trouble;
+  bool IsLost = false;      ///< the thread has ended without being told to
+  std::int64_t Revival = 0; ///< ServoClock: when another one may begin
   ///@}
   Milliseconds Delay{ 0 }; // of the thread alone
 
-  void RunToEnd() noexcept;
+  void RunToEnd();
   void Run();
   bool Survey();
   /** The next order; none if it is time to end. */
@@ -50,6 +53,8 @@ struct RegionReader::Work
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
   /** Notes why a read failed, and waits a while. False if it is time to end. */
   bool NoteFailure(const std::string& error);
+  /** Notes that a reader ends the thread; called while that unwinds. */
+  void NoteLoss() noexcept;
 };
 
 bool RegionReader::Work::NoteFailure(const std::string& error)
@@ -58,6 +63,23 @@ bool RegionReader::Work::NoteFailure(const std::string& error)
   std::unique_lock<std::mutex> lock(this->Mutex);
   this->Trouble = error;
   return !this->Wake.wait_for(lock, this->Delay, [this] { return this->IsEnding; });
+}
+
+void RegionReader::Work::NoteLoss() noexcept
+{
+  this->Delay = std::clamp(2 * this->Delay, ShortestDelay, LongestDelay);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->IsLost = true;
+  this->Revival = ServoClock::Now() + this->Delay.count() * ServoClock::Millisecond;
+  try
+  {
+    this->Trouble = "The samples can't be read from " + this->Volume->Name +
+      ": its reader ends the thread that calls it. Let it return instead.";
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Trouble.clear();
+  }
 }
 
 bool RegionReader::Work::Survey()
@@ -149,20 +171,34 @@ void RegionReader::Work::Run()
   }
 }
 
-void RegionReader::Work::RunToEnd() noexcept
+void RegionReader::Work::RunToEnd()
 {
+  // A reader can end its thread: pthread_exit() unwinds it, and Python calls that at its end.
+  struct End
+  {
+    Work& Of;
+    bool IsOrderly = false;
+    ~End()
+    {
+      if (!this->IsOrderly)
+      {
+        this->Of.NoteLoss();
+      }
+    }
+  } end{ *this };
   for (bool goesOn = true; goesOn;)
   {
     try
     {
       this->Run();
-      return;
+      goesOn = false;
     }
     catch (const std::bad_alloc&) // in a message: there may be memory later
     {
       goesOn = this->NoteFailure(std::string());
     }
   }
+  end.IsOrderly = true;
 }
 
 RegionReader::RegionReader(
@@ -171,6 +207,11 @@ RegionReader::RegionReader(
   , Process(ServoClock::GetProcess())
 {
   this->Shared->Facts = facts;
+  this->Begin();
+}
+
+void RegionReader::Begin()
+{
   this->Thread = std::make_unique<std::thread>(
     [work = this->Shared]
     {
@@ -193,6 +234,10 @@ RegionReader::~RegionReader()
     this->Shared->IsEnding = true;
   }
   this->Shared->Wake.notify_all();
+  if (!this->Thread->joinable())
+  {
+    return; // it was lost, and there was no other one
+  }
   if (this->Shared->Volume->IsAwaited)
   {
     this->Thread->join();
@@ -218,8 +263,38 @@ std::optional<VolumeFacts> RegionReader::GetFacts() const
   return this->Shared->Facts;
 }
 
+void RegionReader::Revive()
+{
+  if (this->Process != ServoClock::GetProcess())
+  {
+    return; // see the destructor
+  }
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    if (!this->Shared->IsLost || ServoClock::Now() < this->Shared->Revival)
+    {
+      return;
+    }
+    this->Shared->IsLost = false;
+  }
+  if (this->Thread->joinable())
+  {
+    this->Thread->join();
+  }
+  try
+  {
+    this->Begin();
+  }
+  catch (const std::system_error&)
+  {
+    const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+    this->Shared->IsLost = true; // there may be a thread later
+  }
+}
+
 std::optional<RegionSamples> RegionReader::Take()
 {
+  this->Revive();
   const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
   return std::exchange(this->Shared->Arrived, std::nullopt);
 }

@@ -36,7 +36,8 @@ struct RegionSamples
  * First the thread surveys the volume (VolumeSurvey.h). Then it reads the region that was ordered
  * last; regions that were ordered before and have not been begun are left out. A read that failed
  * is tried again, after a time that doubles from 50 ms to 2 s, until it succeeds or another region
- * is ordered.
+ * is ordered. If the reader ends the thread itself (pthread_exit), another one goes on after such a
+ * time.
  *
  * All functions are for the owner (the GUI thread), and none of them waits for a read but the
  * destructor: it waits for the one that is under way, and for no other. If the volume is not
@@ -61,6 +62,10 @@ public:
 
 private:
   struct Work;
+
+  void Begin();
+  /** Lets another thread go on in the place of one that a reader has ended. */
+  void Revive();
 
   std::shared_ptr<Work> Shared; ///< with the thread
   std::unique_ptr<std::thread> Thread;

@@ -16,6 +16,10 @@
 #include <stdexcept>
 #include <thread>
 
+#if defined(__linux__)
+#include <pthread.h>
+#endif
+
 using namespace VolumeHaptics;
 using devicetest::Eventually;
 
@@ -166,6 +170,53 @@ TEST(RegionReader, TriesAgainUntilItSucceeds)
   EXPECT_EQ(reader.GetTrouble(), "");
   EXPECT_EQ(gate.Entered, 4);
 }
+
+#if defined(__GLIBC__)
+TEST(RegionReader, GoesOnAfterAReaderHasEndedItsThread)
+{
+  for (const std::optional<VolumeFacts>& facts : { Known, std::optional<VolumeFacts>() })
+  {
+    GatedVolume gate;
+    std::atomic<int> kills{ 2 };
+    gate.Volume->Read = [&, read = gate.Volume->Read](const int box[6], void* samples)
+    {
+      if (kills-- > 0)
+      {
+        pthread_exit(nullptr);
+      }
+      return read(box, samples);
+    };
+    RegionReader reader(gate.Volume, facts);
+    reader.Order(Here);
+    ASSERT_TRUE(Eventually([&] { return !reader.GetTrouble().empty(); }));
+    EXPECT_EQ(reader.GetTrouble(),
+      "The samples can't be read from the gate: its reader ends the thread that calls it. Let it "
+      "return instead.");
+    const std::optional<RegionSamples> region = Await(reader);
+    ASSERT_TRUE(region);
+    EXPECT_EQ(region->Extent, Here);
+    EXPECT_EQ(reader.GetTrouble(), "");
+    EXPECT_LT(kills, 0) << "each thread was ended";
+    EXPECT_EQ(gate.Left, facts ? 1 : 512 + 8 + 1);
+  }
+}
+
+TEST(RegionReader, EndsWhereNoThreadIsLeft)
+{
+  GatedVolume gate;
+  std::atomic<bool> isEntered{ false };
+  gate.Volume->Read = [&](const int[6], void*) -> bool
+  {
+    isEntered = true;
+    pthread_exit(nullptr);
+  };
+  RegionReader reader(gate.Volume, Known);
+  reader.Order(Here);
+  ASSERT_TRUE(Eventually([&] { return !reader.GetTrouble().empty(); }));
+  EXPECT_TRUE(isEntered);
+  EXPECT_FALSE(reader.Take());
+}
+#endif
 
 TEST(RegionReader, TriesASurveyAgain)
 {
