@@ -124,11 +124,10 @@ template <int N>
 VOLUME_HAPTICS_INLINE void LocateGaussian(
   const FieldView& view, double x, double y, double z, Footprint<N>& foot)
 {
-  const double position[3] = { x, y, z };
-  for (int a = 0; a < 3; ++a)
-  {
-    foot.First[a] = LocateGaussian(view, a, position[a], N, foot.Weights[a]);
-  }
+  // In the order in which the sum needs them.
+  foot.First[1] = LocateGaussian(view, 1, y, N, foot.Weights[1]);
+  foot.First[2] = LocateGaussian(view, 2, z, N, foot.Weights[2]);
+  foot.First[0] = LocateGaussian(view, 0, x, N, foot.Weights[0]);
 }
 
 template <typename T, int N>

@@ -99,29 +99,32 @@ template <int N>
 VOLUME_HAPTICS_INLINE void AddRows(
   const RowPair<N>& rows, const double* weights, bool isFirst, RowSum<N>& sum)
 {
+  const Double4 even = Spread(weights);
+  const Double4 odd = Spread(weights + 1);
   for (int p = 0; p < RowPair<N>::Whole; ++p)
   {
-    const Double4 both = weights[0] * rows.Even[p] + weights[1] * rows.Odd[p];
+    const Double4 both = even * rows.Even[p] + odd * rows.Odd[p];
     sum.Whole[p] = isFirst ? both : sum.Whole[p] + both;
   }
   if constexpr (RowPair<N>::HasRest)
   {
-    const Double4 each = { weights[0], weights[0], weights[1], weights[1] };
+    const Double4 each = JoinHalves(even, odd);
     sum.Rest = isFirst ? each * rows.Rest : sum.Rest + each * rows.Rest;
   }
 }
 
-/** sum += weight * other. */
+/** sum += *weight * other. */
 template <int N>
-VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, double weight, RowSum<N>& sum)
+VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weight, RowSum<N>& sum)
 {
+  const Double4 all = Spread(weight);
   for (int p = 0; p < RowPair<N>::Whole; ++p)
   {
-    sum.Whole[p] = sum.Whole[p] + weight * other.Whole[p];
+    sum.Whole[p] = sum.Whole[p] + all * other.Whole[p];
   }
   if constexpr (RowPair<N>::HasRest)
   {
-    sum.Rest = sum.Rest + weight * other.Rest;
+    sum.Rest = sum.Rest + all * other.Rest;
   }
 }
 
@@ -170,11 +173,11 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
         AddRows<N>(rows, foot.Weights[1] + N + j, j == 0, slope);
       }
     }
-    AddScaled<N>(smooth, foot.Weights[2][k], sum);
+    AddScaled<N>(smooth, foot.Weights[2] + k, sum);
     if constexpr (WithGradient)
     {
-      AddScaled<N>(slope, foot.Weights[2][k], sumY);
-      AddScaled<N>(smooth, foot.Weights[2][N + k], sumZ);
+      AddScaled<N>(slope, foot.Weights[2] + k, sumY);
+      AddScaled<N>(smooth, foot.Weights[2] + N + k, sumZ);
     }
   }
   const double* const weights = foot.Weights[0];

@@ -65,6 +65,17 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
   }
 }
 
+/** A number from memory in all lanes: straight from there, it passes through no shuffle. */
+VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
+{
+  return _mm256_broadcast_sd(from);
+}
+/** The first two lanes of one, and the last two of another one. */
+VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
+{
+  return _mm256_blend_pd(low, high, 0b1100);
+}
+
 ///@{
 /** The sum of the lanes of each: first those two apart, then both of these sums. */
 VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)

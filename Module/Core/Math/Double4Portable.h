@@ -46,6 +46,17 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
     static_cast<double>(from[2]), static_cast<double>(from[3]) } };
 }
 
+/** A number in all lanes. */
+VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
+{
+  return { { *from, *from, *from, *from } };
+}
+/** The first two lanes of one, and the last two of another one. */
+VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
+{
+  return { { low[0], low[1], high[2], high[3] } };
+}
+
 ///@{
 /** The sum of the lanes of each: first those two apart, then both of these sums. */
 VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)

@@ -40,29 +40,36 @@ Vector3 Advance(
   return proxy;
 }
 
-} // namespace
-
-void StepPaper(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
+/** A tick from the proxy on; the surface through it is null if it has to be found. */
+void Step(const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory,
+  const Surface* found) noexcept
 {
   const Vector3& tip = record.Tip;
-  CarriedProxy carried;
-  if (model.Baked->IsMoving() && state.Enabled)
-  {
-    carried = CarryProxy(model, state);
-    record.WallWork = carried.Work;
-  }
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
   const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   const Vector3 index = model.DeviceToIndex(position);
-  Surface surface =
-    carried.IsChanged ? carried.There : Law::FindSurface(model, field, index, state.Labels);
+  Surface surface = found ? *found : Law::FindSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance(model, position, split, record) : tip;
+}
+
+} // namespace
+
+void StepPaper(
+  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
+{
+  if (!model.Baked->IsMoving() || !state.Enabled)
+  {
+    Step(model, state, record, memory, nullptr);
+    return;
+  }
+  const CarriedProxy carried = CarryProxy(model, state);
+  record.WallWork = carried.Work;
+  Step(model, state, record, memory, carried.IsChanged ? &carried.There : nullptr);
 }
 
 } // namespace VolumeHaptics

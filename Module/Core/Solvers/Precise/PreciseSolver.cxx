@@ -7,6 +7,17 @@
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+void Follow(PreciseFollower& follower, TickRecord& record) noexcept
+{
+  follower.Follow(record.Tip);
+  follower.Write(record);
+  record.IsUnfinished = follower.IsUnfinished();
+}
+
+} // namespace
 
 void StepPrecise(
   const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
@@ -17,27 +28,27 @@ void StepPrecise(
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }
-  CarriedProxy carried;
-  if (model.Baked->IsMoving() && state.Enabled)
+  if (!model.Baked->IsMoving() || !state.Enabled)
   {
-    const Vector3 before = state.Proxy;
-    carried = CarryProxy(model, state);
+    PreciseFollower follower(model, state, memory);
+    Follow(follower, record);
+    return;
+  }
+  const Vector3 before = state.Proxy;
+  const CarriedProxy carried = CarryProxy(model, state);
+  record.WallWork = carried.Work;
+  if (carried.IsChanged)
+  {
     const Vector3& tip = state.Precise.ReachedTip;
-    if (carried.IsChanged)
-    {
-      const Vector3 lag = tip - before - carried.Shift;
-      state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
-    }
-    record.WallWork = carried.Work;
+    const Vector3 lag = tip - before - carried.Shift;
+    state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
   }
   PreciseFollower follower(model, state, memory);
   if (carried.IsChanged)
   {
     follower.TakeOver(carried);
   }
-  follower.Follow(record.Tip);
-  follower.Write(record);
-  record.IsUnfinished = follower.IsUnfinished();
+  Follow(follower, record);
 }
 
 } // namespace VolumeHaptics
