@@ -8,6 +8,8 @@
 #ifndef TraceRing_h
 #define TraceRing_h
 
+#include "Core/Servo/LargePages.h"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -77,7 +79,7 @@ private:
     return size;
   }
 
-  std::vector<T> Slot;
+  std::vector<T, LargePages<T>> Slot;
   const std::size_t Mask;
   alignas(64) std::atomic<std::uint64_t> Head{ 0 };
   std::uint64_t TailSeen = 0; // the producer's copy of Tail

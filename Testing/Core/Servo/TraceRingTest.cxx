@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <thread>
 
 using servotest::SealedReader;
@@ -22,6 +24,14 @@ TEST(TraceRing, RoundsItsCapacityUpToAPowerOfTwo)
   EXPECT_EQ(TraceRing<int>(2).GetCapacity(), 2U);
   EXPECT_EQ(TraceRing<int>(5).GetCapacity(), 8U);
   EXPECT_EQ(TraceRing<int>(64).GetCapacity(), 64U);
+}
+
+TEST(TraceRing, OfMegabytesBeginsWithALargePage)
+{
+  constexpr std::uintptr_t largePage = 2097152; // bytes
+  const TraceRing<std::array<char, 1024>> ring(4096);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(ring.GetMemory()) % largePage, 0U);
+  EXPECT_EQ(ring.GetMemorySize(), 4U << 20);
 }
 
 TEST(TraceRing, KeepsTheOrderAcrossManyWraps)

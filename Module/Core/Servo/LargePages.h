@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An allocator for arrays of megabytes that are written at once.
+ */
+#ifndef LargePages_h
+#define LargePages_h
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace VolumeHaptics
+{
+
+/**
+ * The system gives and clears each page of 4 KiB by itself when it is first touched, which costs
+ * more than all that is then written to it; a large page (2 MiB) is given once.
+ */
+template <typename T>
+struct LargePages
+{
+  using value_type = T;
+
+  LargePages() = default;
+  template <typename U>
+  LargePages(const LargePages<U>&) noexcept
+  {
+  }
+  T* allocate(std::size_t count)
+  {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T))
+    {
+      throw std::bad_array_new_length();
+    }
+    void* const memory = ::operator new(count * sizeof(T), GetAlignment(count));
+#if defined(__linux__)
+    if (count * sizeof(T) >= PageSize)
+    {
+      // Refused where large pages are off. What does not fill the last one stays in small pages.
+      (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
+    }
+#endif
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t count) noexcept
+  {
+    ::operator delete(memory, GetAlignment(count));
+  }
+  template <typename U>
+  bool operator==(const LargePages<U>&) const noexcept
+  {
+    return true;
+  }
+  template <typename U>
+  bool operator!=(const LargePages<U>&) const noexcept
+  {
+    return false;
+  }
+
+private:
+  static constexpr std::size_t PageSize = std::size_t(2) << 20;
+
+  static std::align_val_t GetAlignment(std::size_t count) noexcept
+  {
+    return std::align_val_t(
+      count * sizeof(T) < PageSize ? alignof(T) : std::max(alignof(T), PageSize));
+  }
+};
+
+} // namespace VolumeHaptics
+
+#endif
