@@ -176,6 +176,18 @@ def test_a_real_zarr_is_felt(tmp_path):
     expect_same(touch(image(make_bed(), spacing=(0.5, 2.0, 3.0)), tip), touch(open_large(tmp_path / "bed.zarr"), tip))
 
 
+@pytest.mark.parametrize("codec", [("Zstd", 3), ("Blosc", "zstd", 5, 2), ("BZ2", 5)])
+def test_a_zarr_may_have_any_codec_of_zarr(tmp_path, codec):
+    """Also those that C++ does not unpack."""
+    zarr = pytest.importorskip("zarr")
+    numcodecs = pytest.importorskip("numcodecs")
+    bed = make_bed()
+    stored = zarr.open(str(tmp_path / "bed.zarr"), mode="w", shape=bed.shape, chunks=(16, 32, 64), dtype=bed.dtype,
+                       compressor=getattr(numcodecs, codec[0])(*codec[1:]))
+    stored[:] = bed
+    expect_same(touch(image(bed), make_tip()), touch(open_large(tmp_path / "bed.zarr"), make_tip()))
+
+
 def test_without_zarr_the_error_names_the_cure(monkeypatch):
     monkeypatch.setitem(sys.modules, "zarr", None)
     with pytest.raises(ImportError, match="pip install zarr"):
