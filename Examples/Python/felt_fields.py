@@ -19,7 +19,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter, vtkTensorGlyph, vtkTubeFilter
-from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
@@ -28,7 +27,7 @@ from volumehaptics import (
     vtkHapticRidgeMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkHapticVectorFrontMode,
     vtkVolumeHapticsFilter)
 
-from force_scene import STRONGEST, make_actor, make_colours, make_renderer, show
+from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show, trace_stream
 
 
 def add_array(data, name, values):
@@ -85,7 +84,8 @@ def pipe():
     append.Update()
     steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
     middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), places[angle == 0.0][::9])
+    seeds = places[(angle == 0) & (out > 0)][::9]  # the cells at the middle have edges of no length
+    return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), seeds)
 
 
 def follow_flow(speed):
@@ -134,12 +134,7 @@ def stream_lines(flow, seeds):
     points.SetData(numpy_to_vtk(np.ascontiguousarray(seeds), deep=True))
     source = vtkPolyData()
     source.SetPoints(points)
-    lines = vtkStreamTracer()
-    lines.SetInputData(flow)
-    lines.SetInputArrayToProcess(0, 0, 0, 0, "U")
-    lines.SetSourceData(source)
-    lines.SetMaximumPropagation(150)
-    tubes = vtkTubeFilter()
+    lines, tubes = trace_stream(flow, "U", source, 150), vtkTubeFilter()
     tubes.SetInputConnection(lines.GetOutputPort())
     tubes.SetRadius(0.12)
     return tubes
@@ -163,12 +158,18 @@ def fibres():
     return image, mode, make_path([[-30, -20, 0], [30, 8, 0]]), ellipsoids(image, 5.0 / 1.7e-3)
 
 
-def ellipsoids(image, scale):
-    """Each sixth tensor of the layer in the middle, as an ellipsoid."""
+def make_layer(image, rate=1):
+    """The samples in the middle along z, or each so many of them."""
     layer = vtkExtractVOI()
     layer.SetInputData(image)
     layer.SetVOI(0, image.GetDimensions()[0] - 1, 0, image.GetDimensions()[1] - 1, *[image.GetDimensions()[2] // 2] * 2)
-    layer.SetSampleRate(6, 6, 1)
+    layer.SetSampleRate(rate, rate, 1)
+    return layer
+
+
+def ellipsoids(image, scale):
+    """Each sixth tensor of the layer in the middle, as an ellipsoid."""
+    layer = make_layer(image, 6)
     sphere = vtkSphereSource()
     glyphs = vtkTensorGlyph()
     glyphs.SetInputConnection(layer.GetOutputPort())
@@ -194,10 +195,12 @@ def charges():
     mode.SetArrayName("field")
     mode.TwoSidedOn()
     mode.ProposeFromImage(image)
-    contour = vtkContourFilter()
-    contour.SetInputData(image)
-    contour.SetValue(0, 5.0)
-    return image, mode, make_path([[-8, 0, 0], [-14, 12, 0], [-30, 2, 0], [-20, -14, 0]]), contour
+    layer, lines, tubes = make_layer(image), vtkContourFilter(), vtkTubeFilter()
+    lines.SetInputConnection(layer.GetOutputPort())
+    lines.GenerateValues(15, -7.0, 14.0)
+    tubes.SetInputConnection(lines.GetOutputPort())
+    tubes.SetRadius(0.15)
+    return image, mode, make_path([[-8, 0, 0], [-14, 12, 0], [-30, 2, 0], [-20, -14, 0]]), tubes
 
 
 def vessels():
@@ -256,15 +259,18 @@ def main():
           f"felt in {100 * (force > 0.01).mean():.0f} % of them, "
           f"held back by {np.linalg.norm(apart, axis=1).max():.1f} mm at most")
 
-    renderer = make_renderer(make_actor(as_line(path), 0.15), make_actor(trace, 0.5, make_colours()))
+    colours = make_colours()
+    renderer = make_renderer(make_actor(as_line(path), 0.15), make_actor(trace, 0.5, colours))
+    renderer.AddActor2D(make_bar(colours))
     if surface:
-        renderer.AddActor(make_actor(surface, opacity=0.3))
+        renderer.AddActor(make_actor(surface, opacity=0.4))
     if options.case:
         renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # where the path is
     else:
         renderer.ResetCamera(data.GetBounds())
     renderer.GetActiveCamera().Elevation(-35)
-    renderer.GetActiveCamera().Zoom(1.4)
+    renderer.GetActiveCamera().Zoom(1.3)
+    renderer.GetActiveCamera().SetWindowCenter(0.08, 0.0)  # beside the bar
     renderer.ResetCameraClippingRange()
     show(renderer, options.picture)
 

@@ -3,8 +3,10 @@
 """What the demonstrations of felt fields share: lines coloured by the force, in a window or a picture."""
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
     vtkWindowToImageFilter)
@@ -52,6 +54,36 @@ def make_actor(source, radius=0.0, colours=None, opacity=1.0):
     actor.GetProperty().SetColor(GREY)
     actor.GetProperty().SetOpacity(opacity)
     return actor
+
+
+def make_bar(colours):
+    """What force the colours stand for."""
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(colours)
+    bar.SetTitle("Force (N)")
+    bar.SetNumberOfLabels(5)
+    bar.SetLabelFormat("%.1f")
+    bar.UnconstrainedFontSizeOn()
+    bar.GetLabelTextProperty().SetFontSize(16)
+    bar.GetTitleTextProperty().SetFontSize(17)
+    bar.SetVerticalTitleSeparation(10)
+    bar.SetPosition(0.91, 0.2)
+    bar.SetHeight(0.6)
+    bar.SetWidth(0.08)
+    return bar
+
+
+def trace_stream(flow, array, seeds, longest):
+    """Lines along the vectors of an array, from the points of a filter or polydata."""
+    lines = vtkStreamTracer()
+    lines.SetInputData(flow)
+    lines.SetInputArrayToProcess(0, 0, 0, 0, array)
+    if hasattr(seeds, "GetOutputPort"):
+        lines.SetSourceConnection(seeds.GetOutputPort())
+    else:
+        lines.SetSourceData(seeds)
+    lines.SetMaximumPropagation(longest)
+    return lines
 
 
 def make_renderer(*actors):

@@ -9,12 +9,10 @@ import argparse
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkLineSource
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from volumehaptics import vtkHapticVortexMode, vtkVolumeHapticsFilter
 
-from force_scene import STRONGEST, make_actor, make_colours, make_renderer, show
+from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show, trace_stream
 
 CORE, APART = 8.0, 24.0  # mm
 
@@ -61,12 +59,8 @@ def stream_lines(flow):
     seeds.SetPoint1(-55, 0, 0)
     seeds.SetPoint2(55, 0, 0)
     seeds.SetResolution(36)
-    lines = vtkStreamTracer()
-    lines.SetInputData(flow)
-    lines.SetSourceConnection(seeds.GetOutputPort())
-    lines.SetMaximumPropagation(130)
+    lines = trace_stream(flow, "velocity", seeds, 130)
     lines.SetIntegrationDirectionToBoth()
-    lines.SetInterpolatorTypeToDataSetPointLocator()
     return lines
 
 
@@ -84,19 +78,8 @@ def main():
               f"proxy at y = {proxy[nearest, 1]:.2f} mm")
 
     colours = make_colours()
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(colours)
-    bar.SetTitle("Force (N)")
-    bar.SetNumberOfLabels(5)
-    bar.SetLabelFormat("%.1f")
-    bar.UnconstrainedFontSizeOn()
-    bar.GetLabelTextProperty().SetFontSize(16)
-    bar.GetTitleTextProperty().SetFontSize(17)
-    bar.SetPosition(0.9, 0.2)
-    bar.SetHeight(0.6)
-    bar.SetWidth(0.08)
     renderer = make_renderer(make_actor(stream_lines(flow), 0.12), make_actor(trace, 0.7, colours))
-    renderer.AddActor2D(bar)
+    renderer.AddActor2D(make_bar(colours))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(0, -60, 140)
     camera.SetFocalPoint(0, 0, 0)
