@@ -422,11 +422,7 @@ int vtkVolumeHapticsFilter::TouchPath(
 
   if (model->Baked->IsMoving())
   {
-    const std::string warning = this->MotionWarning->Describe(this, image, *model->Baked);
-    if (!warning.empty())
-    {
-      vtkWarningMacro(<< warning);
-    }
+    HapticBaker(this).WarnOfFastMotion(*model->Baked, true);
   }
   if (path && !FindLabelHash(path).empty())
   {

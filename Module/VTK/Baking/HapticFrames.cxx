@@ -211,19 +211,14 @@ bool ReadDisplacements(
   return false;
 }
 
-std::string DescribeFastMotion(const BakedVolume& volume, double noise)
+std::string DescribeFastMotion(
+  const BakedVolume& volume, const std::vector<std::size_t>& pairs, double noise)
 {
   const std::vector<FieldFrame>& frames = volume.Frames;
-  constexpr std::size_t mostPairs = 8;
-  const std::size_t step = frames.size() / (mostPairs + 1) + 1;
   EdgeMotion worst;
   std::size_t at = 0;
-  for (std::size_t i = 0; i + 1 < frames.size(); i += step)
+  for (const std::size_t i : pairs)
   {
-    if (frames[i].Motion)
-    {
-      continue;
-    }
     const EdgeMotion found = FindEdgeMotion(frames[i].Field.GetView(),
       frames[i + 1].Field.GetView(), volume.IndexToWorld.Linear, FindBlur(volume.Kernel), noise);
     if (found.IsFast() &&

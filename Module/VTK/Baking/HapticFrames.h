@@ -91,12 +91,13 @@ bool ReadDisplacements(
   const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error);
 
 /**
- * Warns of frames whose edges move by more than twice their width, in a text that names the cures;
- * empty if there are none, or displacements tell the motion. Looks at eight pairs of frames at
- * most, which takes some milliseconds each.
+ * Warns of frames whose edges move by more than twice their width until the next frame, in a text
+ * that names the cures; empty if there are none.
+ * @param pairs the frames to look at, by their numbers; each takes some milliseconds
  * @param noise of the samples, their standard deviation
  */
-std::string DescribeFastMotion(const BakedVolume& volume, double noise);
+std::string DescribeFastMotion(
+  const BakedVolume& volume, const std::vector<std::size_t>& pairs, double noise);
 
 } // namespace VolumeHaptics
 

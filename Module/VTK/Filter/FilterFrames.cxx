@@ -11,6 +11,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"
+#include "vtkHapticFrameSource.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 
@@ -20,6 +21,10 @@ namespace VolumeHaptics
 {
 namespace
 {
+/** Pairs of frames whose edges are compared: at once, and of a series. */
+constexpr std::size_t PairsAtOnce = 8;
+constexpr std::size_t MostPairs = 64;
+
 double FindLastDataTime(const RecordedPath& recording)
 {
   return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
@@ -125,21 +130,66 @@ bool CollectFramesOfPaths(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::size_t> FastMotionWarning::ChoosePairs(
+  const BakedVolume& volume, bool isLoop) const
+{
+  std::vector<std::size_t> fresh;
+  for (std::size_t i = 0; i + 1 < volume.Frames.size(); ++i)
+  {
+    const FieldFrame& frame = volume.Frames[i];
+    const bool isKnown =
+      std::find(this->LookedAt.begin(), this->LookedAt.end(), frame.Time) != this->LookedAt.end();
+    if (!isKnown && !frame.Motion && (isLoop || frame.Time < volume.Series.Last))
+    {
+      fresh.push_back(i);
+    }
+  }
+  std::vector<std::size_t> chosen;
+  const std::size_t room = MostPairs - std::min(MostPairs, this->LookedAt.size());
+  const std::size_t step = fresh.size() / (PairsAtOnce + 1) + 1;
+  for (std::size_t i = 0; i < fresh.size() && chosen.size() < room; i += step)
+  {
+    chosen.push_back(fresh[i]);
+  }
+  return chosen;
+}
+
+//------------------------------------------------------------------------------
 std::string FastMotionWarning::Describe(
-  vtkVolumeHapticsFilter* filter, vtkImageData* image, const BakedVolume& volume)
+  vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop)
 {
   vtkAlgorithm* const producer = filter->GetInputAlgorithm(0, 0);
-  const SeriesKey series = { producer, producer->GetMTime() };
-  if (!filter->GetDisplacementArrayName().empty() || this->LookedAt == series)
+  auto* const source = vtkHapticFrameSource::SafeDownCast(producer);
+  const bool isStream = source && source->GetStreamed();
+  const SeriesKey series = { producer, isStream ? 0 : producer->GetMTime() };
+  if (!filter->GetDisplacementArrayName().empty() || (this->HasWarned && this->Series == series))
   {
     return {};
   }
-  this->LookedAt = series;
-  vtkDataArray* const scalars = HapticBaker(filter).GetReading().GetArray(image);
-  const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
-  const int component = areComponents ? 0 : filter->GetProperty()->GetComponent();
-  return DescribeFastMotion(
-    volume, FindNoise(image, scalars, volume.Field.GetView(), component).Noise);
+  if (this->Series != series)
+  {
+    vtkImageData* const image = filter->GetTouchedImage();
+    vtkDataArray* const scalars =
+      image ? HapticBaker(filter).GetReading().GetArray(image) : nullptr;
+    if (!scalars)
+    {
+      return {};
+    }
+    const bool areComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+    const int component = areComponents ? 0 : filter->GetProperty()->GetComponent();
+    this->Noise = FindNoise(image, scalars, volume.Field.GetView(), component).Noise;
+    this->Series = series;
+    this->HasWarned = false;
+    this->LookedAt.clear();
+  }
+  const std::vector<std::size_t> pairs = this->ChoosePairs(volume, isLoop);
+  for (const std::size_t i : pairs)
+  {
+    this->LookedAt.push_back(volume.Frames[i].Time);
+  }
+  std::string warning = DescribeFastMotion(volume, pairs, this->Noise);
+  this->HasWarned = !warning.empty();
+  return warning;
 }
 
 } // namespace VolumeHaptics

@@ -40,18 +40,27 @@ bool CollectComponents(
 bool CollectFramesOfPaths(
   vtkVolumeHapticsFilter* filter, const TipPaths& paths, HapticFrames& frames, std::string& error);
 
-/** Looks at each series of frames once. */
+/** Looks at the frames of a series as they come, until a blend of two of them is no motion. */
 class FastMotionWarning
 {
 public:
-  /** DescribeFastMotion() at the first call for a series, and empty afterwards. */
-  std::string Describe(
-    vtkVolumeHapticsFilter* filter, vtkImageData* image, const BakedVolume& volume);
+  /**
+   * DescribeFastMotion() of frames that it has not looked at yet, eight at most; always empty after
+   * one warning of a series, and where displacements tell the motion.
+   * @param isLoop whether the first frame follows the last one
+   */
+  std::string Describe(vtkVolumeHapticsFilter* filter, const BakedVolume& volume, bool isLoop);
 
 private:
-  /** A source and its time of change. */
+  /** A source, and the time of its change unless it is a stream. */
   using SeriesKey = std::pair<const void*, vtkMTimeType>;
-  SeriesKey LookedAt{ nullptr, 0 };
+
+  std::vector<std::size_t> ChoosePairs(const BakedVolume& volume, bool isLoop) const;
+
+  SeriesKey Series{ nullptr, 0 };
+  double Noise = 0.0;
+  bool HasWarned = false;
+  std::vector<double> LookedAt; ///< the times of frames
 };
 
 } // namespace VolumeHaptics

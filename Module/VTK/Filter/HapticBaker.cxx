@@ -8,6 +8,7 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/WholeFacts.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
 #include "VTK/Filter/ResampledInput.h"
 #include "VTK/Trace/RecordedLabels.h"
@@ -50,6 +51,16 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeOrTell(double rate, const Fo
     vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
     vtkErrorWithObjectMacro(this->Filter, << DescribeLackOfMemory(image));
     return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const
+{
+  const std::string warning = this->Filter->MotionWarning->Describe(this->Filter, volume, isLoop);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning);
   }
 }
 

@@ -127,6 +127,12 @@ public:
    */
   double EstimateTime() const { return this->Filter->Preparation->EstimateTime(); }
 
+  /**
+   * Warns, once for a series of frames, if their edges are too fast for a blend of them.
+   * @param isLoop whether the first frame follows the last one
+   */
+  void WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const;
+
   /** The arrays of HashScalars() and HashLabels(); null for one that is not there. */
   std::array<TouchedArray, 2> GetTouched() const;
 

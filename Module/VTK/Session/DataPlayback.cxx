@@ -230,6 +230,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
                       : nullptr;
   if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
+    this->WarnOfFastMotion(filter);
     return std::make_shared<const HapticModel>(this->Window, placement, caps);
   }
   auto model =
@@ -237,7 +238,16 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   this->Window = model ? model->Baked : nullptr;
   // Afterwards: the first bake makes what the property lacks.
   this->MadeBeside = FindChangeTimeBesideImage(filter);
+  if (this->Window)
+  {
+    this->WarnOfFastMotion(filter);
+  }
   return model;
+}
+
+void DataPlayback::WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const
+{
+  HapticBaker(filter).WarnOfFastMotion(*this->Window, this->Orders.Mode == Playback::Loop);
 }
 
 bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent)
@@ -413,7 +423,9 @@ std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
     this->Mesher.Follow(
       frames, components, this->Window->Settings.IsoValue, this->Window->IndexToWorld))
   {
-    return this->Show(first, std::move(frames));
+    auto model = this->Show(first, std::move(frames));
+    this->WarnOfFastMotion(filter);
+    return model;
   }
   this->Meshless = std::move(frames);
   this->MeshlessFirst = first;

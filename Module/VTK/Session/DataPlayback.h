@@ -117,6 +117,7 @@ private:
   bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
   std::shared_ptr<const HapticModel> ShowMeshed(
     vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
+  void WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const;
   bool IsAtPlace() const;
   bool IsOnItsWay() const;
   void Send();

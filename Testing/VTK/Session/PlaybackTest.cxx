@@ -404,6 +404,49 @@ TEST_F(PlaybackOfSteps, StepsThatAreAlikeAreAVolumeThatStandsStill)
   EXPECT_GT(latest, 13.0);
 }
 
+/// From step to step, the wall comes by 1 mm, which a blend shows, but once by 6 mm.
+TEST_F(PlaybackOfSteps, AStepThatIsTooFastForABlendIsToldOnceAsItComes)
+{
+  this->Source->Steps = { 10.0, 11.0, 12.0, 13.0, 14.0, 15.0 };
+  this->Source->Make = [](double time)
+  { return MakeWallStep(time < 13.5 ? time - 3.0 : time + 2.0); };
+  this->Filter->SetTimeUnitsPerSecond(5.0);
+  this->Device->SetPlaybackToPingPong();
+  this->Rest();
+  this->Device->SetDataTime(10.5);
+  ASSERT_TRUE(this->Wait([&] { return this->Source->Asked.back() == 12.0; }));
+  EXPECT_TRUE(this->FilterLog.Warnings.empty()); // of the first three steps
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 14.5; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() < 11.0; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 14.5; }));
+  ASSERT_EQ(this->FilterLog.Warnings.size(), 1U);
+  const std::string& warning = this->FilterLog.Warnings.front();
+  for (const char* part : { "input port 0", "by about 6 world", "from time 13 to time 14",
+         "vtkImageGaussianSmooth", "SetDisplacementArrayName" })
+  {
+    EXPECT_NE(warning.find(part), std::string::npos) << part << " in " << warning;
+  }
+}
+
+/// The last step goes on to the first one in a loop only: there the wall leaps back by 6 mm.
+TEST_F(PlaybackOfSteps, TheWayBackToTheFirstStepIsTooFastInALoopAlone)
+{
+  this->Source->Steps = { 10.0, 12.0, 14.0 };
+  this->Source->Make = [](double time) { return MakeWallStep(6.0 + 1.5 * (time - 10.0)); };
+  this->Device->SetPlaybackToPingPong();
+  this->Rest();
+  this->Device->Play();
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_TRUE(this->FilterLog.Warnings.empty()) << this->FilterLog.Warnings.front();
+  this->Device->SetPlaybackToLoop();
+  this->Source->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_EQ(this->FilterLog.Warnings.size(), 1U);
+  EXPECT_NE(this->FilterLog.Warnings[0].find("from time 14 to time 10"), std::string::npos)
+    << this->FilterLog.Warnings[0];
+}
+
 /// A wall that leaps by 3.5 mm a step, over twice its width: only displacements make it a wall.
 TEST_F(PlaybackOfSteps, StepsAreBlendedAlongTheirDisplacements)
 {

@@ -89,6 +89,23 @@ protected:
 };
 } // namespace
 
+/// Steps of 6 mm, which a blend can't show.
+TEST_F(StreamedFrames, ThatAreTooFastForABlendAreToldOnce)
+{
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualTip(StreamedTip, 19.0, 19.0);
+  this->Device->Play();
+  this->Give(0.0, 1.0);
+  ASSERT_TRUE(this->Device->Start());
+  EXPECT_TRUE(this->FilterLog.Warnings.empty());
+  for (const double time : { 1.0, 7.0, 13.0 })
+  {
+    this->Give(time, time + 6.0);
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_EQ(this->FilterLog.Warnings.size(), 1U) << "at " << time;
+  }
+}
+
 TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
 {
   this->Give(0.0, 1.0);
