@@ -159,6 +159,10 @@ int Run(const Explore::Options& options)
     throw Explore::InputError(options.VolumePath,
       "is read where the hand is, and recordings are of volumes in memory", "leave --live out");
   }
+  if (!options.Displacements.empty())
+  {
+    Explore::UseDisplacements(volume, options.Displacements);
+  }
   if (!options.Labels.empty())
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);

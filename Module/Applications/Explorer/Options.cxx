@@ -196,6 +196,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   {
     options.Array = value;
   }
+  else if (name == "--displacements")
+  {
+    options.Displacements = value;
+  }
   else if (name == "--materials")
   {
     options.Materials.push_back(value);
@@ -406,6 +410,10 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     or a file .json that the key F8 of the window saved
   --array NAME      of several point arrays, the one that is shown and felt: its values, or the magnitude of
                     its vectors (default: the active scalars, or else the first array)
+  --displacements NAME
+                    of a volume that moves: the point array of vectors that tells where the material of a frame
+                    is in the next one. Surfaces then go from frame to frame however far that is, and take
+                    along a hand that sticks to them
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
                     summary lists them)
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels

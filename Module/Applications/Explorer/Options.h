@@ -22,6 +22,7 @@ struct Options
   int Series = 0;                     // of a DICOM folder; 0: the largest
   std::string Array;                  // that is shown and felt
   std::vector<std::string> MorePaths; // further frames of a volume that moves
+  std::string Displacements;          // array that tells where its material goes
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";

@@ -10,6 +10,7 @@
 
 #include "Applications/Explorer/Live/TouchScene.h"
 
+#include "vtkFloatArray.h"
 #include "vtkImageAppendComponents.h"
 #include "vtkNIFTIImageWriter.h"
 #include "vtkNew.h"
@@ -32,6 +33,30 @@ vtkSmartPointer<vtkImageData> MakeFrame(vtkImageData* head, int number)
   {
     values->SetComponent(i, 0, values->GetComponent(i, 0) + number);
   }
+  return frame;
+}
+
+/// The head, which goes up by so many slices from frame to frame; and that, as displacements.
+vtkSmartPointer<vtkImageData> MakeLiftedFrame(vtkImageData* head, int number, int slices)
+{
+  auto frame = vtkSmartPointer<vtkImageData>::New();
+  frame->DeepCopy(head);
+  const int* const n = head->GetDimensions();
+  vtkDataArray* const values = frame->GetPointData()->GetScalars();
+  vtkDataArray* const own = head->GetPointData()->GetScalars();
+  const vtkIdType slice = static_cast<vtkIdType>(n[0]) * n[1];
+  const vtkIdType shift = slice * slices * number;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, own->GetComponent(i < shift ? i % slice : i - shift, 0));
+  }
+  vtkNew<vtkFloatArray> motion;
+  motion->SetName("motion");
+  motion->SetNumberOfComponents(3);
+  motion->SetNumberOfTuples(values->GetNumberOfTuples());
+  motion->Fill(0.0);
+  motion->FillComponent(2, (number + 1 < COUNT ? slices : -2 * slices) * head->GetSpacing()[2]);
+  frame->GetPointData()->AddArray(motion);
   return frame;
 }
 
@@ -66,12 +91,17 @@ void ExpectSeries(const std::string& what, const std::vector<std::string>& paths
   Expect(isThere && volume.Frames->GetFrame(0) == volume.Image, what + " has another image");
 }
 
-void ExpectError(const std::vector<std::string>& paths, const std::string& fault)
+void ExpectError(const std::vector<std::string>& paths, const std::string& fault,
+  const std::string& displacements = "")
 {
   std::string message = "nothing";
   try
   {
-    Explore::LoadVolumes(paths);
+    Explore::Volume volume = Explore::LoadVolumes(paths);
+    if (!displacements.empty())
+    {
+      Explore::UseDisplacements(volume, displacements);
+    }
   }
   catch (const Explore::InputError& error)
   {
@@ -81,11 +111,28 @@ void ExpectError(const std::vector<std::string>& paths, const std::string& fault
     "should say '" + fault + "', but said: " + message);
 }
 
-/// Frame after frame is felt and seen.
-void ExpectPlaying(const std::vector<std::string>& paths)
+/// How many messages of a kind a filter gave, instead of on the terminal.
+struct MessageCount
 {
-  const Explore::Exploration exploration =
-    Explore::ExploreVolume(Explore::LoadVolumes(paths), Explore::Settings());
+  MessageCount(vtkVolumeHapticsFilter* filter, unsigned long kind)
+  {
+    filter->AddObserver(kind, this, &MessageCount::Add);
+  }
+  void Add(vtkObject*, unsigned long, void*) { ++this->Count; }
+  int Count = 0;
+};
+
+/// Frame after frame is felt and seen, with an array of displacements or none.
+void ExpectPlaying(const std::vector<std::string>& paths, const std::string& displacements = "")
+{
+  Explore::Volume volume = Explore::LoadVolumes(paths);
+  if (!displacements.empty())
+  {
+    Explore::UseDisplacements(volume, displacements);
+  }
+  const Explore::Exploration exploration = Explore::ExploreVolume(volume, Explore::Settings());
+  MessageCount warnings(exploration.Filter, vtkCommand::WarningEvent);
+  MessageCount errors(exploration.Filter, vtkCommand::ErrorEvent);
   Explore::TouchScene touch;
   Explore::SceneOptions options;
   options.Width = 200;
@@ -94,6 +141,8 @@ void ExpectPlaying(const std::vector<std::string>& paths)
   options.Mapper = Explore::MapperChoice::CPU;
   Explore::BuildTouchScene(touch, exploration, options, {});
   Expect(touch.Device->IsPlaying(), "the window does not play");
+  Expect(exploration.Filter->GetDisplacementArrayName() == displacements,
+    "the window does not use the displacements '" + displacements + "'");
   double latest = 0.0;
   const bool plays = devicetest::Eventually(
     [&]
@@ -103,6 +152,11 @@ void ExpectPlaying(const std::vector<std::string>& paths)
       return touch.Device->HasFrames() && latest > 0.15;
     });
   Expect(plays, "the window does not get to the last frame");
+  const bool warns = displacements.empty();
+  Expect(errors.Count == 0, "the frames can't be felt");
+  Expect((warnings.Count > 0) == warns,
+    warns ? "frames that are too fast for a blend are not told"
+          : "displacements are not what tells the motion");
   touch.Device->Close();
 }
 } // namespace
@@ -153,6 +207,17 @@ int TestExploreSeries(int argc, char* argv[])
   moved->SetOrigin(1.0, 2.0, 3.0);
   ExpectError({ files[0], WriteImage("moved.vti", moved) }, "another geometry");
   ExpectError({ files[0], folder + "/none.vti" }, "no such file");
-  ExpectPlaying(files);
+
+  std::vector<std::string> lifted;
+  for (int i = 0; i < COUNT; ++i)
+  {
+    lifted.push_back(
+      WriteImage("lifted" + std::to_string(i) + ".vti", MakeLiftedFrame(head, i, 8)));
+  }
+  ExpectError(lifted, "is no point array of vectors in the frame at 0 s", "speed");
+  ExpectError({ lifted[0], files[1] }, "in the frame at 0.1 s", "motion");
+  ExpectError({ lifted[0] }, "is for a volume that moves", "motion");
+  ExpectPlaying(lifted);
+  ExpectPlaying(lifted, "motion");
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -163,6 +163,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   if (vtkHapticFrameSource* const frames = exploration.Input.Frames)
   {
     frames->Update();
+    filter->SetDisplacementArrayName(exploration.Input.Displacements.c_str());
     filter->SetInputConnection(0, frames->GetOutputPort());
     touch.Device->SetPlaybackToLoop();
     touch.Device->Play();

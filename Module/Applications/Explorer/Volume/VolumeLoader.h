@@ -33,6 +33,7 @@ struct Volume
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
   // If it moves: all frames, at times in seconds, the first of which is the image.
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
+  std::string Displacements = {}; // their array that tells where the material goes; empty if none
   // If it is read where the hand is: what reads it. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;

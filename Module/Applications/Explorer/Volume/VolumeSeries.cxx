@@ -323,4 +323,28 @@ Volume LoadVolumes(
   const double spacing = isThere ? FindNiftiSpacing(path, 1.0 / FRAMES_PER_SECOND) : 0.0;
   return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path, dicomSeries, array);
 }
+
+void UseDisplacements(Volume& volume, const std::string& array)
+{
+  const std::string option = "--displacements " + array;
+  if (!volume.Frames)
+  {
+    throw InputError(
+      option, "is for a volume that moves, and this one does not", "name all of its frames");
+  }
+  for (int i = 0; i < volume.Frames->GetNumberOfFrames(); ++i)
+  {
+    vtkDataArray* const found = volume.Frames->GetFrame(i)->GetPointData()->GetArray(array.c_str());
+    if (!found || found->GetNumberOfComponents() != 3)
+    {
+      std::ostringstream fault;
+      fault << "is no point array of vectors in the frame at " << volume.Frames->GetFrameTime(i)
+            << " s";
+      throw InputError(option, fault.str(),
+        "name the array with the displacements to the next frame, which all frames have; the last "
+        "one has those to the first");
+    }
+  }
+  volume.Displacements = array;
+}
 } // namespace Explore

@@ -17,6 +17,10 @@ namespace Explore
 /// DICOM series, a folder holds no frames. The array is that of LoadVolume. Throws InputError.
 Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
   const std::string& array = "");
+
+/// Has an array of vectors tell where the material of each frame is in the next one. Throws
+/// InputError, if a frame has none.
+void UseDisplacements(Volume& volume, const std::string& array);
 } // namespace Explore
 
 #endif
