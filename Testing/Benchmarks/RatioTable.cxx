@@ -157,11 +157,13 @@ void PrintRatios(const Medians& medians)
     PrintRatio(medians, NameOf("precise_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), PreciseTarget);
   }
-  PrintTitle("PRECISE between two frames beside one that stands still");
+  PrintTitle("Between two frames, beside a volume that stands still");
   for (const Estimator& estimator : GetEstimators())
   {
     PrintRatio(medians, NameOf("blended_tick", estimator.Name, "slide", "256^3"),
       NameOf("precise_tick", estimator.Name, "slide", "256^3"), BlendTarget);
+    PrintRatio(medians, NameOf("blended_paper_tick", estimator.Name, "slide", "256^3"),
+      NameOf("tick", estimator.Name, "slide", "256^3"), BlendTarget);
   }
   PrintTitle("Tick of the filter, with its trace, ns; and beside its ticks alone");
   for (const char* const solver : { "PAPER", "PRECISE" })

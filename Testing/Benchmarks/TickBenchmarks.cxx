@@ -134,6 +134,9 @@ void RegisterTickBenchmarks(const BallVolume& volume)
       benchmark::RegisterBenchmark(
         NameOf("blended_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureBlended,
         Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
+      benchmark::RegisterBenchmark(
+        NameOf("blended_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureBlended,
+        scene);
     }
     benchmark::RegisterBenchmark(
       NameOf("placed_as_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,

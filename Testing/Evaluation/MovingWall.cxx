@@ -17,6 +17,8 @@
  * too (BlurredBall); V1 and V2 also with the forms above.
  *
  *   V5  to the bit what stands still, where all frames are alike
+ *   V6  what a hand feels that moves the other way, where all of the volume moves alike and its
+ *       displacements tell
  *   V7  in a period, a wall that holds gives no work, and one that slips by 1 mm at 1 N gives 1 mJ
  *
  * A wall that leaps by six of its widths from frame to frame is right where its displacements are;
@@ -26,6 +28,7 @@
 #include "Shapes.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 using namespace VolumeHaptics;
@@ -337,6 +340,93 @@ double FindStillDifference(const Candidate& candidate)
   }
   return worst;
 }
+
+/**
+ * V6: the largest difference of forces (N) between a hand in a volume that moves as a whole, with
+ * displacements, and a hand that moves the other way in one that rests. From frame to frame the
+ * motion is of whole voxels, so that sampling adds nothing.
+ */
+double FindRigidDifference(const Candidate& candidate)
+{
+  constexpr int frames = 3;
+  const Vector3 spacing{ 1.0, 1.1, 0.9 };
+  const Vector3 velocity{ 2.0 * spacing.X, spacing.Y, -spacing.Z }; // mm/s
+  const Touching touching = TouchingOf(candidate, MakeMaterial(WallStiffness, 0.3, 0.0, 5.0));
+  const Sampling sampling{ 18.0, spacing, ScalarType::Float64, 0.0, 1, false };
+  HapticModelDescription d;
+  for (int i = 0; i < frames; ++i)
+  {
+    const auto bumpyWall = [&](const Vector3& place)
+    {
+      const Vector3 x = place - static_cast<double>(i) * velocity;
+      const double bumps = 0.4 * std::sin(0.3 * x.Y) * std::cos(0.2 * x.Z);
+      return BlurredStep(bumps - Dot(x, OddNormal), WallBlur, WallHeight);
+    };
+    const HapticModelDescription described = Volume(bumpyWall, sampling).Describe(touching);
+    const std::int64_t* const n = described.View.Dimensions;
+    d = i == 0 ? described : d;
+    d.Frames.push_back({ static_cast<double>(i), described.View, described.Samples });
+    const auto all = std::make_shared<std::vector<Vector3>>(
+      static_cast<std::size_t>(n[0] * n[1] * n[2]), velocity);
+    d.Frames.back().Displacements = { all->data(), ScalarType::Float64 };
+    d.Frames.back().DisplacementSamples = all;
+  }
+  const HapticModel moving(d);
+  d.Frames.clear();
+  const HapticModel still(d);
+  ServoState states[2];
+  TickRecord record;
+  double worst = 0.0;
+  for (double time = 0.0; time < frames - 1; time += WallTick)
+  {
+    const Vector3 at = 3.0 * std::cos(5.0 * time) * OddNormal + 3.0 * time * OddAside +
+      2.0 * std::sin(3.0 * time) * OddUp;
+    Tick(still, states[0], 1e-3 * at, record);
+    const Vector3 force = record.Force;
+    states[1].DataTime = time;
+    Tick(moving, states[1], 1e-3 * (at + time * velocity), record);
+    worst = std::max(worst, Norm(record.Force - force));
+  }
+  return worst;
+}
+
+/**
+ * The energy (mJ) that a hand gets beyond its own work and the wall's: it wanders in and out of a
+ * ball that pulsates, holds less than it is pressed, and rubs.
+ */
+double FindEnergyGiven(const Candidate& candidate)
+{
+  MovingCase c = MakeMovingCases().front();
+  c.Strength = 1.5;
+  HapticModelDescription d = DescribeMoving(candidate, c);
+  d.Material.Friction = MakeMaterial(WallStiffness, 0.2).Friction;
+  const HapticModel model(d);
+  ServoState state;
+  TickRecord record;
+  Vector3 tip = OddCentre;
+  Tick(model, state, 1e-3 * tip, record);
+  double given = 0.0; // J
+  double walls = 0.0;
+  double exchanged = 0.0;
+  double most = 0.0;
+  for (int tick = 1; tick < 20000; ++tick)
+  {
+    const double time = WallTick * tick;
+    const Vector3 before = tip;
+    const Vector3 force = record.Force;
+    tip =
+      OddCentre + 3.0 * std::sin(7.1 * time) * OddNormal + 2.0 * std::sin(5.3 * time) * OddAside;
+    // To and fro in the period's frames, without a leap.
+    state.DataTime = 0.5 * (1.0 - std::cos(TwoPi * 0.4 * time));
+    Tick(model, state, 1e-3 * tip, record);
+    given += 0.5e-3 * Dot(force + record.Force, tip - before);
+    walls += record.WallWork;
+    exchanged += std::abs(record.WallWork);
+    most = std::max(most, given - walls);
+  }
+  // Without a wall that works, nothing was measured.
+  return exchanged > 0.01 ? 1e3 * most : std::numeric_limits<double>::infinity();
+}
 } // namespace
 
 Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
@@ -380,10 +470,14 @@ Figures MeasureMovingWall(const Candidate& candidate, const Effort&)
   figures.push_back(
     { "moving wall: V5, 1000 frames that are alike, force off one that stands still", "N",
       FindStillDifference(candidate), 0.0 });
+  figures.push_back({ "moving wall: V6, rigid motion, force off that of the hand's opposite motion",
+    "N", FindRigidDifference(candidate), 1e-6 });
   figures.push_back({ "moving wall: V7, work of a wall that holds", "mJ",
     FindWorkError(candidate, 2.0, 0.0), 0.02 });
   figures.push_back({ "moving wall: V7, work of a wall that slips by 1 mm at 1 N", "mJ off 1",
     FindWorkError(candidate, 1.0, 1.0), 0.02 });
+  figures.push_back({ "moving wall: energy beyond the work of hand and wall", "mJ",
+    FindEnergyGiven(candidate), 0.1 });
   figures.push_back(
     { "moving walls: largest step of the force in a tick", "times k |v| dt", steepest, 1.1 });
   return figures;
