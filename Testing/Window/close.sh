@@ -3,16 +3,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Opens a program's window on a screen of its own, with a window manager, touches what is in it with real mouse and
-# key events, and closes it: with the key q and by the window manager, which sends WM_DELETE_WINDOW, in the touch mode
-# (armed, the tip moving) and without. The program has to end each time, with status 0.
+# key events, and closes it: with the key q, by the window manager, which sends WM_DELETE_WINDOW, and with SIGTERM, in
+# the touch mode (armed, the tip moving), after Escape has let go, and without a touch. The program has to end each time,
+# with status 0, or by the signal.
 #
 # usage: close.sh [--rounds N] [--expect FILE] [--size PIXELS] [--picture FILE] TITLE PROGRAM [ARGUMENT]...
 #
-#   --rounds N      how often each of the four (default 1)
-#   --expect FILE   what the program writes when it ends; it has to be there anew each time
+#   --rounds N      how often each of the seven (default 1)
+#   --expect FILE   what the program writes when its window is closed; it has to be there anew each time
 #   --size PIXELS   of the window's sides, for machines that draw in software
 #   --picture FILE  a picture of the window while something is touched; takes imagemagick
 #   TITLE           of the window, or its beginning
+#
+# In the last line it tells how many windows it has closed; it ends at the first crash.
 #
 # Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
@@ -48,24 +51,6 @@ fail()
   exit 1
 }
 
-is_there()
-{
-  window=$(xdotool search --onlyvisible --name "^$title" | head -n 1)
-  [[ -n "$window" ]]
-}
-
-# Interactors ask for WM_DELETE_WINDOW when they begin to listen.
-listens()
-{
-  xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
-}
-
-has_focus()
-{
-  wmctrl -i -a "$window"
-  [[ "$(xdotool getwindowfocus)" == "$window" ]]
-}
-
 # Something is seen, and it has not changed for a second.
 is_drawn()
 {
@@ -96,9 +81,7 @@ run_once()
   [[ -z "$expected" ]] || rm -f "$expected"
   "$@" > "$folder/program.log" 2>&1 &
   child=$!
-  wait_for "a window named $title" is_there
-  wait_for "an interactor that listens" listens
-  wait_for "the keyboard's focus" has_focus
+  wait_for_window "$title"
   local HEIGHT WIDTH
   if [[ -n "$size" ]]
   then
@@ -107,15 +90,21 @@ run_once()
   eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=')"
   xdotool mousemove --window "$window" $((WIDTH / 2)) $((HEIGHT / 2))
   [[ $touched == no ]] || touch_volume
-  if [[ $way == q ]]
+  [[ $touched != before ]] || xdotool key Escape
+  case $way in
+    q) xdotool key q ;;
+    manager) wmctrl -i -c "$window" ;;
+    signal) kill -TERM "$child" ;;
+  esac
+  if [[ $way == signal ]]
   then
-    xdotool key q
+    expect_end_with $((128 + 15))
   else
-    wmctrl -i -c "$window"
+    expect_end
+    [[ -z "$expected" || -s "$expected" ]] || fail "the program did not write $expected"
   fi
-  expect_end
-  [[ -z "$expected" || -s "$expected" ]] || fail "the program did not write $expected"
-  echo "round $round, closed by $way, touched: $touched: ended with status 0"
+  closes=$((closes + 1))
+  echo "round $round, closed by $way, touched: $touched: ended as it should"
 }
 
 # A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
@@ -123,13 +112,16 @@ run_once()
 round=0 way=none touched=no
 openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
 wait_for "a window manager" test -e "$folder/managed"
+closes=0
 for ((round = 1; round <= rounds; ++round))
 do
-  for way in q manager
+  for way in q manager signal
   do
-    for touched in no yes
+    for touched in no yes before
     do
-      run_once "$@"
+      # Whether a hand has let go makes no difference to a signal.
+      [[ $way == signal && $touched != yes ]] || run_once "$@"
     done
   done
 done
+echo "$closes windows closed, 0 crashes"

@@ -78,12 +78,42 @@ wait_for()
   fail "$what did not come about within a minute"
 }
 
-# The program, which is about to end, has to do so with status 0.
+# Under a window manager: waits until the window whose title begins like this listens and has the keyboard's focus, and
+# sets $window.
+wait_for_window()
+{
+  title=$1
+  wait_for "a window named $title" is_there
+  wait_for "an interactor that listens" listens
+  wait_for "the keyboard's focus" has_focus
+}
+is_there()
+{
+  window=$(xdotool search --onlyvisible --name "^$title" | head -n 1)
+  [[ -n "$window" ]]
+}
+# Interactors ask for WM_DELETE_WINDOW when they begin to listen.
+listens()
+{
+  xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
+}
+
+has_focus()
+{
+  wmctrl -i -a "$window"
+  [[ "$(xdotool getwindowfocus)" == "$window" ]]
+}
+
+# The program, which is about to end, has to do so with status 0, or with another one.
 expect_end()
 {
-  local status=0
+  expect_end_with 0
+}
+expect_end_with()
+{
+  local status=0 wanted=$1
   wait_for "the program's end" has_ended
   wait "$child" || status=$?
   child=""
-  [[ $status -eq 0 ]] || fail "the program ended with status $status"
+  [[ $status -eq $wanted ]] || fail "the program ended with status $status"
 }

@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# A newcomer who knows nothing but what the explorer's window says: starts it, reads the screen (by OCR), does what it
+# says until a force is felt, strokes, lets go, looks at the list of keys, and closes the window by what that says. No
+# key is known to this script: all come from the screen.
+#
+# usage: newcomer.sh PROGRAM VOLUME [--pictures FOLDER]
+#
+#   --pictures FOLDER  keeps what was read
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils imagemagick tesseract-ocr" xvfb-run openbox xdotool \
+  wmctrl xprop import tesseract
+take_own_screen "$@"
+program=$(realpath "$1")
+volume=$(realpath "$2")
+pictures=""
+[[ "${3:-}" != --pictures ]] || pictures=$(realpath "$4")
+take_own_home
+
+fail()
+{
+  echo "FAILED: $*. The screen says:" >&2
+  cat "$folder/read.txt" "$folder"/*.log >&2 || true
+  exit 1
+}
+
+# What is written in the window, with spaces instead of ends of lines: here and there (11), or in rows (6).
+read_screen()
+{
+  import -window "$window" "$folder/screen.png"
+  convert "$folder/screen.png" -colorspace Gray -resize 300% -negate "$folder/letters.png"
+  tesseract "$folder/letters.png" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
+}
+
+# Whether the screen says something like this; the first part in brackets becomes $said.
+says()
+{
+  read_screen "${2:-11}"
+  [[ "$(cat "$folder/read.txt")" =~ $1 ]] && said=${BASH_REMATCH[1]:-}
+}
+says_not()
+{
+  ! says "$1"
+}
+
+step=0
+expect()
+{
+  wait_for "$1" "${@:2}"
+  step=$((step + 1))
+  echo "$step. $1${said:+: $said}"
+  [[ -z "$pictures" ]] || cp "$folder/screen.png" "$pictures/newcomer-$step.png"
+}
+
+# A key as it is written on the screen.
+press()
+{
+  case $1 in
+    \?) xdotool key question ;;
+    *) xdotool key "$1" ;;
+  esac
+}
+
+said=""
+openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
+wait_for "a window manager" test -e "$folder/managed"
+"$program" "$volume" --size 700 > "$folder/program.log" 2>&1 &
+child=$!
+wait_for_window "VTK Volume Haptics"
+eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=')"
+
+expect "says how to begin" says 'pointer on the volume and press ([a-z])'
+press_to_touch=$said
+xdotool mousemove --window "$window" $((WIDTH / 2)) $((HEIGHT / 2))
+press "$press_to_touch"
+expect "says how to go on" says 'mouse to stroke, turn the (wheel) to press'
+expect "says how to let go" says '(Escape) lets go'
+let_go=$said
+
+# One does not know which way the wheel presses, and tries.
+feels()
+{
+  xdotool click 4
+  sleep 0.3
+  says '(0[.][1-9][0-9]*|[1-9][.][0-9]+) N of at most'
+}
+expect "says which force is felt" feels
+says '(Resting on|Sliding over|Pushed through) [a-z]+' || fail "it does not say what is touched"
+
+slides()
+{
+  local i
+  for ((i = 0; i < 12; ++i))
+  do
+    xdotool mousemove_relative -- $((back * 3)) 0
+    sleep 0.03
+  done
+  back=$((-back))
+  says '(Sliding over [a-z]+), [0-9.]+ N of at most'
+}
+back=1
+expect "says that a stroke slides" slides
+
+press "$let_go"
+expect "says how to begin again" says "press ($press_to_touch)"
+says_not ' N of at most' || fail "a force is still told after $let_go"
+said=""
+expect "says where the keys are" says '([?]) shows all keys'
+press "$said"
+expect "lists the keys" says '(touch what is under the pointer)'
+expect "says how to close" says ' ([a-z]) close ' 6
+press "$said"
+expect_end
+echo "closed"

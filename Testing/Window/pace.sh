@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Opens a program's window on a screen of its own, with a window manager, and prints how quickly it follows the hand:
+# frames per second in a stroke, and the latency of input while a fine frame is due. See pace.py.
+#
+# usage: pace.sh [OPTION OF pace.py]... TITLE PROGRAM [ARGUMENT]...
+#
+# It takes a machine that does nothing else; no test asserts its figures.
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils python3" xvfb-run openbox xdotool wmctrl xprop python3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+take_own_screen "$@"
+options=()
+while [[ "$1" == --* ]]
+do
+  case "$1" in
+    --at) options+=("$1" "$2" "$3") && shift 3 ;;
+    *) options+=("$1" "$2") && shift 2 ;;
+  esac
+done
+title=$1
+shift
+take_own_home
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2
+  exit 1
+}
+
+openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
+wait_for "a window manager" test -e "$folder/managed"
+"$@" > "$folder/program.log" 2>&1 &
+child=$!
+wait_for_window "$title"
+sleep 1
+python3 "$here/pace.py" "${options[@]}" "$title" || fail "nothing was measured"
