@@ -11,6 +11,7 @@
 #include "VTK/Session/VirtualTip.h"
 
 #include "vtkCommand.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -259,6 +260,18 @@ vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
 vtkHapticDeviceStateMacro(double, Residency, GetState().Residency);
 vtkHapticDeviceStateMacro(vtkIdType, Tick, GetState().Tick);
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetSlack()
+{
+  const DeviceSession& session = this->Internals->Session;
+  const bool isHeld = session.GetState().Record.Contact != ContactState::Free;
+  // Of the tick before, a millisecond ago; 1 with other solvers.
+  const double tension = session.GetState().Before.Precise.Spring.Tension;
+  return isHeld ? std::clamp(1.0 - tension, 0.0, 1.0) *
+      std::sqrt(vtkMath::Distance2BetweenPoints(session.Tip, session.Proxy))
+                : 0.0;
+}
 
 //------------------------------------------------------------------------------
 double* vtkHapticDevice::GetModeForce(int mode)

@@ -413,6 +413,12 @@ public:
   double GetDragForce();
   ///@}
   /**
+   * Of the latest state: the part of the distance between tip and proxy (world) that gives no
+   * force. With the solver PRECISE, a spring that gets stiffer under a resting hand gets slack
+   * instead of more force; 0 otherwise.
+   */
+  double GetSlack();
+  /**
    * Of the latest state: the force of a mode of PRIMITIVES on the hand (N, world axes), before
    * MaximumForce; zero for other methods and numbers. Modes count from 0 as in GetMode of the
    * filter.

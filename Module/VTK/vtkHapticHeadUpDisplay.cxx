@@ -254,6 +254,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
   }
   auto* const modes = vtkDataArray::SafeDownCast(states->GetColumnByName("ModeForces"));
+  auto* const armed = vtkDataArray::SafeDownCast(states->GetColumnByName("Armed"));
   const vtkIdType rows = columns[0]->GetNumberOfTuples();
   for (vtkIdType i = 0; i < rows; ++i)
   {
@@ -267,14 +268,17 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
     double command[3];
     columns[4]->GetTuple(i, command);
+    // A hand that has let go feels nothing, though the tip may still be in a surface.
+    const double share =
+      armed && i < armed->GetNumberOfTuples() && armed->GetComponent(i, 0) == 0.0 ? 0.0 : 1.0;
     HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
-      { columns[1]->GetComponent(i, 0), columns[2]->GetComponent(i, 0),
-        columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } };
+      { share * columns[1]->GetComponent(i, 0), share * columns[2]->GetComponent(i, 0),
+        share * columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } };
     for (int c = 0; modes && i < modes->GetNumberOfTuples() && c < modes->GetNumberOfComponents() &&
          HapticForceTable::Curves + c < HapticForceHistory::Curves;
          ++c)
     {
-      state.Forces[HapticForceTable::Curves + c] = modes->GetComponent(i, c);
+      state.Forces[HapticForceTable::Curves + c] = share * modes->GetComponent(i, c);
     }
     this->Internals->History.Add(state, GetShownSpan(this->TimeSpan));
   }

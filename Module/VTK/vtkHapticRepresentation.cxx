@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticRepresentation.h"
 
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticModeColors.h"
 #include "VTK/Charts/HapticTextLook.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
+#include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/LandingRing.h"
 #include "VTK/Scene/SceneMarker.h"
+#include "VTK/Scene/SpringCoil.h"
 #include "vtkHapticStateSource.h"
 #include "vtkVolumeHapticsCompat.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkHapticDevice.h"
 #include "vtkLookupTable.h"
 #include "vtkObjectFactory.h"
@@ -26,12 +32,17 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include VOLUME_HAPTICS_OPENGL_HEADER
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 vtkStandardNewMacro(vtkHapticRepresentation);
 
@@ -40,18 +51,29 @@ using namespace VolumeHaptics;
 struct vtkHapticRepresentation::vtkInternals
 {
   vtkNew<vtkHapticStateSource> Source;
-  SceneMarker Markers[8] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
+  /// From vtkHapticStateSource::TIP on.
+  SceneMarker Spheres[4] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
     { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
-    { SceneMarker::Sphere, 0.2, 0.8, 0.8 }, { SceneMarker::Rod, 0.75, 0.75, 0.75 },
-    { SceneMarker::Arrow, 0.97, 0.97, 0.97 }, { SceneMarker::Arrow, 0.15, 0.5, 0.95 },
-    { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
+    { SceneMarker::Sphere, 0.2, 0.8, 0.8 } };
+  SpringCoil Spring;
+  /// From vtkHapticStateSource::FORCE on.
+  SceneMarker Arrows[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
+    { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   /// The second heads of arrows that are not as long as their forces, in the order of the arrows.
   SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
+  /// Of a stylus whose orientation is not measured, by the camera of the last frame.
+  Quaternion Leaning = NoOrientation;
+  double MostLength = VTK_DOUBLE_MAX;
   LandingRing Landing;
+  /// The volumes are drawn with coarse rays, which the markers outside would cut holes into.
+  bool IsOverVolumes = false;
   bool HasState = false;
+  bool WasFelt = false;  ///< in the last frame
+  bool HasLetGo = false; ///< and not moved since
+  Vector3 LetGoAt;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
   vtkNew<vtkLookupTable> BlueToRed;
@@ -59,12 +81,65 @@ struct vtkHapticRepresentation::vtkInternals
   vtkNew<vtkTextActor> ScaleText;
   vtkBoundingBox Box;
   double Bounds[6];
+
+  ///@{
+  /** What is on the free side of a touched surface, and what is in it. */
+  void RenderOutside(vtkViewport* viewport)
+  {
+    this->Spheres[vtkHapticStateSource::PROXY].RenderOpaque(viewport);
+    for (int i = 1; i < 3; ++i)
+    {
+      this->Arrows[i].RenderOpaque(viewport);
+      this->SecondHeads[i].RenderOpaque(viewport);
+    }
+    this->Stylus.RenderOpaque(viewport);
+    this->Landing.RenderOpaque(viewport);
+  }
+  void RenderInside(vtkViewport* viewport)
+  {
+    for (const int i : { vtkHapticStateSource::TIP, vtkHapticStateSource::SURFACE_POSITION,
+           vtkHapticStateSource::MEDIUM_POSITION })
+    {
+      this->Spheres[i].RenderOpaque(viewport);
+    }
+    this->Spring.RenderOpaque(viewport);
+    this->Arrows[0].RenderOpaque(viewport);
+    this->SecondHeads[0].RenderOpaque(viewport);
+  }
+  ///@}
 };
 
 namespace
 {
+/** Whether a volume is drawn with fewer rays than pixels. */
+bool AreRaysCoarse(vtkRenderer* renderer)
+{
+  vtkVolumeCollection* const volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator next;
+  volumes->InitTraversal(next);
+  while (vtkVolume* const volume = volumes->GetNextVolume(next))
+  {
+    vtkAbstractVolumeMapper* const mapper = volume->GetVisibility() ? volume->GetMapper() : nullptr;
+    auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
+    auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+    auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+    if ((cpu && cpu->GetImageSampleDistance() > 1.0f) ||
+      (gpu && gpu->GetImageSampleDistance() > 1.0f) ||
+      (smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode &&
+        renderer->GetRenderWindow()->GetDesiredUpdateRate() > 1.0))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Of the stylus: its length, when StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
+/// The direction of the handle of a stylus that leans: a unit vector.
+constexpr double LeanRight = 0.48;
+constexpr double LeanUp = 0.6;
+constexpr double LeanBack = 0.64;
 /// Of arrows: the longest one, when MaximumArrowLength is 0, in radii of the proxy.
 constexpr double ArrowRadii = 30.0;
 /// Where a second head ends, in parts of its arrow.
@@ -72,6 +147,12 @@ constexpr double SecondHead = 0.8;
 /// By contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
+/** Whether nothing of the touched surface is between the proxy and the eye. */
+bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
+{
+  const Vector3 sight = LineOfSight(renderer, FromArray(device->GetProxyPosition()));
+  return device->GetContact() == 0 || Dot(FromArray(device->GetNormal()), sight) > 0.0;
+}
 /** Whether forces are shown: always, but for the hand of a virtual device that is not armed. */
 bool IsFelt(vtkHapticDevice* device)
 {
@@ -158,9 +239,24 @@ void vtkHapticRepresentation::UpdateMarkers()
     const double* const x = state->GetPoint(point);
     return Vector3{ x[0], x[1], x[2] };
   };
-  for (int i = 0; i < 8; ++i)
+  // A hand that has let go feels nothing, though the tip may still be in a surface. It leaves
+  // nothing behind, unless the application moves the tip.
+  const bool isFelt = d.HasState && IsFelt(this->GetDevice());
+  const Vector3 tip = d.HasState ? at(Source::TIP) : Vector3{};
+  if (std::exchange(d.WasFelt, isFelt) && !isFelt)
   {
-    d.Markers[i].Show(d.HasState);
+    d.HasLetGo = true;
+    d.LetGoAt = tip;
+  }
+  d.HasLetGo = d.HasLetGo && !isFelt && Norm(tip - d.LetGoAt) < this->Radius;
+  for (SceneMarker& sphere : d.Spheres)
+  {
+    sphere.Show(d.HasState && !d.HasLetGo);
+  }
+  d.Spring.Show(false);
+  for (SceneMarker& arrow : d.Arrows)
+  {
+    arrow.Show(false);
   }
   for (SceneMarker& head : d.SecondHeads)
   {
@@ -170,38 +266,34 @@ void vtkHapticRepresentation::UpdateMarkers()
   {
     const auto contact =
       static_cast<int>(state->GetFieldData()->GetArray("Contact")->GetComponent(0, 0));
-    d.Markers[Source::PROXY].SetColor(ContactColors[contact & 3]);
+    d.Spheres[Source::PROXY].SetColor(ContactColors[contact & 3]);
+    d.Landing.SetColor(ContactColors[contact & 3]);
     const double radii[4] = { 0.6, 1.0, 0.35, 0.35 };
     for (int i = Source::TIP; i <= Source::MEDIUM_POSITION; ++i)
     {
-      d.Markers[i].PlaceSphere(at(i), radii[i] * this->Radius);
+      d.Spheres[i].PlaceSphere(at(i), radii[i] * this->Radius);
     }
-    // A hand that has let go feels nothing, though the tip may still be in a surface.
-    const bool isFelt = IsFelt(this->GetDevice());
-    const bool shown[4] = { isFelt && this->SpringVisibility, isFelt && this->ForceVisibility,
-      isFelt && this->NormalForceVisibility, isFelt && this->FrictionForceVisibility };
-    for (int line = 0; line < 4; ++line)
+    d.Spring.Show(isFelt && this->SpringVisibility);
+    d.Spring.Place(at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetSlack(), this->Radius);
+    const bool shown[3] = { isFelt && this->ForceVisibility, isFelt && this->NormalForceVisibility,
+      isFelt && this->FrictionForceVisibility };
+    const double longest =
+      this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
+    for (int i = 0; i < 3; ++i)
     {
-      const vtkIdType point = Source::SPRING + 2 * line;
-      SceneMarker& marker = d.Markers[Source::SPRING + line];
-      marker.Show(shown[line]);
-      if (line == 0)
-      {
-        marker.PlaceAlong(at(point), at(point + 1), 0.18 * this->Radius);
-        continue;
-      }
-      const double longest =
-        this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
+      // The points of the spring come before those of the arrows.
+      const vtkIdType point = Source::SPRING + 2 + 2 * i;
       const Vector3 from = at(point);
       const Vector3 whole = at(point + 1) - from;
       const bool isTooLong = Norm(whole) > longest;
       const Vector3 arrow = isTooLong ? (longest / Norm(whole)) * whole : whole;
-      marker.PlaceAlong(from, from + arrow, 0.3 * this->Radius);
-      d.SecondHeads[line - 1].Show(shown[line] && isTooLong);
-      d.SecondHeads[line - 1].PlaceAlong(from, from + SecondHead * arrow, 0.3 * this->Radius);
+      d.Arrows[i].Show(shown[i]);
+      d.Arrows[i].PlaceAlong(from, from + arrow, 0.3 * this->Radius);
+      d.SecondHeads[i].Show(shown[i] && isTooLong);
+      d.SecondHeads[i].PlaceAlong(from, from + SecondHead * arrow, 0.3 * this->Radius);
     }
-    d.Markers[Source::SURFACE_POSITION].Show(this->MarkerVisibility);
-    d.Markers[Source::MEDIUM_POSITION].Show(this->MarkerVisibility);
+    d.Spheres[Source::SURFACE_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
+    d.Spheres[Source::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
   }
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
@@ -223,11 +315,43 @@ void vtkHapticRepresentation::UpdateStylus()
   vtkPolyData* const state = d.Source->GetOutput();
   double q[4];
   state->GetFieldData()->GetArray("Orientation")->GetTuple(0, q);
-  const Quaternion orientation{ q[0], q[1], q[2], q[3] };
+  const Quaternion measured{ q[0], q[1], q[2], q[3] };
+  const bool isMeasured = SquaredNorm(measured) > 0.0;
+  const Quaternion orientation = isMeasured || !IsFelt(this->GetDevice()) ? measured : d.Leaning;
+  const double automatic =
+    isMeasured ? StylusRadii * this->Radius : std::min(StylusRadii * this->Radius, d.MostLength);
   const double* const proxy = state->GetPoint(vtkHapticStateSource::PROXY);
   d.Stylus.Show(SquaredNorm(orientation) > 0.0);
   d.Stylus.PlaceTurned({ proxy[0], proxy[1], proxy[2] }, orientation,
-    this->StylusLength > 0.0 ? this->StylusLength : StylusRadii * this->Radius);
+    this->StylusLength > 0.0 ? this->StylusLength : automatic);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRepresentation::Lean(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
+  if (!renderer || !this->GetDevice())
+  {
+    return;
+  }
+  const Vector3 proxy = FromArray(this->GetDevice()->GetProxyPosition());
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const Vector3 back = -1.0 * LineOfSight(renderer, proxy);
+  const Vector3 across = Cross(FromArray(camera->GetViewUp()), back);
+  if (!(Norm(across) > 0.0))
+  {
+    return;
+  }
+  const Vector3 right = (1.0 / Norm(across)) * across;
+  const Vector3 up = Cross(back, right);
+  const Vector3 handle = LeanRight * right + LeanUp * up + LeanBack * back; // unit
+  const Vector3 open = back - Dot(back, handle) * handle;
+  const Vector3 button = (1.0 / Norm(open)) * open;
+  d.Leaning = ToQuaternion(Matrix3::FromColumns(Cross(button, handle), button, handle));
+  d.MostLength = camera->GetParallelProjection()
+    ? VTK_DOUBLE_MAX
+    : Norm(FromArray(camera->GetPosition()) - proxy) / 3.0;
 }
 
 //------------------------------------------------------------------------------
@@ -257,10 +381,15 @@ double* vtkHapticRepresentation::GetBounds()
   auto& d = *this->Internals;
   this->UpdateMarkers();
   d.Box.Reset();
-  for (SceneMarker& marker : d.Markers)
+  for (SceneMarker& sphere : d.Spheres)
   {
-    marker.AddTo(d.Box);
+    sphere.AddTo(d.Box);
   }
+  for (SceneMarker& arrow : d.Arrows)
+  {
+    arrow.AddTo(d.Box);
+  }
+  d.Spring.AddTo(d.Box);
   d.Stylus.AddTo(d.Box);
   d.Followed.AddTo(d.Box);
   d.Landing.AddTo(d.Box);
@@ -284,21 +413,20 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
     return 0;
   }
   auto& d = *this->Internals;
+  this->Lean(viewport);
   this->UpdateMarkers();
-  for (SceneMarker& marker : d.Markers)
-  {
-    marker.RenderOpaque(viewport);
-  }
-  for (SceneMarker& head : d.SecondHeads)
-  {
-    head.RenderOpaque(viewport);
-  }
-  d.Stylus.RenderOpaque(viewport);
-  d.Followed.RenderOpaque(viewport);
+  vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
   const bool hasLanding = this->LandingVisibility && d.HasState && IsFelt(this->GetDevice());
-  d.Landing.Update(vtkRenderer::SafeDownCast(viewport), hasLanding ? this->GetDevice() : nullptr,
-    this->Radius, this->WorldUnitName);
-  d.Landing.RenderOpaque(viewport);
+  d.Landing.Update(
+    renderer, hasLanding ? this->GetDevice() : nullptr, this->Radius, this->WorldUnitName);
+  d.IsOverVolumes =
+    d.HasState && renderer && IsSeen(renderer, this->GetDevice()) && AreRaysCoarse(renderer);
+  if (!d.IsOverVolumes)
+  {
+    d.RenderInside(viewport);
+    d.RenderOutside(viewport);
+  }
+  d.Followed.RenderOpaque(viewport);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
   {
     this->UpdateTrail();
@@ -318,14 +446,24 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
   vtkRenderer* const renderer = vtkRenderer::SafeDownCast(viewport);
   auto* const window =
     renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
-  if (d.Followed.HasFronts() && window)
+  if (window)
   {
     vtkOpenGLState* const state = window->GetState();
     const vtkOpenGLState::ScopedglEnableDisable depth(state, GL_DEPTH_TEST);
     const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
-    d.Followed.RenderFronts(viewport);
+    if (d.Followed.HasFronts())
+    {
+      d.Followed.RenderFronts(viewport);
+    }
+    d.Landing.RenderPatch(viewport);
+    if (d.IsOverVolumes)
+    {
+      const vtkOpenGLState::ScopedglDepthMask mask(state);
+      state->vtkglDepthMask(GL_TRUE);
+      d.RenderOutside(viewport);
+    }
   }
   if (this->HiddenVisibility && window)
   {
@@ -337,13 +475,15 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Followed.RenderHidden(viewport);
     d.Landing.RenderHidden(viewport);
     d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
-    for (SceneMarker& marker : d.Markers)
+    for (SceneMarker& sphere : d.Spheres)
     {
-      marker.RenderHidden(viewport);
+      sphere.RenderHidden(viewport);
     }
-    for (SceneMarker& head : d.SecondHeads)
+    d.Spring.RenderHidden(viewport);
+    for (int i = 0; i < 3; ++i)
     {
-      head.RenderHidden(viewport);
+      d.Arrows[i].RenderHidden(viewport);
+      d.SecondHeads[i].RenderHidden(viewport);
     }
   }
   d.Landing.RenderText(viewport);
@@ -360,13 +500,15 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
 void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
   auto& d = *this->Internals;
-  for (SceneMarker& marker : d.Markers)
+  for (SceneMarker& sphere : d.Spheres)
   {
-    marker.Release(window);
+    sphere.Release(window);
   }
-  for (SceneMarker& head : d.SecondHeads)
+  d.Spring.Release(window);
+  for (int i = 0; i < 3; ++i)
   {
-    head.Release(window);
+    d.Arrows[i].Release(window);
+    d.SecondHeads[i].Release(window);
   }
   d.Stylus.Release(window);
   d.Followed.Release(window);

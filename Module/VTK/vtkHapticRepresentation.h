@@ -12,10 +12,14 @@
  *   on the proxy   the forces of the surface (blue) and of friction (orange)
  *
  * The proxy is grey while it is free, amber while it sticks, green while it slides and magenta
- * while it is pushed through a surface. If the device measures the orientation of its stylus, a
- * stylus with its point in the proxy shows it (vtkHapticDevice::GetTipOrientation). A text in the
- * lower right corner shows the length of a newton. Spring and arrows are not shown while a virtual
- * device is not armed. Markers behind a surface or inside the volume show through, faintly.
+ * while it is pushed through a surface. The spring is a coil, which opens as it is stretched, and a
+ * straight wire where it is slack (vtkHapticDevice::GetSlack). In contact, a patch around the proxy
+ * has the contact's colour; it grows as that of a soft fingertip does. A stylus has its point in
+ * the proxy, with the orientation that the device measures (vtkHapticDevice::GetTipOrientation); if
+ * it measures none, the stylus leans towards the viewer, as a pen in the right hand. A text in the
+ * lower right corner shows the length of a newton. Spring, arrows and a stylus that leans are not
+ * shown while a virtual device is not armed, and nothing is when it has been disarmed until its tip
+ * moves. Markers behind a surface or inside the volume show through, faintly.
  *
  *   representation->SetDevice(device);
  *   renderer->AddViewProp(representation);
@@ -112,14 +116,17 @@ public:
 
   ///@{
   /**
-   * Whether a stylus is shown at the proxy, if the device measures its orientation. Default on.
+   * Whether a stylus is shown at the proxy. Default on.
    */
   vtkSetMacro(StylusVisibility, bool);
   vtkGetMacro(StylusVisibility, bool);
   ///@}
 
   ///@{
-  /** Length of the stylus, world units, 0 or more. Default 0: 25 times Radius. */
+  /**
+   * Length of the stylus, world units, 0 or more. Default 0: 25 times Radius, and for a stylus that
+   * leans towards the viewer a third of the way there at most.
+   */
   vtkSetClampMacro(StylusLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StylusLength, double);
   ///@}
@@ -139,7 +146,7 @@ public:
   ///@{
   /**
    * Whether a ring shows where the tip would touch next on its way along the line of sight, with
-   * the distance; in contact, it lies on the touched surface around the proxy. Default on.
+   * the distance; in contact, it is the edge of the patch on the touched surface. Default on.
    */
   vtkSetMacro(LandingVisibility, bool);
   vtkGetMacro(LandingVisibility, bool);
@@ -212,6 +219,7 @@ private:
 
   void UpdateMarkers();
   void UpdateStylus();
+  void Lean(vtkViewport* viewport);
   void UpdateTrail();
 
   struct vtkInternals;

@@ -104,10 +104,10 @@
  *
  * Force ends with the window. The style leaves the touch mode and disarms when the interactor's
  * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
- * observer of ExitEvent is called; when the window is finalized; and when the interactor is
- * disabled, deleted or given another style. VTK does not report that a toolkit's widget is hidden:
- * before an application hides one, it has to call the interactor's Disable(), or
- * SetTouchMode(false) and the device's Disarm().
+ * observer of ExitEvent is called; when the window is finalized; when the touched renderer is taken
+ * out of it; and when the interactor is disabled, deleted or given another style. VTK does not
+ * report that a toolkit's widget is hidden: before an application hides one, it has to call the
+ * interactor's Disable(), or SetTouchMode(false) and the device's Disarm().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same
  * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
@@ -250,8 +250,8 @@ public:
   ///@{
   /**
    * Whether ray casters draw as finely as 20 frames per second allow while something moves, and
-   * input interrupts a frame at rest; a frame at rest that can't be interrupted takes 0.1 s at most
-   * while the device is armed. Default on.
+   * input interrupts a frame at rest; while the device is armed, a frame at rest takes 0.5 s at
+   * most, and 0.1 s if it can't be interrupted. Default on.
    *
    * In motion, vtkGPUVolumeRayCastMapper and vtkFixedPointVolumeRayCastMapper cast fewer rays and
    * take fewer samples on them, but one in each voxel. Only the fixed point mapper, which runs on
@@ -360,9 +360,9 @@ public:
   ///@{
   /**
    * Feel another volume, too, such as an MRI beside a CT, with a filter of its own that has its
-   * materials and method. The hand feels one volume at a time: the one whose surface comes first
-   * along the line of sight, through the pointer when the touch mode begins and ahead of the tip
-   * later. The felt volume changes only in the air, more than a voxel away from a surface, so that
+   * materials and method. The hand feels one volume at a time, which FeltVolume chooses: along the
+   * line of sight through the pointer when the touch mode begins, and ahead of the tip later. The
+   * felt volume changes only in the air, more than a voxel away from a surface, so that
    * the force does not jump. GetTouchedVolume() is then that volume, and the device's filter is its
    * filter. Volumes count from that of TouchVolume(), or from the first call if there is none;
    * TouchVolume() removes all others. False, with an error, without a device, volume or filter, if
@@ -370,6 +370,24 @@ public:
    */
   bool AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   int GetNumberOfTouchedVolumes();
+  ///@}
+
+  enum FeltVolumeType
+  {
+    NEAREST = 0,
+    STRONGEST = 1
+  };
+
+  ///@{
+  /**
+   * Which one of several volumes is felt: NEAREST (default), whose surface comes first along the
+   * line of sight, or STRONGEST, whose surface along that line pushes back with the largest force,
+   * if it is pressed by four of the smallest voxels; of equal ones the nearest.
+   */
+  vtkSetClampMacro(FeltVolume, int, NEAREST, STRONGEST);
+  vtkGetMacro(FeltVolume, int);
+  void SetFeltVolumeToNearest() { this->SetFeltVolume(NEAREST); }
+  void SetFeltVolumeToStrongest() { this->SetFeltVolume(STRONGEST); }
   ///@}
 
   /**
@@ -426,6 +444,7 @@ protected:
   double DisplayRate = 60.0;
   bool TipFollowsSurface = true;
   bool AutoAdjustVolumeQuality = true;
+  int FeltVolume = NEAREST;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;
 

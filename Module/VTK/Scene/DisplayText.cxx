@@ -58,8 +58,9 @@ std::string DescribeStatus(vtkHapticDevice* device)
     return status;
   }
   const int code = device->GetStatus();
-  const bool asksHand = code == vtkHapticDevice::FAULT || code == vtkHapticDevice::HOMING ||
-    code == vtkHapticDevice::FIRMWARE;
+  // For a mouse, the hint says how to go on.
+  const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
+    code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
   const std::string first = status.substr(0, sentence + 1);
   return asksHand ? first + "\n" + status.substr(sentence + 2) : first;
 }

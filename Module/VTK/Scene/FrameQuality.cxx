@@ -32,6 +32,7 @@ constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far b
 constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
+constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
 constexpr double MostSteps = 5.0;    // of a factor of the square root of two between rays
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
@@ -176,7 +177,7 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
     next.AutoAdjust = false;
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
-  const bool isLimited = moves || (armed && !isInterruptible);
+  const bool isLimited = moves || armed;
   if (!moves && !this->AtRest.IsKnown)
   {
     // By the rays of frames in motion, which take half of the samples.
@@ -189,8 +190,8 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
   else
   {
     const double rate = std::max(LeastRate, this->Window->GetDesiredUpdateRate());
-    const double distance =
-      moves ? this->InMotion.Next(DrawingShare / rate) : this->AtRest.Next(LongestWait);
+    const double distance = moves ? this->InMotion.Next(DrawingShare / rate)
+                                  : this->AtRest.Next(isInterruptible ? LongestRest : LongestWait);
     next.ImageDistance = std::max(own.ImageDistance, distance);
   }
   mapper->SetAutoAdjustSampleDistances(next.AutoAdjust);

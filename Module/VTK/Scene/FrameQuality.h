@@ -33,7 +33,8 @@ namespace VolumeHaptics
  *   in each voxel at least.
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
- *   device is armed, it casts as many rays as 0.1 s allows.
+ *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
+ *   meanwhile nobody reads the device, and its force fades after AttentionTime.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *

@@ -432,6 +432,7 @@ bool HapticInteraction::UpdateHaptics()
   // Observers of the following events may take any of these away.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
+  this->Window.LookAt(scene.FindRenderer());
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
   this->Frames.SetWindow(
     interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr);

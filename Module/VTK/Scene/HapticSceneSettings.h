@@ -54,17 +54,18 @@ inline constexpr RepresentationSetting All[] = {
   HapticFlagMacro(MarkerVisibility, false, NotBaked,
     "Whether markers are shown at x_s (yellow) and x_v (turquoise), at which the materials are "
     "read. Default off."),
-  HapticFlagMacro(StylusVisibility, true, NotBaked,
-    "Whether a stylus is shown at the proxy, if the device measures its orientation. Default on."),
+  HapticFlagMacro(
+    StylusVisibility, true, NotBaked, "Whether a stylus is shown at the proxy. Default on."),
   HapticNumberMacro(StylusLength, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
-    "Length of the stylus, world units, 0 or more. Default 0: 25 times Radius."),
+    "Length of the stylus, world units, 0 or more. Default 0: 25 times Radius, and for a stylus "
+    "that leans towards the viewer a third of the way there at most."),
   HapticFlagMacro(ScaleTextVisibility, true, NotBaked,
     "Whether a text shows the length of a newton. Default on."),
   HapticFlagMacro(HiddenVisibility, true, NotBaked,
     "Whether markers behind a surface or inside the volume show through. Default on."),
   HapticFlagMacro(LandingVisibility, true, NotBaked,
     "Whether a ring shows where the tip would touch next on its way along the line of sight, with "
-    "the distance; in contact, it lies on the touched surface around the proxy. Default on."),
+    "the distance; in contact, it is the edge of the patch on the touched surface. Default on."),
   HapticFlagMacro(FollowedVisibility, true, NotBaked,
     "Whether that is shown which the modes of PRIMITIVES hold the hand on, each in its colour: the "
     "line of a flow through the proxy, a core line, fibre, vessel or guide, fronts as discs, and a "
@@ -171,6 +172,9 @@ inline constexpr XRControllerSetting All[] = {
 };
 } // namespace XRControllerSettingRows
 
+inline constexpr SettingChoice FeltVolumeNames[] = { { "Nearest", "Nearest" },
+  { "Strongest", "Strongest" } };
+
 namespace StyleSettingRows
 {
 using Owner = vtkInteractorStyleHaptic;
@@ -178,13 +182,18 @@ using Owner = vtkInteractorStyleHaptic;
 inline constexpr StyleSetting All[] = {
   HapticFlagMacro(AutoAdjustVolumeQuality, true, NotBaked,
     "Whether ray casters draw as finely as 20 frames per second allow while something moves, and "
-    "input interrupts a frame at rest; a frame at rest that can't be interrupted takes 0.1 s at "
-    "most while the device is armed. Default on."),
+    "input interrupts a frame at rest; while the device is armed, a frame at rest takes 0.5 s at "
+    "most, and 0.1 s if it can't be interrupted. Default on."),
   HapticNumberMacro(DepthStep, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
     "The distance that a step of the wheel moves the tip (world units, 0 or more). Default 0: the "
     "smallest spacing of the image."),
   HapticNumberMacro(DisplayRate, 1.0, 240.0, 60.0, "Hz", NotBaked,
     "Updates per second, 1 to 240. Default 60. Takes effect with the next interactor."),
+  HapticChoiceMacro(FeltVolume, Owner::NEAREST, NotBaked,
+    "Which one of several volumes is felt: NEAREST (default), whose surface comes first along the "
+    "line of sight, or STRONGEST, whose surface along that line pushes back with the largest "
+    "force, "
+    "if it is pressed by four of the smallest voxels; of equal ones the nearest."),
   HapticFlagMacro(TipFollowsSurface, true, NotBaked,
     "Whether the mouse moves the tip along the first surface under it, at the depth to which the "
     "wheel has brought it, so that a stroke goes on around a head. If not, or if there is no "

@@ -28,11 +28,18 @@ namespace VolumeHaptics
 namespace
 {
 
+/** What is known of a surface besides its position. */
+struct Felt
+{
+  Vector3 Normal;                ///< outwards, unit; zero if it is not known
+  double Force = VTK_DOUBLE_MAX; ///< N; of a mesh that is not made yet the largest one
+};
+
 /**
  * Whether there is something at a position (world), coming from the one before. If it is a surface
- * that is felt, sets its normal.
+ * that is felt, tells what it is.
  */
-using Probe = std::function<bool(const Vector3& position, Vector3& normal)>;
+using Probe = std::function<bool(const Vector3& position, Felt& felt)>;
 
 /** Feels with the servo's own tick; nothing if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
@@ -45,7 +52,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
     return nullptr;
   }
   return [model = std::move(model), state = ServoState(), record = TickRecord()](
-           const Vector3& tip, Vector3& normal) mutable
+           const Vector3& tip, Felt& felt) mutable
   {
     if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
@@ -54,7 +61,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
       return false;
     }
     Tick(*model, state, model->WorldToDevice(tip), record);
-    normal = -1.0 * record.Normal;
+    felt = { -1.0 * record.Normal, Norm(record.Force) };
     return record.Contact != ContactState::Free;
   };
 }
@@ -65,7 +72,7 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
-  return [=, isFirst = true, wasInside = false](const Vector3& tip, Vector3&) mutable
+  return [=, isFirst = true, wasInside = false](const Vector3& tip, Felt&) mutable
   {
     const double at[3] = { tip.X, tip.Y, tip.Z };
     const vtkIdType point = image->FindPoint(at[0], at[1], at[2]);
@@ -127,28 +134,38 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
   return image && !awaited ? MakeFeelingProbe(filter) : nullptr;
 }
 
-/** The first contact of a tip that walks along a line. */
-bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal)
+/**
+ * The first contact of a tip that walks along a line, and the force of a press beyond it.
+ */
+bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {
   // In coarse steps, and again in fine ones shortly before the contact.
   constexpr int fineness = 16;
   constexpr int before = 2; // coarse steps, from where the fine ones begin
   Probe again = probe;
+  Felt felt;
   const auto steps = static_cast<int>(line.Length / line.Step);
   for (int i = 0; i <= steps; ++i)
   {
-    if (probe(line.Start + (i * line.Step) * line.Sight, normal))
+    if (probe(line.Start + (i * line.Step) * line.Sight, felt))
     {
       contact = line.Start + (i * line.Step) * line.Sight;
       for (int fine = 1 - before * fineness; fine <= 0; ++fine)
       {
         const Vector3 tip =
           line.Start + ((i + static_cast<double>(fine) / fineness) * line.Step) * line.Sight;
-        if (again(tip, normal))
+        if (again(tip, felt))
         {
           contact = tip;
           break;
         }
+      }
+      normal = felt.Normal;
+      for (double depth = 0.0; press && depth < press->Depth;)
+      {
+        depth = std::min(depth + line.Step, press->Depth);
+        again(contact + depth * line.Sight, felt);
+        press->Force = felt.Force;
       }
       return true;
     }
@@ -184,8 +201,8 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position)
     : (1.0 / length) * way;
 }
 
-bool FindFirstContact(
-  vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter, Vector3& position)
+bool FindFirstContact(vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter,
+  Vector3& position, Press* press)
 {
   const Probe probe = MakeProbe(filter);
   if (!probe)
@@ -195,7 +212,7 @@ bool FindFirstContact(
   const Line line = MakeLine(renderer, through, filter->GetTouchedImage());
   Vector3 contact;
   Vector3 normal;
-  if (!(line.Length > 0.0) || !Walk(line, probe, contact, normal))
+  if (!(line.Length > 0.0) || !Walk(line, probe, contact, normal, press))
   {
     return false;
   }
@@ -204,7 +221,7 @@ bool FindFirstContact(
 }
 
 bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
-  Vector3& contact, Vector3& normal)
+  Vector3& contact, Vector3& normal, Press* press)
 {
   const Probe probe = MakeProbe(filter);
   if (!probe)
@@ -217,7 +234,7 @@ bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapti
   line.Start = line.Start + gone * line.Sight;
   line.Length -= gone;
   normal = {};
-  return line.Length > 0.0 && Walk(line, probe, contact, normal);
+  return line.Length > 0.0 && Walk(line, probe, contact, normal, press);
 }
 
 } // namespace VolumeHaptics

@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
 #include <utility>
@@ -181,6 +182,20 @@ void HapticWindowWatch::Look()
     KeepDisplay(window);
   }
   if (this->IsDone && !wasDone)
+  {
+    this->End();
+  }
+}
+
+void HapticWindowWatch::LookAt(vtkRenderer* renderer)
+{
+  vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  const auto isShown = [window](vtkRenderer* shown)
+  { return shown && window && window->HasRenderer(shown); };
+  const bool isGone = this->HasSeen && !isShown(this->Seen);
+  this->HasSeen = isShown(renderer);
+  this->Seen = this->HasSeen ? renderer : nullptr;
+  if (isGone)
   {
     this->End();
   }

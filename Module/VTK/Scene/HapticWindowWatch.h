@@ -8,7 +8,8 @@
  * order. So this watches everything that comes early in an end: ExitEvent (the key q, the window
  * manager's close button), the interactor's Disable(), and the release of the window's graphics
  * resources, which comes before the window is destroyed. Look(), which is called after events of
- * keys, mouse and timers, notices that TerminateApp() was called.
+ * keys, mouse and timers, notices that TerminateApp() was called. LookAt() notices that the touched
+ * renderer was taken out of the window or deleted, of which VTK tells nobody.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -21,6 +22,7 @@
 class vtkObject;
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
+class vtkRenderer;
 
 namespace VolumeHaptics
 {
@@ -46,6 +48,9 @@ public:
    */
   void Look();
 
+  /** Call it often with the renderer that is touched; nullptr for none. */
+  void LookAt(vtkRenderer* renderer);
+
   /** Whether the end of its loop closed the window: drawing would open another one. */
   bool IsClosed() const;
 
@@ -64,6 +69,8 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<Observer> Events;
   vtkSmartPointer<Closing> WindowClosing;
+  vtkWeakPointer<vtkRenderer> Seen; ///< in the window, at the last look
+  bool HasSeen = false;
   bool IsEnabled = false; ///< of the interactor, when last seen
   bool IsDone = false;    ///< the loop was told to end, when last seen
   bool IsReleased =

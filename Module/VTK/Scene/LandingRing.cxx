@@ -17,11 +17,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/// In radii of the proxy: of the ring in contact, of the ring far away, and the distance at which
-/// it begins to close.
-constexpr double ClosedRing = 1.8;
-constexpr double OpenRing = 5.0;
+/// In radii of the proxy: the distance at which the ring begins to close, and how far the patch is
+/// above the surface, which would hide a part of it.
 constexpr double FarAway = 20.0;
+constexpr double Above = 0.1;
 constexpr double Gap = 8.0; ///< pixels between the ring and the text
 
 Vector3 Position3(const double* v)
@@ -52,6 +51,7 @@ void LandingRing::Update(
   vtkRenderer* renderer, vtkHapticDevice* device, double radius, const std::string& unit)
 {
   this->Ring.Show(false);
+  this->Patch.Show(false);
   this->Distance->VisibilityOff();
   if (!renderer || !device)
   {
@@ -60,10 +60,15 @@ void LandingRing::Update(
   if (device->GetContact() != 0)
   {
     const Vector3 normal = Position3(device->GetNormal());
-    this->Ring.Show(Norm(normal) > 0.0);
     if (Norm(normal) > 0.0)
     {
-      this->Ring.PlaceRing(Position3(device->GetProxyPosition()), normal, ClosedRing * radius);
+      const Vector3 proxy = Position3(device->GetProxyPosition());
+      const double depth = Dot(Position3(device->GetTipPosition()) - proxy, normal);
+      const double patch = FindPatchRadius(depth, radius);
+      this->Ring.Show(true);
+      this->Ring.PlaceRing(proxy, normal, patch);
+      this->Patch.Show(true);
+      this->Patch.PlaceRing(proxy - (Above * radius) * normal, normal, patch);
     }
     return;
   }
@@ -105,6 +110,7 @@ void LandingRing::RenderText(vtkViewport* viewport)
 void LandingRing::Release(vtkWindow* window)
 {
   this->Ring.Release(window);
+  this->Patch.Release(window);
   this->Distance->ReleaseGraphicsResources(window);
 }
 

@@ -6,11 +6,11 @@
 
 #include "vtkArrowSource.h"
 #include "vtkBoundingBox.h"
-#include "vtkCylinderSource.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRegularPolygonSource.h"
 #include "vtkSphereSource.h"
 
 #include <cmath>
@@ -35,16 +35,13 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     sphere->SetPhiResolution(Resolution);
     this->Mapper->SetInputConnection(sphere->GetOutputPort());
   }
-  else if (shape == Rod)
+  else if (shape == Disc)
   {
-    vtkNew<vtkCylinderSource> rod; // along y, about the origin
-    rod->SetRadius(1.0);
-    rod->SetHeight(1.0);
-    rod->SetCenter(0.0, 0.5, 0.0);
-    rod->SetResolution(Resolution);
-    this->Mapper->SetInputConnection(rod->GetOutputPort());
-    this->Solid->RotateX(90.0);
-    this->Ghost->RotateX(90.0);
+    vtkNew<vtkRegularPolygonSource> disc; // around z
+    disc->SetRadius(1.0);
+    disc->SetNumberOfSides(2 * Resolution);
+    disc->GeneratePolylineOff();
+    this->Mapper->SetInputConnection(disc->GetOutputPort());
   }
   else if (shape == Ring)
   {
@@ -75,6 +72,18 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     this->Solid->RotateY(-90.0);
     this->Ghost->RotateY(-90.0);
   }
+  this->Finish(red, green, blue);
+}
+
+SceneMarker::SceneMarker(vtkAlgorithmOutput* shape, double red, double green, double blue)
+{
+  this->Mapper->SetInputConnection(shape);
+  this->Mapper->ScalarVisibilityOff();
+  this->Finish(red, green, blue);
+}
+
+void SceneMarker::Finish(double red, double green, double blue)
+{
   this->Solid->SetMapper(this->Mapper);
   this->Ghost->SetMapper(this->Mapper);
   this->Solid->SetUserTransform(this->Place);

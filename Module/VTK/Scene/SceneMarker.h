@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, a rod, an arrow, a ring or a stylus in the scene, which shines faintly through objects
- * in front of it.
+ * A sphere, an arrow, a ring, a disc or a stylus in the scene, or a shape of one's own, which
+ * shines faintly through objects in front of it.
  */
 #ifndef SceneMarker_h
 #define SceneMarker_h
@@ -16,6 +16,7 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkTransform.h"
 
+class vtkAlgorithmOutput;
 class vtkBoundingBox;
 
 namespace VolumeHaptics
@@ -30,17 +31,20 @@ public:
   enum Shape
   {
     Sphere,
-    Rod,   ///< from one position to another
-    Arrow, ///< the same, with a head
+    Arrow, ///< from one position to another
     Ring,  ///< around an axis
+    Disc,  ///< the same, filled
     Stylus ///< a pen with a button, which points along its -z
   };
   SceneMarker(Shape shape, double red, double green, double blue);
+  /** A shape in world coordinates. */
+  SceneMarker(vtkAlgorithmOutput* shape, double red, double green, double blue);
 
   void SetColor(const double color[3]);
   void PlaceSphere(const Vector3& centre, double radius);
   /** A marker that is shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
+  /** A ring or a disc. */
   void PlaceRing(const Vector3& centre, const Vector3& axis, double radius);
   /** A stylus: its point, its orientation (DeviceBackend.h), and its length. */
   void PlaceTurned(const Vector3& point, const Quaternion& orientation, double length);
@@ -54,6 +58,8 @@ public:
   void AddTo(vtkBoundingBox& box);
 
 private:
+  /** The colour, and how light falls on it. */
+  void Finish(double red, double green, double blue);
   /** Lets z of the shape point along a direction that is not zero. */
   void Aim(const Vector3& from, const Vector3& direction);
 

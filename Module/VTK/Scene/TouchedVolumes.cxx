@@ -4,7 +4,6 @@
 
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticVolume.h"
-#include "VTK/Scene/HapticViewRay.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -22,6 +21,24 @@ namespace
 
 constexpr double Pause = 0.1;        // s between choices, each of which walks along a line
 constexpr double LeastForce = 0.005; // N
+
+/** What a choice between volumes looks at. */
+struct SurfaceAhead
+{
+  double Distance = HUGE_VAL; // world units along the line of sight
+  double Force = 0.0;         // N, of a press
+};
+
+bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
+{
+  // About equal forces, such as those of one material: the nearest one.
+  constexpr double clearly = 1.05;
+  const bool isStronger = a.Force > clearly * b.Force + LeastForce;
+  const bool isWeaker = b.Force > clearly * a.Force + LeastForce;
+  return choice == vtkInteractorStyleHaptic::STRONGEST && (isStronger || isWeaker)
+    ? isStronger
+    : a.Distance < b.Distance;
+}
 
 } // namespace
 
@@ -149,26 +166,44 @@ void TouchedVolumes::Feel(vtkVolumeHapticsFilter* filter)
   }
 }
 
+Press TouchedVolumes::FindPress() const
+{
+  constexpr double voxels = 4.0;
+  double least = HUGE_VAL;
+  for (const Entry& entry : this->All)
+  {
+    vtkVolumeHapticsFilter* const filter = this->FilterOf(entry);
+    vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr;
+    least = image ? std::fmin(least, SmallestSpacing(image)) : least;
+  }
+  return { least < HUGE_VAL ? voxels * least : 0.0, 0.0 };
+}
+
 void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
 {
   if (this->All.size() < 2)
   {
     return;
   }
-  vtkVolumeHapticsFilter* first = nullptr;
-  double least = HUGE_VAL;
+  vtkVolumeHapticsFilter* chosen = nullptr;
+  SurfaceAhead best;
   for (const Entry& entry : this->All)
   {
     Vector3 landing;
+    Press press = this->FindPress();
     if (entry.Volume->Get()->GetVisibility() &&
-      FindFirstContact(renderer, through, entry.Filter, landing))
+      FindFirstContact(renderer, through, entry.Filter, landing, &press))
     {
-      const double depth = Dot(landing - through, LineOfSight(renderer, through));
-      first = depth < least ? entry.Filter.Get() : first;
-      least = std::fmin(depth, least);
+      const SurfaceAhead ahead{ Dot(landing - through, LineOfSight(renderer, through)),
+        press.Force };
+      if (!chosen || IsBetter(ahead, best, this->Scene.Style->GetFeltVolume()))
+      {
+        chosen = entry.Filter;
+        best = ahead;
+      }
     }
   }
-  this->Feel(first);
+  this->Feel(chosen);
 }
 
 void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
@@ -191,27 +226,36 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   }
   this->ChosenTip = tip;
   this->ChosenTime = now;
-  vtkVolumeHapticsFilter* nearest = nullptr;
+  const int choice = this->Scene.Style->GetFeltVolume();
+  vtkVolumeHapticsFilter* chosen = nullptr;
+  SurfaceAhead best;
+  SurfaceAhead own;
   double least = HUGE_VAL;
-  double own = HUGE_VAL;
   for (const Entry& entry : this->All)
   {
     Vector3 contact;
     Vector3 normal;
+    Press press = this->FindPress();
     if (!entry.Volume->Get()->GetVisibility() ||
-      !FindContactAhead(renderer, tip, entry.Filter, contact, normal))
+      !FindContactAhead(renderer, tip, entry.Filter, contact, normal, &press))
     {
       continue;
     }
-    const double distance = Norm(contact - tip);
-    own = entry.Filter == felt ? distance : own;
-    nearest = distance < least ? entry.Filter.Get() : nearest;
-    least = std::fmin(distance, least);
+    const SurfaceAhead ahead{ Norm(contact - tip), press.Force };
+    own = entry.Filter == felt ? ahead : own;
+    least = std::fmin(ahead.Distance, least);
+    if (!chosen || IsBetter(ahead, best, choice))
+    {
+      chosen = entry.Filter;
+      best = ahead;
+    }
   }
-  // Near a surface, the hand may have touched it since the last state.
-  if (least > voxel && own - least > voxel)
+  // Near a surface, the hand may have touched it since the last state. What is hardly better would
+  // change to and fro.
+  const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
+  if (least > voxel && IsBetter(best, demanded, choice))
   {
-    this->Feel(nearest);
+    this->Feel(chosen);
   }
 }
 

@@ -7,6 +7,7 @@
 #ifndef TouchedVolumes_h
 #define TouchedVolumes_h
 
+#include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/TouchedScene.h"
 #include "VTK/Scene/TouchedVolume.h"
 
@@ -23,7 +24,8 @@ namespace VolumeHaptics
 
 /**
  * The servo feels one volume at a time: that whose surface is the first one ahead of the tip, along
- * the line of sight. It changes only while there is no force and the next surface ahead is more
+ * the line of sight, or that whose surface ahead pushes back most strongly, as the style's
+ * FeltVolume says. It changes only while there is no force and the next surface ahead is more
  * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes
  * that are not seen are not chosen.
  */
@@ -47,9 +49,9 @@ public:
 
   /** Gives the filters what their volumes show now. */
   void Follow();
-  /** Feels the volume that is the first one along the line of sight through a position. */
+  /** Chooses among the volumes along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);
-  /** Feels the volume that is the first one ahead of the tip, if nothing is touched. */
+  /** Chooses among the volumes ahead of the tip, if nothing is touched. */
   void ChooseAhead(vtkRenderer* renderer);
 
 private:
@@ -60,6 +62,8 @@ private:
   };
   /** Whether a volume can be touched; if not, tells why. */
   bool CanTouch(vtkVolume* volume) const;
+  /** The press by which surfaces are compared: four of the smallest voxels deep. */
+  Press FindPress() const;
   /** The device feels by this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const

@@ -158,5 +158,8 @@ TEST_F(StateSource, ArrowsAreNoLongerThanTheirMaximum)
   EXPECT_NEAR(hand->GetBounds()[4], proxy - length, 0.01);
   this->Device->Disarm();
   ASSERT_TRUE(this->Wait([this] { return this->Device->GetStatus() == vtkHapticDevice::READY; }));
-  EXPECT_NEAR(hand->GetBounds()[4], proxy - 0.2, 0.01) << "the hand has let go";
+  EXPECT_EQ(hand->GetBounds(), nullptr) << "the hand has let go";
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 7.5));
+  ASSERT_TRUE(hand->GetBounds()) << "it moves";
+  EXPECT_NEAR(hand->GetBounds()[4], proxy - 0.2, 0.01);
 }

@@ -124,6 +124,48 @@ TEST_F(StyleEnds, WithTheWindow)
   this->ExpectNoForce();
 }
 
+TEST_F(StyleEnds, WithTheRenderer)
+{
+  this->PushUntilHeld(
+    [this]
+    {
+      this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
+      this->Window->RemoveRenderer(this->Renderer); // the style still holds it
+      this->Style->UpdateHaptics();
+      EXPECT_FALSE(this->Style->GetTouchMode());
+      this->ExpectNoForce();
+      this->Interactor->TerminateApp();
+    });
+  this->ExpectNoForce();
+}
+
+TEST_F(StyleEnds, WithARendererThatIsDeleted)
+{
+  // Nobody but the window holds the one that is touched.
+  vtkSmartPointer<vtkRenderer> other = vtkSmartPointer<vtkRenderer>::New();
+  other->SetActiveCamera(this->Renderer->GetActiveCamera());
+  this->Style->SetDefaultRenderer(nullptr);
+  this->Style->SetCurrentRenderer(nullptr);
+  this->Window->RemoveRenderer(this->Renderer);
+  this->Window->AddRenderer(other);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->InteractiveOff();
+  this->PushUntilHeld(
+    [&]
+    {
+      this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
+      this->Style->UpdateHaptics();
+      this->Window->RemoveRenderer(other);
+      other = nullptr;
+      this->Style->SetCurrentRenderer(nullptr);
+      this->Style->UpdateHaptics();
+      EXPECT_FALSE(this->Style->GetTouchMode());
+      this->ExpectNoForce();
+      this->Interactor->TerminateApp();
+    });
+  this->ExpectNoForce();
+}
+
 TEST_F(StyleEnds, WithTheInteractorsDisabling)
 {
   this->PushUntilHeld(

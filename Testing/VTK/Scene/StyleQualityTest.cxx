@@ -176,6 +176,22 @@ TEST_F(StyleQualityTest, AFrameThatCanNotBeInterruptedDoesNotBlockAnArmedHand)
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
 }
 
+TEST_F(StyleQualityTest, AFrameThatCanBeInterruptedDoesNotCostAnArmedHandItsForce)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  this->Slowness = 800;
+  this->Draw(AtRest, 2);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "nobody holds a device";
+  this->Arm();
+  this->Draw(AtRest, 2);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
+  this->Slowness = 0;
+  this->Draw(AtRest, 4);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "there is time for all rays";
+}
+
 TEST_F(StyleQualityTest, InputInterruptsAFrameAtRest)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;

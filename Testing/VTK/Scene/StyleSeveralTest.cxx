@@ -130,6 +130,49 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
   EXPECT_TRUE(this->Style->GetTouchMode()) << "no fault";
 }
 
+TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
+{
+  // Fused: the other one surrounds the first one, 5 mm larger, and gives way to 0.5 N. 4 mm of 500
+  // N/m press the first one with 2 N.
+  this->Other->SetScale(35.0 / 30.0);
+  vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
+  strength->RemoveAllPoints();
+  strength->AddPoint(0.0, 0.0);
+  strength->AddPoint(0.1, 0.5);
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  this->Style->SetFeltVolumeToStrongest();
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_FALSE(this->FeelsOther());
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6) << "in front of the first one";
+  this->Style->TouchModeOff();
+  this->Style->SetFeltVolumeToNearest();
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_TRUE(this->FeelsOther());
+  EXPECT_GT(this->Device->GetTipPosition()[2], 35.0);
+  // In the air, the choice counts for what is ahead.
+  this->Style->TouchModeOff();
+  this->Device->PlaceVirtualTip(0.0, 0.0, 60.0);
+  this->Style->SetFeltVolumeToStrongest();
+  ASSERT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return !this->FeelsOther();
+    }));
+  // As strong as the other one, it is not chosen, because it is behind.
+  strength->AddPoint(0.1, 8.0);
+  this->Device->PlaceVirtualTip(0.0, 0.0, 55.0);
+  ASSERT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->FeelsOther();
+    }));
+}
+
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 {
   this->Other->SetPosition(0.0, 0.0, 70.0); // in front of the first one

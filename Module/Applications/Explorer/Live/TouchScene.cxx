@@ -28,6 +28,10 @@ namespace
 {
 using Explore::TouchScene;
 
+/// The volume is to the right of the middle, in halves of the window's width, so that the plot of
+/// the head-up display is beside it.
+constexpr double BESIDE_PLOT = -0.14;
+
 /// All parts that draw in two dimensions are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
@@ -208,6 +212,7 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + keys + WindowRecorder::ListKeys() +
     "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n")
                                     .c_str());
+  touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   touch.Scene.Window->Render();
   interactor->Initialize();
