@@ -37,6 +37,9 @@ void RegisterSurfaceBenchmarks(const BallVolume& volume);
 /** Whole ticks of the method PRIMITIVES: one mode, and four whose primitives are oblique. */
 void RegisterModeBenchmarks();
 
+/** Ticks of a tool of 10^4 points, a quarter in contact, and the bare reading of its taps. */
+void RegisterShellBenchmarks(const BallVolume& volume);
+
 /** The offline filter with its trace, beside its ticks alone; by the tick. */
 void RegisterFilterBenchmarks(const BallVolume& volume);
 

@@ -83,6 +83,7 @@ int main(int argc, char* argv[])
   RegisterLabelBenchmarks(volumes.front());
   RegisterSurfaceBenchmarks(volumes.front());
   RegisterModeBenchmarks();
+  RegisterShellBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);

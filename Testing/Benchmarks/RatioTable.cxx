@@ -33,6 +33,8 @@ constexpr double SurfaceTarget = 10.0;
 /** A tick with one vector mode, and one with four oblique primitives, us. */
 constexpr double ModeTarget = 1.5;
 constexpr double SetTarget = 4.0;
+/** A tick of a tool of 10^4 points, us. */
+constexpr double ShellTarget = 250.0;
 /** The time that a step may take beside its gradient, ns. */
 constexpr double RestTarget = 60.0;
 /** A tick of the offline filter with all that it writes, ns. */
@@ -130,6 +132,13 @@ void PrintRatios(const Medians& medians)
     const IterationTime tick = medians[std::string(subject) + "/slide/96^3/p50"];
     const bool isSet = subject == std::string("mode_tick/four_oblique");
     PrintLine(subject, 1e-3 * tick.Median, 1e-3 * tick.Least, isSet ? SetTarget : ModeTarget);
+  }
+  PrintTitle("Tick of a shell of 10^4 points, a quarter in contact, us; beside its taps");
+  {
+    const std::string shell = NameOf("shell_tick", "sphere", "slide", "256^3");
+    const IterationTime tick = medians[shell + "/p50"];
+    PrintLine(shell + ", median tick", 1e-3 * tick.Median, 1e-3 * tick.Least, ShellTarget);
+    PrintRatio(medians, shell, NameOf("shell_gather", "sphere", "slide", "256^3"), NoTarget);
   }
   PrintTitle("Gaussian of radius 3 beside radius 2");
   for (const char* subject : { "tick", "gradient" })

@@ -56,6 +56,7 @@ allow(Core/Field Core/Math)
 allow(Core/Model Core/Math Core/Field)
 allow(Core/Proposal Core/Math Core/Field)
 allow(Core/Solvers ${solver_basis})
+allow(Core/Tools/PointShell ${solver_basis})
 allow(Core/Regions ${solver_basis} Core/Solvers)
 allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
 

@@ -121,7 +121,7 @@ void VisitState(State& state, Function&& visit)
 /** World units: beyond FarthestTip even if they are micrometres. */
 constexpr double FarthestPlace = 1e15;
 /** Of a length, for rounding. */
-constexpr double UnitTolerance = 1e-6;
+constexpr double DirectionTolerance = 1e-6;
 /** Of newtons, newtons per metre and joules: products of two of them are far below overflow. */
 constexpr double MostOfMaterial = 1e100;
 /** N: a primitive's force is at most half of it. */
@@ -140,7 +140,7 @@ bool IsNear(const Vector3& v, double most)
 bool IsDirection(const Vector3& v)
 {
   const double square = Dot(v, v);
-  return square == 0.0 || std::abs(square - 1.0) <= UnitTolerance;
+  return square == 0.0 || std::abs(square - 1.0) <= DirectionTolerance;
 }
 
 bool IsAmount(double x)

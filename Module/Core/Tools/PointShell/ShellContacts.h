@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Where a volume holds the points of a shell, and with which force.
+ *
+ * A point is in contact where the volume's value is beyond the level of contact. Its depth is the
+ * distance from the level's surface, of which each contact knows the nearest place: its foot. In a
+ * tick the foot goes along with the point, and from value V and gradient g that are read there,
+ *
+ *   n = g/|g|,   d = o.n + (V - V_c)/|g|,   o <- d n,
+ *
+ * with o the way from the foot to the point; a new contact has its foot at the point itself. The
+ * last term is bounded by a voxel. So a point may be deeper than the edge of its structure is wide:
+ * where it is, there may be no gradient.
+ *
+ * The pressure is p = min(kappa u, P), where kappa (N/m^3) and P (N/m^2) are stiffness and surface
+ * strength of the material at a kernel radius behind the foot, over the area of contact, and u is
+ * the depth, unless that would create energy: the energy that the way of a point has stored,
+ *
+ *   E = area phi(u),   phi = kappa u^2/2 up to the depth at which p = P, linear beyond,
+ *
+ * is kept if the material changes, and u follows from it, but is never more than d. A point that is
+ * solid in the first tick, or whose foot is still searched, has E = 0 there. What u lacks is slack;
+ * it ends with the contact.
+ */
+#ifndef ShellContacts_h
+#define ShellContacts_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Tools/PointShell/PointShell.h"
+#include "Core/Tools/PointShell/ShellReader.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** How a shell is felt. */
+struct ShellSettings
+{
+  double Level = 0.0;               ///< V_c
+  bool IsBelow = false;             ///< values below the level are solid
+  double ContactArea = 2.5e-5;      ///< m^2, on which the materials' stiffness and strength act
+  double CouplingStiffness = 500.0; ///< N/m, between hand and tool
+  double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
+};
+
+/** A point that is held. */
+struct ShellContact
+{
+  Vector3 Offset;   ///< m, on the device's axes, from the foot to the point
+  double Depth;     ///< m, the length of Offset
+  double Energy;    ///< J
+  double Stretch;   ///< m, u
+  double Stiffness; ///< N/m^3, with which it was computed
+  double Strength;  ///< N/m^2
+  std::uint32_t Point;
+};
+
+/**
+ * Blocks of points of which none can be solid before the tool has moved on. They only save time: a
+ * block is clear if no sample around it is solid, up to a voxel beyond its points.
+ */
+struct ShellClearance
+{
+  explicit ShellClearance(std::size_t blocks)
+    : Until(blocks, -1.0)
+    , IsClear(blocks)
+  {
+  }
+  void Reset() noexcept
+  {
+    this->Travelled = 0.0;
+    for (double& until : this->Until)
+    {
+      until = -1.0;
+    }
+  }
+
+  double Travelled = 0.0;    ///< voxels that any point has moved at most, up to the last pose
+  std::vector<double> Until; ///< how far a block is as IsClear says
+  std::vector<char> IsClear;
+};
+
+/** The contacts at a pose, by ascending number of the point. Its memory never grows. */
+struct ShellContacts
+{
+  explicit ShellContacts(std::size_t points)
+    : List(points)
+    , Marks((points + 63) / 64)
+  {
+  }
+
+  std::vector<ShellContact> List;
+  std::vector<std::uint64_t> Marks; ///< a bit for each point: whether it is in the list
+  std::size_t Count = 0;
+  double Share = 1.0; ///< of the energies that counts
+};
+
+/** Of all contacts, at a pose. The six directions: along the device's axes, then about them. */
+struct ShellSum
+{
+  double Energy = 0.0;       ///< J
+  double Gradient[6] = {};   ///< of the energy, N and N m
+  double Curvature[21] = {}; ///< of the energy: the lower triangle, by rows
+  std::uint32_t Contacts = 0;
+  std::uint32_t Yielding = 0; ///< contacts that press with all that their material takes
+};
+
+/** Finds the contacts at a pose from those at a pose nearby. Borrows all that it gets. */
+class ShellContactFinder
+{
+public:
+  ShellContactFinder(
+    const HapticModel& model, const PointShell& shell, const ShellSettings& settings) noexcept;
+
+  /** m: a contact may be followed over a motion of this length. */
+  double GetFarthestStep() const noexcept { return 0.25 * this->Voxel; }
+  /** Voxels that any point moves at most from one pose to another. */
+  double FindWay(const ShellPose& from, const ShellPose& to) const noexcept;
+  /**
+   * With isStart, no contact has energy, whatever its depth is. `way` is that from the last pose to
+   * which the clearance belongs.
+   */
+  void Find(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
+    ShellContacts& to, ShellClearance& clearance, ShellSum& sum) const noexcept;
+
+private:
+  struct Candidates;
+  bool IsClear(std::size_t block, const Affine3& toolToIndex, double way,
+    ShellClearance& clearance) const noexcept;
+  void Append(
+    Candidates& candidates, bool isStart, ShellContacts& to, ShellSum& sum) const noexcept;
+
+  const HapticModel& Model;
+  const PointShell& Shell;
+  const ShellSettings& Settings;
+  const ShellReader Reader;
+  const double Voxel; ///< m, the smallest spacing
+  const ShellFrame Frame;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Tools/PointShell/ShellCoupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** No hand is farther away (m). */
+constexpr double FarthestHand = 1e9;
+/** What a servo has time for: looks, and points in all looks of a tick. */
+constexpr std::size_t MostLooks = 16;
+constexpr std::size_t MostPointsRead = 40000;
+/** A tick ends if the next step would change the force by less than this share of it, and N. */
+constexpr double ForceShare = 5e-3;
+constexpr double ForceTolerance = 5e-4;
+/** A step may raise the energy by this share, as noise in the data does. */
+constexpr double EnergyTolerance = 0.02;
+/** The energy that a contact has lost pays for later rises up to this share of what is stored. */
+constexpr double MostReserve = 0.1;
+
+struct Step
+{
+  Vector3 Move;
+  Vector3 Turn;
+};
+
+/** The springs between hand and tool. */
+struct Coupling
+{
+  double Stiffness;
+  double TurningStiffness;
+
+  struct Pull
+  {
+    double Energy;
+    Vector3 Force;  ///< on the hand
+    Vector3 Torque; ///< on the hand
+  };
+  Pull At(const ShellPose& tool, const ShellPose& hand) const noexcept
+  {
+    const Vector3 lag = tool.Position - hand.Position;
+    const Quaternion turn = tool.Orientation * Conjugate(hand.Orientation);
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // times sin(theta/2)
+    return { 0.5 * this->Stiffness * Dot(lag, lag) + 2.0 * this->TurningStiffness * Dot(axis, axis),
+      this->Stiffness * lag, (2.0 * this->TurningStiffness * turn.W) * axis };
+  }
+};
+
+/** The Gauss-Newton step from a pose with this pull and these contacts. */
+Step FindStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
+{
+  // Cholesky: A = L L^T, by rows.
+  double l[6][6];
+  double b[6] = { -pull.Force.X - sum.Gradient[0], -pull.Force.Y - sum.Gradient[1],
+    -pull.Force.Z - sum.Gradient[2], -pull.Torque.X - sum.Gradient[3],
+    -pull.Torque.Y - sum.Gradient[4], -pull.Torque.Z - sum.Gradient[5] };
+  const double* a = sum.Curvature;
+  for (int i = 0; i < 6; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      const double own = i < 3 ? coupling.Stiffness : coupling.TurningStiffness;
+      double rest = *a++ + (i == j ? own : 0.0);
+      for (int k = 0; k < j; ++k)
+      {
+        rest -= l[i][k] * l[j][k];
+      }
+      l[i][j] = i == j ? std::sqrt(std::max(rest, 1e-3 * own)) : rest / l[j][j];
+    }
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    for (int k = 0; k < i; ++k)
+    {
+      b[i] -= l[i][k] * b[k];
+    }
+    b[i] /= l[i][i];
+  }
+  for (int i = 5; i >= 0; --i)
+  {
+    for (int k = i + 1; k < 6; ++k)
+    {
+      b[i] -= l[k][i] * b[k];
+    }
+    b[i] /= l[i][i];
+  }
+  return { { b[0], b[1], b[2] }, { b[3], b[4], b[5] } };
+}
+
+/** A pose after a share of a step; its turn is by 2 atan(|Turn|/2) < |Turn|. */
+ShellPose Moved(const ShellPose& pose, const Step& step, double share) noexcept
+{
+  const Vector3 half = (0.5 * share) * step.Turn;
+  const Quaternion turned = Quaternion{ 1.0, half.X, half.Y, half.Z } * pose.Orientation;
+  return { pose.Position + share * step.Move, (1.0 / std::sqrt(SquaredNorm(turned))) * turned };
+}
+
+bool IsPose(const ShellPose& pose) noexcept
+{
+  const Vector3& x = pose.Position;
+  Quaternion q = pose.Orientation;
+  // Also false for NaN.
+  return std::abs(x.X) < FarthestHand && std::abs(x.Y) < FarthestHand &&
+    std::abs(x.Z) < FarthestHand && MakeUnit(q);
+}
+
+/** One tick of a tool that is enabled. */
+class Advance
+{
+public:
+  Advance(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
+    ShellState& state, ShellMemory& memory) noexcept
+    : Finder(model, shell, settings)
+    , Springs{ settings.CouplingStiffness, settings.TurningStiffness }
+    , Reach(shell.GetReach())
+    , Most(std::clamp<std::size_t>(
+        MostPointsRead / std::max<std::size_t>(shell.GetSize(), 1), 2, MostLooks))
+    , State(state)
+    , Memory(memory)
+  {
+    const double cap = model.Caps.Stiffness;
+    if (cap > 0.0)
+    {
+      this->Springs.Stiffness = std::min(this->Springs.Stiffness, cap);
+    }
+  }
+
+  /** Puts the tool into the hand. */
+  void Start(const ShellPose& hand) noexcept
+  {
+    this->State.Tool = this->State.Hand = hand;
+    this->State.Budget = 0.0;
+    this->Memory.GetCurrent().Count = 0;
+    this->Memory.Clearance.Reset();
+    this->Look(hand, true);
+    this->Memory.Swap();
+    this->State.Sum = this->Sum;
+    this->State.Enabled = true;
+  }
+
+  void Follow(const ShellPose& hand) noexcept
+  {
+    ShellState& s = this->State;
+    s.Budget += this->Springs.At(s.Tool, hand).Energy - this->Springs.At(s.Tool, s.Hand).Energy;
+    s.Hand = hand;
+    Coupling::Pull pull = this->Springs.At(s.Tool, hand);
+    Step step = FindStep(this->Springs, pull, s.Sum);
+    this->IsUnfinished = true;
+    while (this->Looks < this->Most && this->IsUnfinished)
+    {
+      const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
+      const double farthest = this->Finder.GetFarthestStep();
+      const double share = way > farthest ? farthest / way : 1.0;
+      const bool isFree = share == 1.0 && s.Sum.Contacts == 0;
+      ShellPose next = isFree && this->IsNearlyTurned(hand) ? hand : Moved(s.Tool, step, share);
+      const double before = pull.Energy + s.Sum.Energy;
+      this->Look(next, false);
+      pull = this->Springs.At(next, hand);
+      if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
+      {
+        // The step has met contacts of which it did not know: now it knows them.
+        next = this->Corrected(next, pull);
+        this->Look(next, false);
+        pull = this->Springs.At(next, hand);
+      }
+      for (double part = 0.25 * share; this->IsTooMuch(before, pull) && this->Looks < this->Most;
+           part *= 0.25)
+      {
+        next = Moved(s.Tool, step, part);
+        this->Look(next, false);
+        pull = this->Springs.At(next, hand);
+      }
+      if (!this->Take(next, pull))
+      {
+        return;
+      }
+      step = FindStep(this->Springs, pull, s.Sum);
+      this->IsUnfinished = this->IsFar(step, pull);
+    }
+  }
+
+  void Report(ShellRecord& record) const noexcept
+  {
+    const ShellState& s = this->State;
+    const Coupling::Pull pull = this->Springs.At(s.Tool, s.Hand);
+    record.Hand = s.Hand;
+    record.Tool = s.Tool;
+    record.Force = pull.Force;
+    record.Torque = pull.Torque;
+    record.Stiffness = this->Springs.Stiffness;
+    record.Energy = s.Sum.Energy;
+    record.Contacts = s.Sum.Contacts;
+    record.Yielding = s.Sum.Yielding;
+    record.Looks = this->Looks;
+    record.IsUnfinished = this->IsUnfinished;
+  }
+
+private:
+  void Look(const ShellPose& pose, bool isStart) noexcept
+  {
+    ShellMemory& memory = this->Memory;
+    this->Way = this->Finder.FindWay(this->State.Tool, pose);
+    this->Finder.Find(
+      pose, this->Way, isStart, memory.GetCurrent(), memory.GetNext(), memory.Clearance, this->Sum);
+    ++this->Looks;
+  }
+
+  bool IsTooMuch(double before, const Coupling::Pull& pull) const noexcept
+  {
+    return pull.Energy + this->Sum.Energy > (1.0 + EnergyTolerance) * before;
+  }
+
+  /** A pose from the contacts at another one, no farther from the tool than feet are followed. */
+  ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
+  {
+    Step step = FindStep(this->Springs, pull, this->Sum);
+    const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
+    const double farthest = this->Finder.GetFarthestStep();
+    return Moved(from, step, way > farthest ? farthest / way : 1.0);
+  }
+
+  /** Whether one step turns a tool that nothing holds to the hand's orientation. */
+  bool IsNearlyTurned(const ShellPose& hand) const noexcept
+  {
+    const Quaternion turn = this->State.Tool.Orientation * Conjugate(hand.Orientation);
+    constexpr double least = 0.99; // cos(theta/2)
+    return std::abs(turn.W) > least;
+  }
+
+  /** Takes the pose that was looked at last, if the budget pays for its pull. */
+  bool Take(const ShellPose& next, const Coupling::Pull& pull) noexcept
+  {
+    ShellState& s = this->State;
+    const double room = s.Budget - pull.Energy;
+    if (this->Sum.Energy > room)
+    {
+      if (!(room >= 0.0))
+      {
+        return false;
+      }
+      const double share = room / this->Sum.Energy;
+      const double force = std::sqrt(share);
+      this->Memory.GetNext().Share = share;
+      this->Sum.Energy = room;
+      for (double& gradient : this->Sum.Gradient)
+      {
+        gradient *= force;
+      }
+      if (room == 0.0)
+      {
+        this->Sum.Contacts = this->Sum.Yielding = 0;
+      }
+    }
+    this->Memory.Swap();
+    this->Memory.Clearance.Travelled += this->Way;
+    s.Tool = next;
+    s.Sum = this->Sum;
+    const double stored = pull.Energy + s.Sum.Energy;
+    s.Budget = s.Sum.Contacts == 0 ? pull.Energy : std::min(s.Budget, (1.0 + MostReserve) * stored);
+    return true;
+  }
+
+  bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
+  {
+    const double tolerance = ForceTolerance + ForceShare * Norm(pull.Force);
+    // A torque that this change of the force would have at the arm of the tool.
+    constexpr double leastArm = 1e-3; // m
+    const double torque = std::max(this->Reach, leastArm) * tolerance;
+    return this->Springs.Stiffness * Norm(step.Move) > tolerance ||
+      this->Springs.TurningStiffness * Norm(step.Turn) > torque;
+  }
+
+  const ShellContactFinder Finder;
+  Coupling Springs;
+  const double Reach;
+  const std::size_t Most;
+  ShellState& State;
+  ShellMemory& Memory;
+  ShellSum Sum;     ///< of the last look
+  double Way = 0.0; ///< voxels, from the tool to the last look
+  std::uint32_t Looks = 0;
+  bool IsUnfinished = false;
+};
+
+} // namespace
+
+void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
+  const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept
+{
+  record = ShellRecord{};
+  const bool isSame = memory.GetPoints() == shell.GetSize() &&
+    (!state.Enabled || memory.Model == model.Baked->Number);
+  if (!IsPose(hand) || !isSame)
+  {
+    state.Enabled = false;
+    record.Hand = hand;
+    record.Tool = state.Tool;
+    return;
+  }
+  ShellPose unit = hand;
+  MakeUnit(unit.Orientation);
+  Advance advance(model, shell, settings, state, memory);
+  if (state.Enabled)
+  {
+    advance.Follow(unit);
+  }
+  else
+  {
+    memory.Model = model.Baked->Number;
+    advance.Start(unit);
+  }
+  advance.Report(record);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A tool with a shape in the hand: from the pose of the hand to force and torque.
+ *
+ * Between the hand's pose (y, q_y) and the tool's (x, q_x) are two springs with the energy
+ *
+ *   U = k/2 |x - y|^2 + 2 k_r sin^2(theta/2),
+ *
+ * theta the angle between both. The tool is where U and the contacts' energy E
+ * (ShellContacts.h) together are least: it has no mass (a quasi-static coupling). A tick takes
+ * Gauss-Newton steps towards that pose, from where the tool was; usually one is enough. No point
+ * moves farther than a quarter of a voxel between two looks, so that thin walls hold fast tools.
+ *
+ * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the turn.
+ *
+ * Passivity. A budget S has the energy that the hand has put in: while the tool rests and the hand
+ * moves, S changes by as much as U. No step is taken after which U + E > S; if nothing else helps,
+ * the contacts lose energy. So U <= S always, and the hand gets back no more than it has put in,
+ * whatever the volume and its materials are, and however inexact the steps are. What a contact has
+ * lost pays for later rises, but only a tenth of what is stored, and none after the contact.
+ */
+#ifndef ShellCoupling_h
+#define ShellCoupling_h
+
+#include "Core/Tools/PointShell/ShellContacts.h"
+
+namespace VolumeHaptics
+{
+
+/** The state from which the next tick goes on, together with ShellMemory. */
+struct ShellState
+{
+  bool Enabled = false; ///< if false, the next tick puts the tool into the hand with no force
+  ShellPose Tool;
+  ShellPose Hand;      ///< of the last tick
+  double Budget = 0.0; ///< S, J
+  ShellSum Sum;        ///< at Tool
+};
+
+/** The contacts at ShellState::Tool, and room for those of a step; for one shell. */
+class ShellMemory
+{
+public:
+  explicit ShellMemory(const PointShell& shell)
+    : Clearance(shell.GetBlocks().size())
+    , Points(shell.GetSize())
+    , Contacts{ ShellContacts(shell.GetSize()), ShellContacts(shell.GetSize()) }
+  {
+  }
+
+  ShellContacts& GetCurrent() noexcept { return this->Contacts[this->Current]; }
+  const ShellContacts& GetCurrent() const noexcept { return this->Contacts[this->Current]; }
+  ShellContacts& GetNext() noexcept { return this->Contacts[1 - this->Current]; }
+  /** The next ones are the current ones from now on. */
+  void Swap() noexcept { this->Current = 1 - this->Current; }
+  std::size_t GetPoints() const noexcept { return this->Points; }
+  ShellClearance Clearance;
+  /** BakedVolume::Number of the model to which the contacts belong. */
+  std::uint64_t Model = 0;
+
+private:
+  std::size_t Points;
+  ShellContacts Contacts[2];
+  int Current = 0;
+};
+
+/** The results of one tick, in device space: metres, newtons. */
+struct ShellRecord
+{
+  ShellPose Hand;
+  ShellPose Tool;
+  Vector3 Force;              ///< N, on the hand
+  Vector3 Torque;             ///< N m, on the hand, about the origin of the tool
+  double Stiffness = 0.0;     ///< N/m, of the coupling
+  double Energy = 0.0;        ///< J, of the contacts
+  std::uint32_t Contacts = 0; ///< points that are pressed
+  std::uint32_t Yielding = 0; ///< of these, those with the largest pressure of their material
+  std::uint32_t Looks = 0;    ///< how often the volume was read at all points
+  bool IsUnfinished = false;  ///< the tool is still on its way
+};
+
+/**
+ * Advances the state by one tick. A hand that is not finite, far away, or whose orientation is no
+ * unit quaternion, gives zero force and disables the state. So does another model than that of the
+ * last tick, or a memory that was made for another shell; the tick after that begins at the hand.
+ * Neither allocates, locks nor throws.
+ */
+void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
+  const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads a volume at the points of a shell.
+ *
+ * As in FieldSampler.h, the kernels are compiled once per instruction set and chosen at run time,
+ * and all give the same bits.
+ */
+#ifndef ShellReader_h
+#define ShellReader_h
+
+#include "Core/Field/FieldSampler.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** The volume that is read, and the level beyond which it is solid. Borrows the samples. */
+struct ShellReading
+{
+  FieldView View;                       ///< without a kernel
+  double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
+  double Level = 0.0;
+  double Sign = 1.0; ///< -1 if values below the level are solid
+};
+
+/** Points in the frame of a tool. */
+struct ShellNumbers
+{
+  const double* X;
+  const double* Y;
+  const double* Z;
+  std::size_t Count;
+};
+
+/**
+ * Of up to 64 points, sets the bits of those that are within the volume and whose trilinear value
+ * is solid; NaN is not. The map from the tool to indices: a matrix by rows, and an offset.
+ */
+using MarkFunction = std::uint64_t (*)(
+  const ShellReading&, const ShellNumbers&, const double* map) noexcept;
+/** Whether any sample in a box of indices is solid; NaN is not. */
+using BoxFunction = bool (*)(
+  const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
+/** From a gradient per index step, and a position in it, to the device. */
+struct ShellFrame
+{
+  double GradientToDevice[9]; ///< by rows; per world unit, on the device's axes
+  double DeviceToIndex[9];    ///< by rows, of displacements in m
+  double UnitsPerMeter;
+  double Voxel;        ///< m
+  double KernelLength; ///< m
+};
+
+/** Points that may be in contact, number by number, so that several are computed at a time. */
+struct ShellBatch
+{
+  static constexpr std::size_t Most = 128;
+
+  std::size_t Count = 0;
+  double Place[3][Most];  ///< the index of the foot as it is known
+  double Index[3][Most];  ///< of the point
+  double Offset[3][Most]; ///< m, from the foot to the point; 0 for a new one
+  ///@{
+  /** Found; may be NaN. */
+  double Value[Most];       ///< trilinear, at Place
+  double Gradient[3][Most]; ///< central differences over one sample to either side, per index step
+  double Cell[3][Most];     ///< the derivatives in the cell of Place, per index step
+  double Normal[3][Most];   ///< unit, on the device's axes, into what is solid
+  double Magnitude[Most];   ///< of the gradient, per world unit
+  double Beyond[Most];      ///< m, how far Place is beyond the level
+  double Depth[Most];       ///< m, of the point
+  double Foot[3][Most];     ///< the index of the foot that was found
+  double Behind[3][Most];   ///< the index at a kernel length behind it
+  ///@}
+};
+
+/** Forces on points, number by number, up to a multiple of four: the rest is 0. */
+struct ShellPushes
+{
+  std::size_t Count = 0;
+  double Normal[3][ShellBatch::Most];
+  double Arm[3][ShellBatch::Most];
+  double Force[ShellBatch::Most];
+  double Stiffness[ShellBatch::Most];
+};
+
+/** From Place, Index and Offset, all that is found. */
+using FeetFunction = void (*)(const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
+/** Trilinear values at indices, x, y, z one after the other; BorderValue if one is not finite. */
+using ValuesFunction = void (*)(
+  const ShellReading&, const double* positions, std::size_t count, double* to) noexcept;
+/**
+ * With w = (n, arm x n) of each: adds the sums of force w to the six numbers, and those of
+ * stiffness w w^T to the 21 of a lower triangle, by rows.
+ */
+using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curvature) noexcept;
+
+/** The kernels for one scalar type. */
+struct ShellFunctions
+{
+  MarkFunction Mark = nullptr;
+  BoxFunction Box = nullptr;
+  FeetFunction Feet = nullptr;
+  ValuesFunction Values = nullptr;
+  AddFunction Add = nullptr;
+};
+
+/** A volume, ready to be read. */
+class ShellReader
+{
+public:
+  ShellReader(const VolumeView& view, double level, bool isBelow,
+    InstructionSet instructions = DetectInstructionSet()) noexcept;
+
+  /** See MarkFunction. */
+  std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
+  {
+    return this->Functions.Mark(this->Reading, points, toolToIndex);
+  }
+  /**
+   * False if no position in a box around an index (half its size along each axis, in samples) is
+   * solid. True if one may be, or if the box has too many samples for a look.
+   */
+  bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
+  void FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
+  {
+    this->Functions.Feet(this->Reading, frame, batch);
+  }
+  void Add(const ShellPushes& forces, double* gradient, double* curvature) const noexcept
+  {
+    this->Functions.Add(forces, gradient, curvature);
+  }
+  void ReadValues(const double* positions, std::size_t count, double* to) const noexcept
+  {
+    this->Functions.Values(this->Reading, positions, count, to);
+  }
+  const ShellReading& GetReading() const noexcept { return this->Reading; }
+
+private:
+  ShellReading Reading;
+  ShellFunctions Functions;
+};
+
+} // namespace VolumeHaptics
+
+#endif
