@@ -26,11 +26,19 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
+    // Of several side by side, the one below the middle.
+    double mine[4]; // left, bottom, right, top
+    renderer->GetViewport(mine);
+    const double middle[2] = { 0.5 * (mine[0] + mine[2]), 0.5 * (mine[1] + mine[3]) };
     vtkCollectionSimpleIterator at;
     window->GetRenderers()->InitTraversal(at);
     while (vtkRenderer* const other = window->GetRenderers()->GetNextRenderer(at))
     {
-      ground = other->GetLayer() == 0 ? other : ground;
+      double theirs[4];
+      other->GetViewport(theirs);
+      const bool isBelow = other->GetLayer() == 0 && middle[0] >= theirs[0] &&
+        middle[0] <= theirs[2] && middle[1] >= theirs[1] && middle[1] <= theirs[3];
+      ground = isBelow ? other : ground;
     }
   }
   const auto lightness = [](const double* c) { return 0.3 * c[0] + 0.6 * c[1] + 0.1 * c[2]; };
