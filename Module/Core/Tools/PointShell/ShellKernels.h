@@ -16,12 +16,111 @@ namespace VolumeHaptics
 namespace
 {
 
+/** Not loaded from an array, which the processor would have to wait for. */
+VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
+{
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
+  return Double4{ a, b, c, d };
+#else
+  return { { a, b, c, d } };
+#endif
+}
+
+/** The mark of one point from its index and the trilinear value there. */
+VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
+  const ShellReading& reading, double x, double y, double z, double value)
+{
+  const bool isInside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x <= reading.Border[0] &&
+    y <= reading.Border[1] && z <= reading.Border[2];
+  // False for NaN.
+  const bool isBeyond = reading.Sign * (value - reading.Level) >= 0.0;
+  return isInside && isBeyond ? 1 : 0;
+}
+
+/** The marks of four points. */
+template <typename T>
+VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(const ShellReading& reading, const double* px,
+  const double* py, const double* pz, const double* map)
+{
+  const Double4 tx = LoadDouble4(px);
+  const Double4 ty = LoadDouble4(py);
+  const Double4 tz = LoadDouble4(pz);
+  const auto along = [&](int row)
+  {
+    const double* const m = map + 3 * row;
+    const double offset = map[9 + row];
+    return m[0] * tx + m[1] * ty + m[2] * tz + MakeDouble4(offset, offset, offset, offset);
+  };
+  double x[4];
+  double y[4];
+  double z[4];
+  StoreDouble4(along(0), x);
+  StoreDouble4(along(1), y);
+  StoreDouble4(along(2), z);
+  const std::int64_t sx = reading.View.Volume.Stride[0];
+  const std::int64_t sy = reading.View.Volume.Stride[1];
+  const std::int64_t sz = reading.View.Volume.Stride[2];
+  const T* corner[4];
+  double fx[4];
+  double fy[4];
+  double fz[4];
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    const CellPlace place = LocateCell(reading.View, x[lane], y[lane], z[lane]);
+    corner[lane] = static_cast<const T*>(reading.View.Volume.Data) + place.X.Cell * sx +
+      place.Y.Cell * sy + place.Z.Cell * sz;
+    fx[lane] = place.X.Fraction;
+    fy[lane] = place.Y.Fraction;
+    fz[lane] = place.Z.Fraction;
+  }
+  const Double4 u = MakeDouble4(fx[0], fx[1], fx[2], fx[3]);
+  const Double4 v = MakeDouble4(fy[0], fy[1], fy[2], fy[3]);
+  const Double4 w = MakeDouble4(fz[0], fz[1], fz[2], fz[3]);
+  const auto at = [&](std::int64_t i)
+  {
+    return MakeDouble4(static_cast<double>(corner[0][i]), static_cast<double>(corner[1][i]),
+      static_cast<double>(corner[2][i]), static_cast<double>(corner[3][i]));
+  };
+  const auto line = [&](std::int64_t i)
+  {
+    const Double4 first = at(i);
+    return first + u * (at(i + sx) - first);
+  };
+  const auto plane = [&](std::int64_t i)
+  {
+    const Double4 first = line(i);
+    return first + v * (line(i + sy) - first);
+  };
+  const Double4 near = plane(0);
+  double values[4];
+  StoreDouble4(near + w * (plane(sz) - near), values);
+  std::uint64_t mark = 0;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (!IsNumber(values[lane]))
+      {
+        // A sample that is not a number but has no weight does not count.
+        values[lane] = Trilinear<T>(reading.View, x[lane], y[lane], z[lane]);
+      }
+    }
+    mark |= MarkOf(reading, x[lane], y[lane], z[lane], values[lane]) << lane;
+  }
+  return mark;
+}
+
 template <typename T>
 std::uint64_t MarkPoints(
   const ShellReading& reading, const ShellNumbers& points, const double* map) noexcept
 {
   std::uint64_t mark = 0;
-  for (std::size_t i = 0; i < points.Count; ++i)
+  std::size_t i = 0;
+  for (; i + 4 <= points.Count; i += 4)
+  {
+    mark |= MarkFour<T>(reading, points.X + i, points.Y + i, points.Z + i, map) << i;
+  }
+  for (; i < points.Count; ++i)
   {
     const double px = points.X[i];
     const double py = points.Y[i];
@@ -29,12 +128,7 @@ std::uint64_t MarkPoints(
     const double x = map[0] * px + map[1] * py + map[2] * pz + map[9];
     const double y = map[3] * px + map[4] * py + map[5] * pz + map[10];
     const double z = map[6] * px + map[7] * py + map[8] * pz + map[11];
-    const bool isInside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x <= reading.Border[0] &&
-      y <= reading.Border[1] && z <= reading.Border[2];
-    const double value = Trilinear<T>(reading.View, x, y, z);
-    // False for NaN.
-    const bool isBeyond = reading.Sign * (value - reading.Level) >= 0.0;
-    mark |= static_cast<std::uint64_t>(isInside && isBeyond) << i;
+    mark |= MarkOf(reading, x, y, z, Trilinear<T>(reading.View, x, y, z)) << i;
   }
   return mark;
 }
@@ -83,16 +177,6 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
   {
     to[1 + axis] = to[4 + axis] = 0.5 * (values[2 * axis + 1] - values[2 * axis]);
   }
-}
-
-/** Not loaded from an array, which the processor would have to wait for. */
-VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
-{
-#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
-  return Double4{ a, b, c, d };
-#else
-  return { { a, b, c, d } };
-#endif
 }
 
 /** Two neighbours along x, of each of four lines: the first ones, and the second ones. */
