@@ -26,14 +26,17 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   const Footprint<4>& foot, VectorSample& sample)
 {
   constexpr int sums = WithGradient ? 3 : 1; // of the value; and for the slopes along y and z
+  // Unrolled, so that the sums of a vector are in registers.
   Double4 sum[sums][C] = {};
   for (int k = 0; k < 4; ++k)
   {
     Double4 smooth[C] = {};
     Double4 slope[C] = {};
+#pragma GCC unroll 4
     for (int j = 0; j < 4; ++j)
     {
       const T* const row = corner + k * plane + j * line;
+#pragma GCC unroll 9
       for (int p = 0; p < C; ++p)
       {
         const Double4 taps = LoadDouble4(row + 4 * p);
@@ -44,6 +47,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
         }
       }
     }
+#pragma GCC unroll 9
     for (int p = 0; p < C; ++p)
     {
       sum[0][p] = sum[0][p] + foot.Weights[2][k] * smooth[p];
@@ -55,8 +59,10 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
     }
   }
   alignas(32) double row[sums][4 * C];
+#pragma GCC unroll 3
   for (int s = 0; s < sums; ++s)
   {
+#pragma GCC unroll 9
     for (int p = 0; p < C; ++p)
     {
       StoreDouble4(sum[s][p], row[s] + 4 * p);
@@ -67,6 +73,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
     return (weights[0] * row[s][c] + weights[2] * row[s][2 * C + c]) +
       (weights[1] * row[s][C + c] + weights[3] * row[s][3 * C + c]);
   };
+#pragma GCC unroll 9
   for (int c = 0; c < C; ++c)
   {
     sample.Value[c] = along(0, c, foot.Weights[0]);

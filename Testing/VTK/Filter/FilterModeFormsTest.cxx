@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What holds of modes, whatever their field: closed forms that take long ways or turned volumes,
+ * and bounds. Forms of single modes: FilterModesTest.cxx.
+ */
+
+#include "FilterModesRig.h"
+
+#include <vtkHapticShearMode.h>
+#include <vtkHapticTensorFollowMode.h>
+#include <vtkHapticVectorFollowMode.h>
+#include <vtkHapticVectorFrontMode.h>
+#include <vtkHapticVortexMode.h>
+#include <vtkMath.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPiecewiseFunction.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace modestest;
+
+namespace
+{
+const double Turn = 2.0 * std::acos(-1.0);
+
+/// An image of several voxels, around the origin, with scalars of 0.
+vtkSmartPointer<vtkImageData> MakeGrid(const std::array<int, 3>& size, double spacing)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size.data());
+  image->SetSpacing(spacing, spacing, spacing);
+  image->SetOrigin(
+    -0.5 * spacing * (size[0] - 1), -0.5 * spacing * (size[1] - 1), -0.5 * spacing * (size[2] - 1));
+  image->AllocateScalars(VTK_FLOAT, 1);
+  image->GetPointData()->GetScalars()->Fill(0.0);
+  return image;
+}
+
+/// From the origin, drawn back to it a little.
+std::vector<Point> RandomWalk(int ticks, double stride)
+{
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> uniform(-stride, stride);
+  std::vector<Point> places = { {} };
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    Point next = places.back();
+    for (double& x : next)
+    {
+      x = (1.0 - 0.1 * stride) * x + uniform(engine);
+    }
+    places.push_back(next);
+  }
+  return places;
+}
+
+Point ForceAt(vtkPolyData* trace, vtkIdType tick)
+{
+  return { Get(trace, "Force", tick, 0), Get(trace, "Force", tick, 1),
+    Get(trace, "Force", tick, 2) };
+}
+
+/// A flow of many directions, with a rotation, a stretching, and a place without any.
+void Swirl(const Point& p, double* v)
+{
+  v[0] = std::sin(0.4 * p[1]);
+  v[1] = std::cos(0.3 * p[2]) - 0.5;
+  v[2] = 0.5 * std::sin(0.5 * p[0] + 0.2 * p[1]);
+}
+
+/// Its tensor v v^T + 0.1, which is flat or long elsewhere.
+void SwirlTensor(const Point& p, double* t)
+{
+  double v[3];
+  Swirl(p, v);
+  const double flat = 0.3 * std::sin(0.3 * p[2]);
+  const double six[6] = { v[0] * v[0] + 0.1, v[1] * v[1] + 0.1 + flat * flat, v[2] * v[2] + 0.1,
+    v[0] * v[1], v[1] * v[2], v[0] * v[2] };
+  std::copy_n(six, 6, t);
+}
+} // namespace
+
+class FilterModeForms : public FilterModes
+{
+protected:
+  void UseGrid(const std::array<int, 3>& size, double spacing)
+  {
+    this->Image = MakeGrid(size, spacing);
+    this->Filter->SetInputData(this->Image);
+  }
+
+  /// The random fields, and modes of all that is made of vectors and tensors.
+  std::vector<vtkSmartPointer<vtkHapticMode>> UseSwirl()
+  {
+    this->UseGrid({ 24, 24, 24 }, 1.0);
+    this->AddArray("flow", 3, Swirl);
+    this->AddArray("tensor", 6, SwirlTensor);
+    const auto front = NewMode<vtkHapticVectorFrontMode>("flow");
+    front->TwoSidedOn();
+    const auto vortex = NewMode<vtkHapticVortexMode>("flow");
+    SetConstant(vortex->GetAxisStrength(), 0.3);
+    const auto fibres = NewMode<vtkHapticTensorFollowMode>("tensor");
+    SetConstant(fibres->GetSheetStrength(), 0.5);
+    const std::vector<vtkSmartPointer<vtkHapticMode>> modes = { NewMode<vtkHapticVectorFollowMode>(
+                                                                  "flow"),
+      front, vortex, NewMode<vtkHapticShearMode>("flow"), fibres };
+    for (const auto& mode : modes)
+    {
+      mode->GetStrength()->AddPoint(0.0, 0.0);
+      mode->GetStrength()->AddPoint(1.0, 1.5);
+    }
+    return modes;
+  }
+};
+
+TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
+{
+  // P4: the circle of 20 mm with the tip on 18 mm: 1 N outwards.
+  this->UseGrid({ 48, 48, 7 }, 1.0);
+  this->AddArray("flow", 3,
+    [](const Point& p, double* v)
+    {
+      v[0] = -p[1];
+      v[1] = p[0];
+      v[2] = 0.0;
+    });
+  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  this->Filter->AddMode(mode);
+  std::vector<Point> tips = { { 20.0, 0.0, 0.0 } };
+  for (int tick = 0; tick <= 100 * 500; ++tick)
+  {
+    const double angle = Turn * (tick % 500) / 500.0;
+    tips.push_back({ 18.0 * std::cos(angle), 18.0 * std::sin(angle), 0.0 });
+  }
+  this->Follow(tips);
+  this->Filter->SetTraceArrays("Force");
+  vtkPolyData* const trace = this->Run(100 * 500 + 2);
+  ExpectNear(LastProxy(trace), { 20.0, 0.0, 0.0 }, 0.005);
+  ExpectNear(Last(trace, "Force"), { 1.0, 0.0, 0.0 }, 0.005);
+}
+
+TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
+{
+  // P5, Lamb-Oseen: curl v = 2 exp(-r^2/100 mm^2), S = 2 N of that. The proxy is at r if the tip is
+  // at r + S/k: 5 mm for 8.115 mm, 10 mm for 11.472 mm, 20 mm for 20.073 mm.
+  this->UseGrid({ 96, 96, 8 }, 0.5);
+  this->AddArray("flow", 3,
+    [](const Point& p, double* v)
+    {
+      const double square = p[0] * p[0] + p[1] * p[1];
+      const double turn = -std::expm1(-square / 100.0) * 100.0 / square;
+      v[0] = -turn * p[1];
+      v[1] = turn * p[0];
+      v[2] = 0.0;
+    });
+  const auto mode = NewMode<vtkHapticVortexMode>("flow");
+  mode->GetStrength()->AddPoint(0.0, 0.0);
+  mode->GetStrength()->AddPoint(2.0, 2.0);
+  this->Filter->AddMode(mode);
+  struct Place
+  {
+    double Proxy, Tip, Force;
+  };
+  for (const Place& at : { Place{ 0.0, 3.9, 1.95 }, Place{ 5.0, 8.1152, 1.5576 },
+         Place{ 10.0, 11.4715, 0.7358 }, Place{ 20.0, 20.0733, 0.0366 } })
+  {
+    // From the core outwards, slowly, and along another line each time.
+    const double angle = 0.3 + at.Proxy;
+    const Point out{ std::cos(angle), std::sin(angle), 0.0 };
+    this->Follow(Line({ 0, 0, 0 }, { at.Tip * out[0], at.Tip * out[1], 0.0 }, 1000));
+    vtkPolyData* const trace = this->Run(1001);
+    EXPECT_NEAR(Get(trace, "NormalForce", 1000), at.Force, 0.005 * at.Force + 1e-5) << at.Proxy;
+    // The core line is found within a hundredth of a voxel, the other ones as strengths are.
+    const double tolerance = at.Proxy == 0.0 ? 0.005 : 0.02;
+    ExpectNear(LastProxy(trace), { at.Proxy * out[0], at.Proxy * out[1], 0.0 }, tolerance);
+  }
+  // Inwards nothing is felt.
+  this->Follow(Line({ 15, 0, 0 }, { 2, 0, 0 }, 1000));
+  EXPECT_LT(Get(this->Run(1001), "NormalForce", 1000), 1e-3);
+}
+
+TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
+{
+  // P9: fibres at two angles in the lowest and in the highest slice; at the share t of the way they
+  // are at atan2((1-t) sin 2a + t sin 2b, (1-t) cos 2a + t cos 2b)/2. The hand pulls along x.
+  struct Turned
+  {
+    double From, To, Share, Angle;
+  };
+  for (const Turned& of : { Turned{ 30, 0, 0.5, 15.0 }, Turned{ 60, 20, 0.25, 51.380 },
+         Turned{ 80, 0, 0.25, 75.287 }, Turned{ 60, -60, 0.5, 90.0 } })
+  {
+    this->UseGrid({ 24, 24, 17 }, 1.0);
+    this->AddArray("tensor", 6,
+      [&](const Point& p, double* t)
+      {
+        const double share = (p[2] + 8.0) / 16.0;
+        const double a = 2.0 * of.From * Turn / 360.0;
+        const double b = 2.0 * of.To * Turn / 360.0;
+        const double c = 0.4 * ((1.0 - share) * std::cos(a) + share * std::cos(b));
+        const double s = 0.4 * ((1.0 - share) * std::sin(a) + share * std::sin(b));
+        const double six[6] = { 0.6 + c, 0.6 - c, 0.1, s, 0.0, 0.0 };
+        std::copy_n(six, 6, t);
+      });
+    this->Filter->RemoveAllModes();
+    this->Filter->AddMode(NewMode<vtkHapticTensorFollowMode>("tensor"));
+    const double z = 16.0 * of.Share - 8.0;
+    this->Follow(Line({ 0, 0, z }, { 2.0, 0, z }, 100));
+    vtkPolyData* const trace = this->Run(101);
+    // Along the fibre by 2 mm times the cosine, and 1 N times the sine across it.
+    const double angle = of.Angle * Turn / 360.0;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    ExpectNear(LastProxy(trace), { 2.0 * c * c, 2.0 * c * s, z }, 1e-4);
+    ExpectNear(Last(trace, "Force"), { -s * s, s * c, 0.0 }, 1e-4);
+  }
+}
+
+TEST_F(FilterModeForms, TurnWithVolumeAndPath)
+{
+  // P11: the same samples along the axes of an image that is turned.
+  const double rows[3][3] = { { 0.36, -0.8, 0.48 }, { 0.48, 0.6, 0.64 }, { -0.8, 0.0, 0.6 } };
+  const auto turned = [&](const Point& p)
+  {
+    Point q;
+    vtkMath::Multiply3x3(rows, p.data(), q.data());
+    return q;
+  };
+  const std::vector<Point> tips = RandomWalk(2000, 0.2);
+  std::vector<Point> turnedTips(tips.size());
+  std::transform(tips.begin(), tips.end(), turnedTips.begin(), turned);
+  const auto modes = this->UseSwirl();
+  vtkNew<vtkMatrix3x3> direction;
+  direction->DeepCopy(&rows[0][0]);
+  Point origin;
+  this->Image->GetOrigin(origin.data());
+  const Point turnedOrigin = turned(origin);
+  for (const auto& mode : modes)
+  {
+    mode->SetAxesToImage();
+    this->Filter->RemoveAllModes();
+    this->Filter->AddMode(mode);
+    this->Image->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 1);
+    this->Image->SetOrigin(origin.data());
+    this->Follow(tips);
+    const auto here = (this->Run(2001), Keep(this->Filter));
+    this->Image->SetDirectionMatrix(direction);
+    this->Image->SetOrigin(turnedOrigin.data());
+    this->Follow(turnedTips);
+    vtkPolyData* const there = this->Run(2001);
+    double worst = 0.0;
+    double strongest = 0.0;
+    for (vtkIdType tick = 0; tick < 2001; ++tick)
+    {
+      const Point f = turned(ForceAt(here, tick));
+      const Point g = ForceAt(there, tick);
+      worst = std::max(worst, std::hypot(f[0] - g[0], f[1] - g[1], f[2] - g[2]));
+      strongest = std::max(strongest, std::hypot(f[0], f[1], f[2]));
+    }
+    EXPECT_LT(worst, 1e-12) << mode->GetClassName();
+    EXPECT_GT(strongest, 0.1) << mode->GetClassName();
+  }
+}
+
+TEST_F(FilterModeForms, PullNoMoreThanTheirStrengths)
+{
+  // P11: of each mode alone, and of as many together as there may be.
+  const auto modes = this->UseSwirl();
+  // Forces at most: functions of magnitudes hold their last value; a tensor's measures are shares.
+  const double most[5] = { 1.5, 1.5, 1.8, 1.5, 2.0 };
+  for (const double stride : { 0.2, 3.0 }) // mm a tick: a hand, and leaps
+  {
+    this->Follow(RandomWalk(20000, stride));
+    for (std::size_t i = 0; i <= modes.size(); ++i)
+    {
+      this->Filter->RemoveAllModes();
+      double sum = 0.0;
+      for (std::size_t j = 0; j < modes.size(); ++j)
+      {
+        // Eight primitives in all: those of the flow's line, the vortex and the fibres.
+        if (j == i || (i == modes.size() && j != 1 && j != 3))
+        {
+          this->Filter->AddMode(modes[j]);
+          sum += most[j];
+        }
+      }
+      vtkPolyData* const trace = this->Run(20001);
+      double strongest = 0.0;
+      for (vtkIdType tick = 0; tick < 20001; ++tick)
+      {
+        strongest = std::max(strongest, Get(trace, "NormalForce", tick));
+      }
+      EXPECT_LE(strongest, sum * (1.0 + 1e-12)) << i;
+      EXPECT_GT(strongest, 0.1) << i << " does pull";
+    }
+  }
+}
