@@ -43,12 +43,14 @@ foreach (file IN ITEMS
     _paths.py
     _plotting.py
     _touch.py
+    _webview.py
     arrays.py
     data/HeadPhantom.vti
     data/README.txt
     examples.py
     py.typed
-    pyvista.py)
+    pyvista.py
+    web.py)
   set(source "${package_source}/${file}")
   if (file MATCHES "vti$") # which stands with the repository's other data
     set(source "${root}/Data/HeadPhantom.vti")

@@ -345,8 +345,15 @@ void vtkInteractorStyleHaptic::OnTimer()
     this->Superclass::OnTimer();
     return;
   }
+  this->DrawHaptics();
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::DrawHaptics()
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete it
   const bool isNew = this->UpdateHaptics();
-  d.Interaction.Frames.DrawIfDue(isNew);
+  return this->Internals->Interaction.Frames.DrawIfDue(isNew);
 }
 
 //------------------------------------------------------------------------------

@@ -256,11 +256,22 @@ public:
    * In motion, vtkGPUVolumeRayCastMapper and vtkFixedPointVolumeRayCastMapper cast fewer rays and
    * take fewer samples on them, but one in each voxel. Only the fixed point mapper, which runs on
    * the processor, can be interrupted. If OpenGL runs on the processor, too, vtkSmartVolumeMapper
-   * uses that mapper while a scene is touched. Windows off the screen are left alone.
+   * uses that mapper while a scene is touched. Windows off the screen are left alone, unless
+   * AutoAdjustOffScreen is on.
    */
   vtkSetMacro(AutoAdjustVolumeQuality, bool);
   vtkGetMacro(AutoAdjustVolumeQuality, bool);
   vtkBooleanMacro(AutoAdjustVolumeQuality, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether AutoAdjustVolumeQuality also adjusts a window off the screen, for applications that
+   * show its pictures elsewhere, such as in a browser. Default off.
+   */
+  vtkSetMacro(AutoAdjustOffScreen, bool);
+  vtkGetMacro(AutoAdjustOffScreen, bool);
+  vtkBooleanMacro(AutoAdjustOffScreen, bool);
   ///@}
 
   ///@{
@@ -339,6 +350,13 @@ public:
    * applications without timers. True if there is something new to draw.
    */
   bool UpdateHaptics();
+
+  /**
+   * All that the timer does: UpdateHaptics(), and a frame if one is due. For applications whose
+   * loop of events runs no timers of VTK, such as a server's; call it DisplayRate times a second.
+   * True if it has drawn.
+   */
+  bool DrawHaptics();
 
   ///@{
   /**
@@ -445,6 +463,7 @@ protected:
   bool TipFollowsSurface = true;
   bool AutoAdjustVolumeQuality = true;
   int FeltVolume = NEAREST;
+  bool AutoAdjustOffScreen = false;
   bool WorkspaceFollowsCamera = true;
   double WorkspaceScale = 0.0;
 

@@ -7,6 +7,7 @@ display, or with --pictures DIR, feels its way over it and writes pictures, the 
 
 VOLUME     .vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices
   --demo   instead of VOLUME: the head phantom that comes with the package
+  --web    in a browser instead of a window (needs PyVista and trame); --web --help has its options
   --help   this text, and all options of the explorer, volumehaptics-explore, to which they go
 """
 
@@ -50,10 +51,25 @@ def replace_process(command: list[str]) -> int:
     return subprocess.run(command, check=False).returncode
 
 
+def web(arguments: list[str]) -> int:
+    """In a browser. It does not need the explorer."""
+    try:
+        import pyvista  # noqa: F401
+
+        from . import web as browser
+    except ImportError as error:
+        cure = "pip install pyvista trame trame-vuetify trame-rca"
+        sys.stderr.write(f"python -m volumehaptics --web: {error}\n  Cure: {cure}\n")
+        return 2
+    return browser.main(arguments)
+
+
 def main(arguments: list[str]) -> int:
     if not arguments:
         sys.stderr.write(__doc__)
         return 2
+    if "--web" in arguments:
+        return web([word for word in arguments if word != "--web"])
     explorer = find_explorer()
     if "--help" in arguments or "-h" in arguments:
         print(__doc__)

@@ -39,6 +39,17 @@ if TYPE_CHECKING:
 __all__ = ["Haptics", "add_haptics", "touch"]
 
 
+def _show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
+    """plotter.show(jupyter_backend="haptics")."""
+    from .web import show_plotter
+
+    return show_plotter(plotter, **settings)
+
+
+if hasattr(pv, "register_jupyter_backend"):  # PyVista 0.48
+    pv.register_jupyter_backend("haptics", _show_in_notebook, override=True)
+
+
 @overload
 def touch(
     volume: vtkImageData | np.ndarray,

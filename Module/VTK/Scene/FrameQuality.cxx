@@ -96,12 +96,13 @@ FrameQuality::~FrameQuality()
 }
 
 //------------------------------------------------------------------------------
-void FrameQuality::SetWindow(vtkRenderWindow* window)
+void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
 {
-  if (window == this->Window)
+  if (window == this->Window && offScreen == this->OffScreen)
   {
     return;
   }
+  this->OffScreen = offScreen;
   if (this->Window)
   {
     this->Window->RemoveObserver(this->Observer);
@@ -117,6 +118,13 @@ void FrameQuality::SetWindow(vtkRenderWindow* window)
     window->AddObserver(vtkCommand::EndEvent, this->Observer);
     window->AddObserver(vtkCommand::AbortCheckEvent, this->Observer);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderWindow* FrameQuality::FindWindow() const
+{
+  vtkRenderWindow* const window = this->Window;
+  return window && (this->OffScreen || !window->GetOffScreenRendering()) ? window : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -236,7 +244,7 @@ bool FrameQuality::IsOnProcessor()
 //------------------------------------------------------------------------------
 void FrameQuality::Begin()
 {
-  if (!this->Window || this->Window->GetOffScreenRendering())
+  if (!this->FindWindow())
   {
     return;
   }
@@ -267,7 +275,7 @@ void FrameQuality::Begin()
 //------------------------------------------------------------------------------
 void FrameQuality::End()
 {
-  if (!this->Window || this->Window->GetOffScreenRendering())
+  if (!this->FindWindow())
   {
     return;
   }
@@ -285,8 +293,8 @@ void FrameQuality::End()
 //------------------------------------------------------------------------------
 void FrameQuality::Interrupt()
 {
-  if (this->Window && !this->Moves && !this->Window->GetOffScreenRendering() &&
-    this->Window->CheckInRenderStatus() && HasPendingInput(this->Window))
+  if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus() &&
+    HasPendingInput(this->Window))
   {
     this->Window->SetAbortRender(1);
   }

@@ -38,7 +38,8 @@ namespace VolumeHaptics
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
- * A window off the screen is left alone, because nobody waits for its pictures.
+ * A window off the screen is left alone, because nobody waits for its pictures, unless it is told
+ * that somebody does.
  */
 class FrameQuality
 {
@@ -58,9 +59,9 @@ public:
 
   /**
    * Follows this window, nullptr for none, and gives the mappers of the last one their own settings
-   * back.
+   * back. `offScreen`: also if it is off the screen.
    */
-  void SetWindow(vtkRenderWindow* window);
+  void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
   /** Whether input has interrupted a frame since the last call: it is to be drawn again. */
   bool TakeInterruption();
@@ -109,7 +110,11 @@ private:
   bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;
+  /** The window, if its frames are adjusted now. */
+  vtkRenderWindow* FindWindow() const;
+
   vtkWeakPointer<vtkRenderWindow> Window;
+  bool OffScreen = false; ///< also where the window is off the screen
   vtkSmartPointer<vtkCallbackCommand> Observer;
   std::vector<Caster> Casters;
   std::vector<Smart> SmartMappers;

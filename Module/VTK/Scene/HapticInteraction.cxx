@@ -435,7 +435,8 @@ bool HapticInteraction::UpdateHaptics()
   this->Window.LookAt(scene.FindRenderer());
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
   this->Frames.SetWindow(
-    interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr);
+    interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr,
+    style->GetAutoAdjustOffScreen());
   this->Editor.FollowProposal();
   this->Displays.UpdateHint();
   this->Compared.Tell();

@@ -184,6 +184,9 @@ inline constexpr StyleSetting All[] = {
     "Whether ray casters draw as finely as 20 frames per second allow while something moves, and "
     "input interrupts a frame at rest; while the device is armed, a frame at rest takes 0.5 s at "
     "most, and 0.1 s if it can't be interrupted. Default on."),
+  HapticFlagMacro(AutoAdjustOffScreen, false, NotBaked,
+    "Whether AutoAdjustVolumeQuality also adjusts a window off the screen, for applications that "
+    "show its pictures elsewhere, such as in a browser. Default off."),
   HapticNumberMacro(DepthStep, 0.0, VTK_DOUBLE_MAX, 0.0, "", NotBaked,
     "The distance that a step of the wheel moves the tip (world units, 0 or more). Default 0: the "
     "smallest spacing of the image."),

@@ -72,7 +72,7 @@ void SceneFrames::FollowEditor()
   }
 }
 
-void SceneFrames::DrawIfDue(bool isNew)
+bool SceneFrames::DrawIfDue(bool isNew)
 {
   using Frame = HapticRenderPace::Frame;
   this->FollowEditor();
@@ -87,6 +87,7 @@ void SceneFrames::DrawIfDue(bool isNew)
   {
     this->Draw(frame == Frame::Quick);
   }
+  return frame != Frame::None;
 }
 
 bool SceneFrames::HasMoved() const

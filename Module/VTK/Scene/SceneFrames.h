@@ -32,10 +32,16 @@ public:
     TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene);
 
   /** Adjusts how finely the volumes in this window are drawn; nullptr for none. */
-  void SetWindow(vtkRenderWindow* window) { this->Quality.SetWindow(window); }
+  void SetWindow(vtkRenderWindow* window, bool offScreen = false)
+  {
+    this->Quality.SetWindow(window, offScreen);
+  }
   void Draw(bool quickly);
-  /** Called by the timer: draws a frame if one is due. `isNew`: the device has a new state. */
-  void DrawIfDue(bool isNew);
+  /**
+   * Called by the timer: draws a frame if one is due, and tells whether. `isNew`: the device has a
+   * new state.
+   */
+  bool DrawIfDue(bool isNew);
   /** Notes an event that the next frame has to show. */
   void NoteEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */

@@ -283,3 +283,39 @@ TEST_F(StyleQualityTest, PicturesOffTheScreenAreLeftAlone)
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
   EXPECT_NE(mapper->GetAutoAdjustSampleDistances(), 0);
 }
+
+TEST_F(StyleQualityTest, PicturesThatAreShownElsewhereAreDrawnAsThoseOfAWindow)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Style->AutoAdjustOffScreenOn();
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
+  this->Style->AutoAdjustOffScreenOff();
+  this->Style->UpdateHaptics();
+  this->Draw(InMotion, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "the mapper has its own setting back";
+}
+
+TEST_F(StyleQualityTest, AnApplicationWithoutTimersDrawsWhatTheTimerWould)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  this->Window->SetOffScreenRendering(1);
+  this->Show(mapper.GetPointer());
+  this->Draw(AtRest, 1);
+  int frames = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&frames);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  this->Interactor->AddObserver(vtkCommand::RenderEvent, count);
+  EXPECT_FALSE(this->Style->DrawHaptics()) << "nothing has happened";
+  EXPECT_EQ(frames, 0);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Device->SetVirtualTip(40.0, 0.0, 0.0);
+  ASSERT_TRUE(Eventually([this] { return this->Style->DrawHaptics(); }));
+  EXPECT_GT(frames, 0);
+}

@@ -1,0 +1,322 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A touchable plotter in a page of trame: its pictures go to the browser, the browser's mouse and keys to its style."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import time
+import weakref
+from typing import TYPE_CHECKING, Any
+
+try:
+    from trame.ui.vuetify3 import VAppLayout
+    from trame.widgets import client, html
+    from trame.widgets import vuetify3 as v3
+    from trame_rca.protocol import AreaAdapter
+    from trame_rca.widgets.rca import RemoteControlledArea
+except ImportError as error:
+    raise ImportError("a view in a browser or a notebook needs trame. Cure: pip install trame trame-vuetify trame-rca"
+                      ) from error
+from vtkmodules.vtkIOImage import vtkJPEGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
+
+if TYPE_CHECKING:
+    from ._plotting import Haptics
+
+SILENCE = 3.0  # s without an answer of any browser, after which the hand lets go
+QUALITY = 85  # of JPEG
+MOST_PIXELS = 1.6e6  # of a picture; a finer display gets it enlarged
+WAITING = 3  # pictures on their way, above which the next one waits
+# Of keys that browsers name differently from X11, whose names vtkInteractorStyleHaptic.SetKey() takes.
+KEYS = {" ": "space", "+": "plus", "-": "minus", ",": "comma", ".": "period", "?": "question", "Enter": "Return",
+        "Backspace": "BackSpace", "ArrowLeft": "Left", "ArrowRight": "Right", "ArrowUp": "Up", "ArrowDown": "Down"}
+QUITTING = ("e", "q")  # of vtkInteractorStyle: they end a loop of events that is the server's here
+EVENTS = {f"{button}Button{what}": f"{button}Button{what}Event"
+          for button in ("Left", "Middle", "Right") for what in ("Press", "Release")}
+
+_numbers = itertools.count(1)
+
+
+class Area(AreaAdapter):
+    """What trame-rca calls for the part of the page that shows the scene."""
+
+    def __init__(self, name: str, view: View) -> None:
+        super().__init__(name)
+        self._view = weakref.ref(view)
+
+    def update_size(self, _origin: str, size: dict[str, float]) -> None:
+        if (view := self._view()) is not None:
+            view.resize(size.get("w", 300), size.get("h", 300), size.get("p", 1))
+
+    def on_interaction(self, _origin: str, event: dict[str, Any]) -> None:
+        if (view := self._view()) is not None:
+            view.handle(event)
+
+    def is_late(self) -> bool:
+        """Whether the network has not yet taken the last pictures."""
+        return self.streamer is None or self.streamer.coreServer.network_monitor.pending > WAITING
+
+    def reset(self) -> None:
+        """Pictures do not depend on one another."""
+
+
+class View:
+    """The page of one touchable plotter.
+
+    Its task calls the style as a window's timer does. The style decides what is drawn and when; each of its frames is
+    sent. Motions of the mouse that come while a frame is drawn count as one, as they do in a window.
+    """
+
+    def __init__(self, haptics: Haptics, server: Any, page: str | None = None) -> None:
+        """page: its name in the address; "main" is that without a name. Default: one of its own."""
+        plotter = haptics._plotter()
+        if plotter is None or haptics.closed or plotter.render_window is None:
+            raise ValueError("the plotter is closed. Cure: make a new one, and show it in the browser before show()")
+        self.haptics = haptics
+        self.plotter = plotter
+        self.server = server
+        self.window = plotter.render_window
+        self.interactor = plotter.iren.interactor
+        self.closed = False
+        self.round_trip: float | None = None  # s
+        self.rate = haptics.device.GetServoRate()  # Hz, measured once a second
+        self.name = f"volumehaptics_{next(_numbers)}"
+        self.page = page or self.name
+        self.area = Area(self.name, self)
+        self._scale = 1.0  # pixels of a picture in one of the page
+        self._move: dict[str, Any] | None = None
+        self._owed = False
+        self._drawing = False
+        self._answered = time.monotonic()
+        self._asked: dict[int, float] = {}
+        self._shown: dict[str, Any] = {}
+        self._task: asyncio.Task | None = None
+
+        self.window.SetOffScreenRendering(1)
+        self.interactor.EnableRenderOff()  # the style's frames are drawn by draw()
+        self._capture = vtkWindowToImageFilter()
+        self._capture.SetInput(self.window)
+        self._capture.ReadFrontBufferOff()
+        self._capture.ShouldRerenderOff()
+        self._writer = vtkJPEGWriter()
+        self._writer.SetInputConnection(self._capture.GetOutputPort())
+        self._writer.WriteToMemoryOn()
+        self._writer.SetQuality(QUALITY)
+        self._tag = self.interactor.AddObserver("RenderEvent", self.draw)
+        haptics.style.AutoAdjustOffScreenOn()
+        haptics.device.SetAttentionTime(SILENCE)  # a server that stands still feels nothing
+        self.ui = self._make_page()
+        controller = server.controller
+        controller.on_client_exited.add(self._leave)
+        controller.on_server_ready.add(self._begin)
+        if server.running:
+            self._begin()
+
+    # -- the page --
+
+    def _key(self, word: str) -> str:
+        """A name of trame's state: those of several pages on one server differ."""
+        return f"{self.name}_{word}"
+
+    def _make_page(self) -> VAppLayout:
+        state, style, touch = self.server.state, self.haptics.style, self.haptics.filter
+        names, presets = (names_of(list_names()) for list_names in
+                          (vtkVolumeHapticsAlgorithm.GetMethodNames, vtkHapticProperty.GetPresetNames))
+        methods = [name for name in names if name != "primitives" or touch.GetNumberOfModes()]
+        for word, value in {"touching": False, "method": touch.GetMethodName(), "preset": None, "status": "",
+                            "ping": 0}.items():
+            state[self._key(word)] = value
+        state.change(self._key("method"))(lambda **now: self._set_method(now[self._key("method")]))
+        state.change(self._key("preset"))(lambda **now: self._set_preset(now[self._key("preset")]))
+        with VAppLayout(self.server, template_name=self.page) as page:
+            client.ClientStateChange(value=self._key("ping"), change=(self._answer, f"[{self._key('ping')}]"))
+            with v3.VAppBar(density="compact", flat=True, border=True):
+                v3.VBtn(f"{{{{ {self._key('touching')} ? 'Let go' : 'Touch' }}}}", click=self.toggle_touch,
+                        color=(f"{self._key('touching')} ? 'error' : 'primary'",), variant="flat", classes="mx-2",
+                        data_id="touch", __properties=[("data_id", "data-id")])
+                for word, label, items, width in (("method", "Method", methods, 190), ("preset", "Preset", presets, 210)):
+                    v3.VSelect(v_model=(self._key(word), state[self._key(word)]), label=label, density="compact",
+                               items=(self._key(f"{word}s"), items), hide_details=True, variant="outlined",
+                               style=f"max-width: {width}px", classes="mx-1", data_id=word,
+                               __properties=[("data_id", "data-id")])
+                v3.VBtn("Keys", click=lambda: self.press_key("question"), variant="text", data_id="keys",
+                        __properties=[("data_id", "data-id")])
+                v3.VSpacer()
+                html.Span(f"{{{{ {self._key('status')} }}}}", classes="text-caption mx-3 text-right", data_id="status",
+                          __properties=[("data_id", "data-id")])
+            with v3.VMain(style="height: 100vh"):
+                # The keys go to what has the focus, which the pointer brings along as it does in a window.
+                focus = "$event.currentTarget.querySelector('[tabindex]')?.focus()"
+                with html.Div(style="width: 100%; height: 100%", mouseenter=focus, __events=["mouseenter"]):
+                    RemoteControlledArea(name=self.name, send_mouse_move=True, event_throttle_ms=16,
+                                         image_style=("{ width: '100%', height: '100%' }",))
+        style.AddObserver("ModifiedEvent", self._follow)
+        return page
+
+    def toggle_touch(self) -> None:
+        """What the button does: the touch begins in the middle, since the pointer is on the button."""
+        style = self.haptics.style
+        if not style.GetTouchMode():
+            width, height = self.window.GetSize()
+            self.interactor.SetEventInformation(width // 2, height // 2, 0, 0)
+        style.SetTouchMode(not style.GetTouchMode())
+
+    def _set_method(self, name: str) -> None:
+        if not self.haptics.closed and name != self.haptics.filter.GetMethodName():
+            self.haptics.filter.SetMethodByName(name)
+
+    def _set_preset(self, name: str | None) -> None:
+        if not self.haptics.closed and name:
+            self.haptics.filter.GetProperty().ApplyPreset(name)
+
+    def _show(self, word: str, value: Any) -> None:
+        """Tells the page, if it does not know already."""
+        if self._shown.get(word) != value:
+            self._shown[word] = value
+            with self.server.state as state:
+                state[self._key(word)] = value
+
+    def _follow(self, *_: object) -> None:
+        """Buttons and text follow the style, which keys lead, too."""
+        if self.closed:
+            return
+        self._show("touching", bool(self.haptics.style.GetTouchMode()))
+        self._show("method", self.haptics.filter.GetMethodName())
+        text = f"The hand feels at {self.rate:.0f} Hz beside the server"
+        if self.round_trip is not None:
+            text += f"; the browser is {1000.0 * self.round_trip:.0f} ms away, for the eye alone"
+        self._show("status", text)
+
+    # -- the browser's silence --
+
+    def _leave(self, *_: object, **__: object) -> None:
+        """A browser has gone: nobody might hold the mouse any more."""
+        if not self.haptics.closed:
+            self.haptics.style.SetTouchMode(False)
+            self.haptics.device.Disarm()
+
+    def _ask(self, number: int) -> None:
+        self._asked = {number: time.monotonic()}
+        self._show("ping", number)
+
+    def _answer(self, number: int) -> None:
+        asked = self._asked.get(number)
+        if asked is not None:
+            self._answered = time.monotonic()
+            self.round_trip = self._answered - asked
+
+    # -- pictures --
+
+    def resize(self, width: float, height: float, ratio: float) -> None:
+        pixels = max(1.0, width * height)
+        self._scale = min(ratio, (MOST_PIXELS / pixels) ** 0.5)
+        self.interactor.UpdateSize(max(10, int(self._scale * width)), max(10, int(self._scale * height)))
+        self.draw()
+
+    def draw(self, *_: object) -> None:
+        """Draws a frame, and sends it; later, if the network has not taken the last ones."""
+        if self.closed or self.haptics.closed or self._drawing:
+            return
+        self._owed = self.area.is_late()
+        if self._owed:
+            return
+        self._drawing = True
+        try:
+            self.window.Render()
+            self._capture.Modified()
+            self._writer.Write()
+            width, height = self.window.GetSize()
+            meta = {"type": "image/jpeg", "codec": "", "w": width, "h": height, "st": int(1000 * time.time()),
+                    "key": "key", "quality": QUALITY}
+            self.area.push(bytes(memoryview(self._writer.GetResult())), meta)
+        finally:
+            self._drawing = False
+
+    # -- mouse and keys --
+
+    def handle(self, event: dict[str, Any]) -> None:
+        if self.closed or self.haptics.closed:
+            return
+        if event.get("type") == "MouseMove":
+            self._move = event
+            return
+        self._take_move()
+        self._apply(event)
+
+    def _take_move(self) -> None:
+        event, self._move = self._move, None
+        if event is not None:
+            self._apply(event)
+
+    def _apply(self, event: dict[str, Any]) -> None:
+        kind, interactor = event.get("type", ""), self.interactor
+        control, shift = (int(bool(event.get(key) or event.get(other)))
+                          for key, other in (("ctrlKey", "controlKey"), ("shiftKey", "shiftKey")))
+        if "x" in event and "y" in event:
+            interactor.SetEventInformation(
+                int(self._scale * event["x"]), int(self._scale * event["y"]), control, shift)
+        if kind == "MouseMove":
+            interactor.MouseMoveEvent()
+        elif kind in EVENTS:
+            interactor.InvokeEvent(EVENTS[kind])
+        elif kind == "MouseWheel" and event.get("spinY"):
+            interactor.InvokeEvent("MouseWheelBackwardEvent" if event["spinY"] > 0 else "MouseWheelForwardEvent")
+        elif kind.lower() in ("keydown", "keyup") and event.get("key"):  # by the version of vtk.js
+            key = event["key"]
+            name = KEYS.get(key, key)
+            interactor.SetKeyEventInformation(control, shift, key if len(key) == 1 and key.isascii() else "\0", 0, name)
+            interactor.InvokeEvent("KeyPressEvent" if kind.lower() == "keydown" else "KeyReleaseEvent")
+            if kind.lower() == "keydown" and len(key) == 1 and key not in QUITTING:
+                interactor.InvokeEvent("CharEvent")
+
+    def press_key(self, name: str) -> None:
+        """A key by its name, for buttons of the page."""
+        for event in ("KeyPressEvent", "KeyReleaseEvent"):
+            self.interactor.SetKeyEventInformation(0, 0, "\0", 0, name)
+            self.interactor.InvokeEvent(event)
+
+    # -- the loop --
+
+    def _begin(self, **_: object) -> None:
+        if self._task is None and not self.closed:
+            self.server.root_server.controller.rc_area_register(self.area)
+            self._task = asyncio.get_running_loop().create_task(self._run())
+
+    async def _run(self) -> None:
+        haptics, number, asked, ticks = self.haptics, 0, time.monotonic() - 1.0, None
+        while not self.closed and not haptics.closed:
+            start = time.monotonic()
+            self._take_move()
+            haptics.style.DrawHaptics()
+            if self._owed and not self.area.is_late():
+                self.interactor.Render()
+            if start - asked > 1.0:
+                now = haptics.device.GetTick()
+                if ticks is not None:
+                    self.rate = (now - ticks) / (start - asked)
+                ticks, asked, number = now, start, number + 1
+                self._ask(number)
+                self._follow()
+            if haptics.style.GetTouchMode() and start - self._answered > SILENCE:
+                self._leave()
+            await asyncio.sleep(max(0.001, start + 1.0 / haptics.style.GetDisplayRate() - time.monotonic()))
+
+    def close(self) -> None:
+        """Takes the plotter off the page. It stays touchable, by show() again."""
+        if self.closed:
+            return
+        self._leave()
+        self.closed = True
+        self.interactor.RemoveObserver(self._tag)
+        self.server.controller.on_client_exited.discard(self._leave)
+        self.server.controller.on_server_ready.discard(self._begin)
+        if self._task is not None:
+            self._task.cancel()
+
+
+def names_of(texts: Any) -> list[str]:
+    return [texts.GetValue(i) for i in range(texts.GetNumberOfValues())]
