@@ -82,6 +82,16 @@ play next.txt
 grep -q "^1,Point 1,Point," head.csv || fail "the point was lost"
 ! grep -q "Distance 1" head.csv || fail "the distance is still there"
 
+# The recording is shown, and its time goes on, by keys and by itself.
+printf '0.5 key F7\n1.0 key F6\n1.5 key F5\n3.0 key F12\n3.5 key q\n' > look.txt
+play look.txt --replay touch-001.vtp
+[[ -s picture-002.png ]] || fail "there is no picture of the recording"
+if "$program" "$volume" --size 240 --replay head.csv > "$folder/refused.log" 2>&1
+then
+  fail "a list of measurements is shown as a recording"
+fi
+grep -q "is no recording of a touch" "$folder/refused.log" || fail "nobody tells what a recording is"
+
 # A window that nothing changes leaves the file alone.
 before=$(stat -c %i head.csv)
 printf '1.0 key q\n' > quit.txt

@@ -47,7 +47,9 @@ set(Explore_SOURCES
   Live/LiveRun.cxx
   Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx
+  Live/TouchReplay.cxx
   Live/TouchScene.cxx
+  Live/WindowFiles.cxx
   Live/WindowRecorder.cxx
   Live/WindowSound.cxx
   Options.cxx
@@ -68,16 +70,19 @@ set(Explore_SOURCES
   Sound/SoundStream.cxx
   Sound/WaveFile.cxx
   View/Display.cxx
+  View/ListOverlay.cxx
   View/LoadingScreen.cxx
   View/SceneCamera.cxx
   View/StereoModes.cxx
   View/ViewFrame.cxx
   Volume/DicomFolder.cxx
   Volume/DicomHeader.cxx
+  Volume/DicomPixels.cxx
   Volume/DicomSeries.cxx
   Volume/GridLoader.cxx
   Volume/GridOutline.cxx
   Volume/LabelLoader.cxx
+  Volume/LabelMap.cxx
   Volume/LargeLoader.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeFields.cxx
@@ -108,4 +113,23 @@ if (VolumeHaptics_USE_PULSE)
   list(APPEND Explore_SOURCES Sound/PulseOutput.cxx)
 else ()
   list(APPEND Explore_SOURCES Sound/NoSoundOutput.cxx)
+endif ()
+
+# Compressed DICOM slices, by GDCM's library if it is found. Debian's package for CMake asks for GDCM's programs, too.
+find_path(GDCM_INCLUDE_DIR gdcmImageReader.h PATH_SUFFIXES gdcm-3.0)
+find_library(GDCM_MSFF_LIBRARY gdcmMSFF)
+find_library(GDCM_DSED_LIBRARY gdcmDSED)
+find_library(GDCM_COMMON_LIBRARY gdcmCommon)
+mark_as_advanced(GDCM_INCLUDE_DIR GDCM_MSFF_LIBRARY GDCM_DSED_LIBRARY GDCM_COMMON_LIBRARY)
+set(GDCM_LINK_LIBRARIES "${GDCM_MSFF_LIBRARY}" "${GDCM_DSED_LIBRARY}" "${GDCM_COMMON_LIBRARY}")
+set(GDCM_FOUND FALSE)
+if (GDCM_INCLUDE_DIR AND GDCM_MSFF_LIBRARY AND GDCM_DSED_LIBRARY AND GDCM_COMMON_LIBRARY)
+  set(GDCM_FOUND TRUE)
+endif ()
+volume_haptics_use(Explore_LIBRARIES GDCM GDCM_FOUND "Let the explorer read compressed DICOM slices" "libgdcm-dev")
+if (VolumeHaptics_USE_GDCM)
+  list(APPEND Explore_INCLUDE_DIRS "${GDCM_INCLUDE_DIR}")
+  list(APPEND Explore_SOURCES Volume/GdcmUnpacking.cxx)
+else ()
+  list(APPEND Explore_SOURCES Volume/NoUnpacking.cxx)
 endif ()

@@ -105,7 +105,8 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   return window;
 }
 
-void Touch(
+/// What to open next; an empty path for nothing.
+Explore::FileChoice Touch(
   vtkRenderWindow* window, const Explore::Exploration& exploration, const Explore::Options& options)
 {
   Explore::SceneOptions look = MakeLook(exploration, options);
@@ -114,8 +115,11 @@ void Touch(
   look.Cut = options.Cut;
   look.SliceShare = options.Slices ? Explore::SLICE_SHARE : 0.0;
   look.Caption.clear(); // its place belongs to the head-up display
-  Explore::RunTouchWindow(window, exploration, look, options.Device,
-    { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound });
+  const Explore::FileChoice now{ options.VolumePath, exploration.Input.SeriesNumber,
+    options.AsLabels };
+  return Explore::RunTouchWindow(window, exploration, look, options.Device,
+    { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound,
+      options.Replay, now, options.Notice });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
@@ -137,7 +141,7 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   std::cout << "force.png\n";
 }
 
-int Run(const Explore::Options& options)
+int Run(const Explore::Options& options, Explore::FileChoice& next)
 {
   const vtkSmartPointer<vtkRenderWindow> window = OpenWindow(options);
   auto loading = window ? std::make_unique<Explore::LoadingScreen>(window) : nullptr;
@@ -167,6 +171,14 @@ int Run(const Explore::Options& options)
   {
     Explore::LoadLabels(volume, options.Labels, options.Materials);
   }
+  if (options.AsLabels)
+  {
+    Explore::TakeAsLabels(volume, options.VolumePath, options.Materials);
+  }
+  else if (volume.MayBeLabels && options.Labels.empty())
+  {
+    volume.Notes.emplace_back("looks like a label map: --as-labels shows it as labels");
+  }
   Explore::Exploration exploration = Explore::ExploreVolume(volume, options.How, tell);
   const std::string summary = Explore::Summarise(exploration);
   std::cout << "\n" << summary << std::endl;
@@ -176,7 +188,7 @@ int Run(const Explore::Options& options)
     WriteSound(exploration, options);
     tell("Drawing", 0.9);
     loading.reset();
-    Touch(window, exploration, options);
+    next = Touch(window, exploration, options);
     return DONE;
   }
   if (options.Sound)
@@ -209,6 +221,51 @@ int Run(const Explore::Options& options)
   WritePictures(exploration, options);
   return isReproduced ? DONE : FAILED;
 }
+/// The volume of the options, and then those that are opened in the window. What can't be opened is
+/// told in the window, which goes on with what it showed.
+int RunAll(Explore::Options options)
+{
+  Explore::FileChoice next;
+  int code = Run(options, next);
+  while (!next.Path.empty())
+  {
+    const Explore::Options before = options;
+    // What was said of the first volume is not said of another one.
+    const bool isSame = next.Path == options.VolumePath;
+    options.VolumePath = next.Path;
+    options.Series = next.Series;
+    options.AsLabels = next.AsLabels;
+    options.Notice.clear();
+    options.Script.clear();
+    options.Movie.clear();
+    options.Measurements.clear();
+    options.Replay.clear();
+    if (!isSame)
+    {
+      options.MorePaths.clear();
+      options.Array.clear();
+      options.Setup.clear();
+      options.Labels.clear();
+      options.Materials.clear();
+      options.How.Method = "auto";
+      options.How.Modes.clear();
+    }
+    try
+    {
+      next = {};
+      code = Run(options, next);
+    }
+    catch (const Explore::InputError& error)
+    {
+      std::cerr << error.what() << std::endl;
+      options = before;
+      options.Notice = error.what();
+      next = {};
+      code = Run(options, next);
+    }
+  }
+  return code;
+}
 } // namespace
 
 int main(int argc, char* argv[])
@@ -225,7 +282,7 @@ int main(int argc, char* argv[])
     {
       return CheckDisplay();
     }
-    return Run(options);
+    return RunAll(options);
   }
   catch (const Explore::InputError& error)
   {

@@ -260,6 +260,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     CheckMovieFile(value);
     options.Movie = value;
   }
+  else if (name == "--replay")
+  {
+    options.Replay = value;
+  }
   else if (name == "--stereo")
   {
     Explore::FindStereoMode(value); // throws, if it has to, before anything is computed
@@ -312,6 +316,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       options.Large = true;
     }
+    else if (word == "--as-labels")
+    {
+      options.AsLabels = true;
+    }
     else if (word == "--slices")
     {
       options.Slices = true;
@@ -348,7 +356,12 @@ Options ParseOptions(int argc, char* argv[])
   {
     options.How.Method = "primitives";
   }
-  if (!options.Materials.empty() && options.Labels.empty())
+  if (options.AsLabels && !options.Labels.empty())
+  {
+    throw InputError(
+      "--as-labels", "is for a volume that is a label map itself", "leave it out, or --labels");
+  }
+  if (!options.Materials.empty() && options.Labels.empty() && !options.AsLabels)
   {
     throw InputError("--materials " + options.Materials.front(), "has no labels that it is for",
       "name the segmentation, as in --labels Liver.seg.nrrd");
@@ -391,6 +404,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     .vtp, or .mrk.json for 3D Slicer
   --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
                     begins and ends one, F10 a recording of the touch, and F12 takes a picture
+  --replay FILE.vtp of the window: shows a recording of key F10 with a slider for its time. F5 plays and holds it,
+                    F6 and F7 go back and on
   --script FILE     of the window: a demonstration, lines with a time (s) and an event, such as
                     "1.0 key t", "1.5 wheel 3", "2.0 stroke 0.7 0.5 1.5", "9 key q": see
                     Documentation/recording.md
@@ -415,9 +430,12 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     is in the next one. Surfaces then go from frame to frame however far that is, and take
                     along a hand that sticks to them
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
-                    summary lists them)
+                    summary lists them, and key F3 of the window). Key F2, or a file that is dropped on
+                    the window, opens another volume
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
                     have names in the window, and materials of their own
+  --as-labels       the volume is a label map: its values are numbers of labels, which have colours, and
+                    the names that the file has for them. The window asks if it looks like one (key F4)
   --materials FILE  a table of what the labels feel like, such as a CSV with the columns label, name,
                     stiffness, friction, viscosity, strength; several of these options add up
   --method NAME     of the path, and the first of the window: )" +

@@ -23,6 +23,8 @@ struct Options
   std::string Array;                  // that is shown and felt
   std::vector<std::string> MorePaths; // further frames of a volume that moves
   std::string Displacements;          // array that tells where its material goes
+  bool AsLabels = false;              // its values are labels
+  std::string Notice;                 // of the window, at its beginning
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";
@@ -32,6 +34,7 @@ struct Options
   std::string Measurements;    // file of what is measured in the window
   std::string Script;          // of the window: a demonstration
   std::string Movie;           // of the window, from its beginning to its end
+  std::string Replay;          // of the window: a recording that is shown
   std::string Stereo;          // of the window
   bool Slices = false;         // of the window
   CutKind Cut = CutKind::None; // of the window

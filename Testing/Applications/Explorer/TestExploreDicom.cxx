@@ -6,9 +6,11 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Volume/DicomHeader.h"
+#include "Applications/Explorer/Volume/DicomUnpacking.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
+#include "PackDicom.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -26,6 +28,7 @@ constexpr double COLUMN_STEP = 0.75, ROW_STEP = 0.5, SLICE_STEP = 2.5; // mm
 const char* const IMPLICIT = "1.2.840.10008.1.2";
 const char* const EXPLICIT = "1.2.840.10008.1.2.1";
 const char* const JPEG_LOSSLESS = "1.2.840.10008.1.2.4.70";
+const char* const RUN_LENGTH = "1.2.840.10008.1.2.5";
 
 /// A slice of a series: number k along the normal.
 struct SliceFile
@@ -37,6 +40,18 @@ struct SliceFile
   bool IsSagittal = false;
   std::string Syntax = EXPLICIT;
   int Frames = 1;
+  ///@{
+  /// How a file with several frames tells where they are: frame f is slice Slice + f with a step or
+  /// offsets, and slice Slice + Frames - 1 - f with functional groups, which say it of each.
+  bool HasStep = false;
+  bool HasOffsets = false;
+  bool HasGroups = false;
+  ///@}
+
+  int SliceOf(int frame) const
+  {
+    return this->Slice + (this->HasGroups ? this->Frames - 1 - frame : frame);
+  }
 };
 
 std::string Bytes(std::uint32_t number, int count)
@@ -76,16 +91,58 @@ std::string Encode(const SliceFile& slice)
   const auto number = [&](std::uint32_t tag, int value)
   { return part(tag, "US", Bytes(static_cast<std::uint32_t>(value), 2)); };
   const std::string along = std::to_string(SLICE_STEP * slice.Slice);
-  const int slope = slice.Slice % 2 == 0 ? 1 : 2;
+  const bool isOneSlope = slice.Frames > 1 && !slice.HasGroups;
+  const auto slopeOf = [&](int k) { return k % 2 == 0 || isOneSlope ? 1 : 2; };
+  const int slope = slopeOf(slice.Slice);
   std::string pixels;
-  for (int j = 0; j < DICOM_ROWS; ++j)
+  for (int frame = 0; frame < slice.Frames; ++frame)
   {
-    for (int i = 0; i < DICOM_COLUMNS; ++i)
+    const int k = slice.SliceOf(frame);
+    for (int j = 0; j < DICOM_ROWS; ++j)
     {
-      const double stored = (UnitsAt(i, j, slice.Slice) + 1024.0) / slope;
-      pixels += Bytes(static_cast<std::uint32_t>(stored), 2);
+      for (int i = 0; i < DICOM_COLUMNS; ++i)
+      {
+        const double stored = (UnitsAt(i, j, k) + 1024.0) / slopeOf(k);
+        pixels += Bytes(static_cast<std::uint32_t>(stored), 2);
+      }
     }
   }
+  // Sequences and items of known and of unknown length, by turns.
+  const std::string itemEnd = Bytes(0xfffe, 2) + Bytes(0xe00d, 2) + Bytes(0, 4);
+  const std::string sequenceEnd = Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
+  const auto itemOf = [&](const std::string& content, bool isKnown)
+  {
+    return Bytes(0xfffe, 2) + Bytes(0xe000, 2) +
+      (isKnown ? Bytes(static_cast<std::uint32_t>(content.size()), 4) + content
+               : std::string(4, '\xff') + content + itemEnd);
+  };
+  const auto sequenceOf = [&](std::uint32_t tag, const std::string& items, bool isKnown)
+  {
+    return isKnown ? part(tag, "SQ", items)
+                   : Bytes(tag >> 16, 2) + Bytes(tag & 0xffff, 2) +
+        (isExplicit ? "SQ" + Bytes(0, 2) : std::string()) + std::string(4, '\xff') + items +
+        sequenceEnd;
+  };
+  std::string offsets, groups;
+  for (int frame = 0; frame < slice.Frames; ++frame)
+  {
+    const int k = slice.SliceOf(frame);
+    const std::string place = std::to_string(SLICE_STEP * k);
+    offsets += (frame > 0 ? "\\" : "") + std::to_string(SLICE_STEP * frame);
+    const bool isKnown = frame % 2 == 0;
+    groups += itemOf(sequenceOf(0x00209113,
+                       itemOf(part(0x00200032, "DS", "-10\\-20\\" + place), isKnown), !isKnown) +
+        sequenceOf(0x00289145,
+          itemOf(
+            part(0x00281052, "DS", "-1024") + part(0x00281053, "DS", std::to_string(slopeOf(k))),
+            isKnown),
+          isKnown),
+      !isKnown);
+  }
+  const std::string shared =
+    itemOf(sequenceOf(0x00209116, itemOf(part(0x00200037, "DS", "1\\0\\0\\0\\1\\0"), false), true) +
+        sequenceOf(0x00289110, itemOf(part(0x00280030, "DS", "0.5\\0.75"), true), false),
+      true);
   // The preview in front of the pixels is in an item of unknown length in a sequence of one.
   const std::string unknown(4, '\xff');
   const std::string item = Bytes(0xfffe, 2) + Bytes(0xe000, 2) + unknown + number(0x00280010, 64) +
@@ -93,20 +150,32 @@ std::string Encode(const SliceFile& slice)
     Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
   const std::string preview = Bytes(0x0088, 2) + Bytes(0x0200, 2) +
     (isExplicit ? "SQ" + Bytes(0, 2) : std::string()) + unknown + item;
-  const std::string meta = Part(0x00020010, "UI", slice.Syntax, true);
+  const std::string kind = "1.2.840.10008.5.1.4.1.1.2"; // of a CT
+  const std::string meta =
+    Part(0x00020002, "UI", kind, true) + Part(0x00020010, "UI", slice.Syntax, true);
   return std::string(128, '\0') + "DICM" +
     Part(0x00020000, "UL", Bytes(static_cast<std::uint32_t>(meta.size()), 4), true) + meta +
+    part(0x00080016, "UI", kind) + part(0x00080018, "UI", "1.2." + std::to_string(slice.Slice)) +
     part(0x00080060, "CS", "CT") + part(0x0008103e, "LO", slice.Description) +
+    (slice.HasStep ? part(0x00180088, "DS", std::to_string(SLICE_STEP)) : "") +
     part(0x0020000e, "UI", slice.Series) +
     part(0x00200011, "IS", std::to_string(slice.SeriesNumber)) +
-    part(0x00200032, "DS", slice.IsSagittal ? along + "\\-20\\30" : "-10\\-20\\" + along) +
-    part(0x00200037, "DS", slice.IsSagittal ? "0\\1\\0\\0\\0\\-1" : "1\\0\\0\\0\\1\\0") +
+    (slice.HasGroups
+        ? ""
+        : part(0x00200032, "DS", slice.IsSagittal ? along + "\\-20\\30" : "-10\\-20\\" + along) +
+          part(0x00200037, "DS", slice.IsSagittal ? "0\\1\\0\\0\\0\\-1" : "1\\0\\0\\0\\1\\0")) +
     number(0x00280002, 1) + part(0x00280004, "CS", "MONOCHROME2") +
     part(0x00280008, "IS", std::to_string(slice.Frames)) + number(0x00280010, DICOM_ROWS) +
-    number(0x00280011, DICOM_COLUMNS) + part(0x00280030, "DS", "0.5\\0.75") +
-    number(0x00280100, 16) + number(0x00280101, 16) + number(0x00280102, 15) +
-    number(0x00280103, 0) + part(0x00281052, "DS", "-1024") +
-    part(0x00281053, "DS", std::to_string(slope)) + preview + part(0x7fe00010, "OW", pixels);
+    number(0x00280011, DICOM_COLUMNS) +
+    (slice.HasGroups ? "" : part(0x00280030, "DS", "0.5\\0.75")) + number(0x00280100, 16) +
+    number(0x00280101, 16) + number(0x00280102, 15) + number(0x00280103, 0) +
+    (slice.HasGroups
+        ? ""
+        : part(0x00281052, "DS", "-1024") + part(0x00281053, "DS", std::to_string(slope))) +
+    preview + (slice.HasOffsets ? part(0x3004000c, "DS", offsets) : "") +
+    (slice.HasGroups ? sequenceOf(0x52009229, shared, false) + sequenceOf(0x52009230, groups, true)
+                     : "") +
+    part(0x7fe00010, "OW", pixels);
 }
 
 std::string WriteDicom(const std::string& name, const std::string& bytes)
@@ -202,6 +271,110 @@ void ExpectSeriesOption()
   }
 }
 
+/// A run-length encoded slice, as part 5 of the standard says in annex G: the high bytes of all
+/// samples, and then the low ones, each as one literal run.
+std::string EncodeRuns(const std::string& plain, const std::string& pixels)
+{
+  std::string high, low;
+  for (std::size_t i = 0; i < pixels.size(); i += 2)
+  {
+    low += pixels[i];
+    high += pixels[i + 1];
+  }
+  const auto segment = [](const std::string& bytes)
+  {
+    std::string run = static_cast<char>(bytes.size() - 1) + bytes;
+    return run + std::string(run.size() % 2, '\0');
+  };
+  const std::string first = segment(high), second = segment(low);
+  std::string frame = Bytes(2, 4) + Bytes(64, 4) +
+    Bytes(static_cast<std::uint32_t>(64 + first.size()), 4) + std::string(64 - 12, '\0') + first +
+    second;
+  const std::string item = Bytes(0xfffe, 2) + Bytes(0xe000, 2);
+  const std::string header = plain.substr(0, plain.size() - pixels.size() - 12);
+  return header + Bytes(0x7fe0, 2) + Bytes(0x0010, 2) + "OB" + Bytes(0, 2) + Bytes(0xffffffff, 4) +
+    item + Bytes(0, 4) + item + Bytes(static_cast<std::uint32_t>(frame.size()), 4) + frame +
+    Bytes(0xfffe, 2) + Bytes(0xe0dd, 2) + Bytes(0, 4);
+}
+
+/// Compressed slices have the values that they had before.
+void ExpectUnpacked(SliceFile slice)
+{
+  slice.Syntax = RUN_LENGTH;
+  constexpr std::size_t size = 2 * DICOM_COLUMNS * DICOM_ROWS;
+  for (slice.Slice = 0; slice.Slice < 5; ++slice.Slice)
+  {
+    const std::string plain = Encode(slice);
+    const std::string pixels = plain.substr(plain.size() - size);
+    WriteDicom("runs/I" + std::to_string(900 - slice.Slice), EncodeRuns(plain, pixels));
+  }
+  slice.Syntax = EXPLICIT;
+  if (!Explore::CanUnpackDicom())
+  {
+    ExpectFault(folder + "/runs", 0, "compressed DICOM slices");
+    return;
+  }
+  ExpectSlices("runs", Explore::LoadVolumes({ folder + "/runs" }), 5, false);
+  for (const char* const name : { "lossless", "prediction", "wavelets" })
+  {
+    for (slice.Slice = 0; slice.Slice < 5; ++slice.Slice)
+    {
+      const std::string at = std::string(name) + "/I" + std::to_string(900 - slice.Slice);
+      const std::string plain = WriteDicom("plain", Encode(slice));
+      vtksys::SystemTools::MakeDirectory(folder + "/" + name);
+      Expect(PackDicom(plain, folder + "/" + at, name), at + " is not written");
+    }
+    ExpectSlices(name, Explore::LoadVolumes({ folder + "/" + name }), 5, false);
+    ExpectFault(folder + "/" + name, 2, "has no series 2");
+  }
+  // Frames, and what is broken.
+  slice.Slice = 0;
+  slice.Frames = 6;
+  slice.HasGroups = true;
+  vtksys::SystemTools::MakeDirectory(folder + "/wavelet-frames");
+  Expect(PackDicom(WriteDicom("plain", Encode(slice)), folder + "/wavelet-frames/all", "wavelets"),
+    "compressed frames are not written");
+  ExpectSlices("compressed frames", Explore::LoadVolumes({ folder + "/wavelet-frames" }), 6, false);
+  slice.HasGroups = false;
+  slice.Frames = 1;
+  slice.Syntax = JPEG_LOSSLESS; // and it is not
+  WriteSlices("packed", slice, 5);
+  ExpectFault(folder + "/packed", 0, "cannot be unpacked");
+}
+
+/// One file with all slices.
+void ExpectFrames(SliceFile slice)
+{
+  slice.Slice = 0;
+  slice.Frames = 6;
+  for (const char* const syntax : { EXPLICIT, IMPLICIT })
+  {
+    slice.Syntax = syntax;
+    slice.HasStep = true;
+    WriteDicom("steps/all", Encode(slice));
+    ExpectSlices("frames with a step", Explore::LoadVolumes({ folder + "/steps" }), 6, false);
+    slice.HasStep = false;
+    slice.HasOffsets = true;
+    WriteDicom("offsets/all", Encode(slice));
+    ExpectSlices("frames with offsets", Explore::LoadVolumes({ folder + "/offsets" }), 6, false);
+    slice.HasOffsets = false;
+    slice.HasGroups = true;
+    WriteDicom("groups/all", Encode(slice));
+    ExpectSlices("frames with groups", Explore::LoadVolumes({ folder + "/groups" }), 6, false);
+    ExpectSlices("a file", Explore::LoadVolumes({ folder + "/groups/all" }), 6, false);
+    const std::string whole = Encode(slice);
+    for (std::size_t length = 0; length < whole.size(); ++length)
+    {
+      WriteDicom("cut-groups", whole.substr(0, length));
+      for (const auto& header : Explore::ReadDicomSlices(folder + "/cut-groups"))
+      {
+        Expect(!header.IsWhole, "frames cut to " + std::to_string(length) + " bytes are whole");
+      }
+    }
+    slice.HasGroups = false;
+  }
+}
+
 /// However a file ends too early, its header is refused, or the slice is known not to be whole.
 void ExpectCutFiles()
 {
@@ -273,10 +446,8 @@ int TestExploreDicom(int argc, char* argv[])
   Expect(beat.Frames && beat.Frames->GetNumberOfFrames() == 2, "phases are not frames");
   ExpectSlices("a phase", Explore::LoadVolumes({ folder + "/beat" }, false, 2), 5, false);
 
-  thorax.Syntax = JPEG_LOSSLESS;
-  WriteSlices("packed", thorax, 3);
-  ExpectFault(folder + "/packed", 0, "compressed DICOM slices");
-  thorax.Syntax = EXPLICIT;
+  ExpectUnpacked(thorax);
+  ExpectFrames(thorax);
   thorax.Frames = 3;
   WriteSlices("many", thorax, 2);
   ExpectFault(folder + "/many", 0, "with 3 frames");

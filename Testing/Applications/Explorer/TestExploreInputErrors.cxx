@@ -184,6 +184,32 @@ void ExpectPresetFiles(vtkImageData* head)
     }
   }
 }
+
+/// What is used of several components is told: of colours the brightness, else the first one.
+void ExpectComponents(int type, int components, const std::string& told, double first)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(6, 6, 6);
+  image->AllocateScalars(type, components);
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  for (vtkIdType p = 0; p < values->GetNumberOfTuples(); ++p)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values->SetComponent(p, c, p == 0 ? 50.0 * (c + 1) : 7.0);
+    }
+  }
+  const Explore::Volume volume = Explore::LoadVolume(Image("components.vti", image));
+  vtkDataArray* const used = volume.Image->GetPointData()->GetScalars();
+  bool isTold = false;
+  for (const std::string& note : volume.Notes)
+  {
+    isTold = isTold || note.find(told) != std::string::npos;
+  }
+  Expect(isTold, "'" + told + "' is not told");
+  Expect(used->GetNumberOfComponents() == 1 && used->GetComponent(0, 0) == first,
+    told + ", but the first value is " + std::to_string(used->GetComponent(0, 0)));
+}
 } // namespace
 
 int TestExploreInputErrors(int argc, char* argv[])
@@ -195,6 +221,10 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectNewtons();
   ExpectWindowFiles();
   ExpectPresetFiles(head);
+  // 0.30 of red, 0.59 of green and 0.11 of blue are 15, 59 and 16.5.
+  ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
+  ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
+  ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);
   ExpectRefusal(folder + "/missing.vti", "no such file");
   ExpectRefusal(folder + "/empty", "without a single DICOM slice");
   ExpectRefusal(WriteText("notes.txt", "hello"), "ending that is not known");

@@ -17,6 +17,8 @@
 
 #include <vtksys/FStream.hxx>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -82,6 +84,78 @@ void Refuse(const Explore::Volume& head, const std::string& segmentation,
     Expect(message.find(word) != std::string::npos, message + " says " + word);
   }
 }
+/// Half balls with the labels 2 and 7 around a middle at 0, in millimetres; with noise, a scan.
+std::string LabelMap(const std::string& name, bool isNoisy)
+{
+  constexpr int size = 48;
+  constexpr double radius = 40.0, middle = 2.0 * 0.5 * (size - 1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, size);
+  image->SetSpacing(2.0, 2.0, 2.0);
+  image->SetOrigin(-middle, -middle, -middle);
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* value = static_cast<short*>(image->GetScalarPointer());
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    const double* const x = image->GetPoint(p);
+    const bool isInside = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < radius * radius;
+    const auto noise = static_cast<short>(isNoisy ? 40 + p * 7919 % 13 : 0);
+    value[p] = static_cast<short>(isInside ? (x[0] > 0.0 ? 7 : 2) + noise : 0);
+  }
+  vtkNew<vtkXMLImageDataWriter> writer;
+  const std::string path = folder + "/" + name;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  return path;
+}
+
+/// A volume that is a label map is recognised, and felt where its labels meet.
+void ExpectLabelMap(const Explore::Volume& head)
+{
+  Expect(!head.MayBeLabels, "a head is no label map");
+  Expect(!Explore::LoadVolume(LabelMap("noise.vti", true)).MayBeLabels, "a scan is no label map");
+  const std::string path = LabelMap("balls.vti", false);
+  Explore::Volume volume = Explore::LoadVolume(path);
+  Expect(volume.MayBeLabels, "a label map is recognised");
+  Explore::TakeAsLabels(volume, path, { File("Names.csv", "label,name,stiffness\n7,liver,300\n") });
+  Expect(volume.LabelTable->GetLabelName(7) == "liver" &&
+      volume.LabelTable->GetLabelName(2) == "label 2",
+    "labels have names");
+  Expect(volume.LabelTable->HasColor(2) && volume.LabelTable->HasColor(7), "labels have colours");
+  const Explore::Exploration felt = Explore::ExploreVolume(volume, {});
+  Expect(felt.Materials == "Labels" && felt.Values.Kind == Explore::VolumeKind::Labels,
+    "labels have materials of labels");
+  vtkDataArray* const contact = felt.Trace->GetPointData()->GetArray("Contact");
+  vtkDataArray* const normal = felt.Trace->GetPointData()->GetArray("NormalForce");
+  Expect(normal && normal->GetMaxNorm() > 0.3, "the wall of a label is felt");
+  // Where contact begins, the proxy is on the ball, a voxel off at most.
+  vtkIdType first = 0;
+  while (contact && first < contact->GetNumberOfTuples() && contact->GetComponent(first, 0) == 0.0)
+  {
+    ++first;
+  }
+  const double* const x =
+    felt.Trace->GetPoint(std::min(first, felt.Trace->GetNumberOfPoints() - 1));
+  const double distance = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+  Expect(std::abs(distance - 40.0) < 2.0, "contact begins at " + std::to_string(distance) + " mm");
+
+  bool isRefused = false;
+  try
+  {
+    Explore::Volume values = head;
+    values.Image = vtkSmartPointer<vtkImageData>::New();
+    values.Image->SetDimensions(5, 5, 5);
+    values.Image->AllocateScalars(VTK_FLOAT, 1);
+    values.Image->GetPointData()->GetScalars()->Fill(0.5);
+    Explore::TakeAsLabels(values, "half.vti", {});
+  }
+  catch (const Explore::InputError& error)
+  {
+    isRefused = std::string(error.what()).find("half.vti") != std::string::npos;
+  }
+  Expect(isRefused, "halves are no labels");
+}
 } // namespace
 
 int TestExploreLabels(int argc, char* argv[])
@@ -89,6 +163,7 @@ int TestExploreLabels(int argc, char* argv[])
   folder = MakeTestFolder(argc, argv, "ExploreLabels");
   const Explore::Exploration plain = ExploreHead(argc, argv);
   const Explore::Volume head = plain.Input;
+  ExpectLabelMap(head);
   const std::string segmentation = File("Head.seg.nrrd", Segmentation(head.Image));
   const std::string unfelt = File("Unfelt.csv", "label,felt\n7,0\n");
   const std::string soft = File("Soft.csv", "label,stiffness\n7,20\n");

@@ -87,6 +87,12 @@ void SetThresholds(Explore::Analysis& analysis, const std::vector<float>& values
     analysis.DeepThreshold = BONE_HU;
     return;
   }
+  if (analysis.Kind == Explore::VolumeKind::Labels)
+  {
+    analysis.OuterThreshold = 0.5; // 0 is the background
+    analysis.DeepThreshold = std::max(1.5, 0.5 * analysis.Range[1]);
+    return;
+  }
   Histogram histogram{};
   const double width = (analysis.High - analysis.Low) / BINS;
   for (const float value : values)
@@ -99,12 +105,17 @@ void SetThresholds(Explore::Analysis& analysis, const std::vector<float>& values
   analysis.DeepThreshold = analysis.Low + (cuts[1] + 1) * width;
 }
 
-void SetKind(Explore::Analysis& analysis, int scalarType, bool isField)
+void SetKind(Explore::Analysis& analysis, int scalarType, bool isField, bool areLabels)
 {
   std::ostringstream reason;
   reason << "values " << analysis.Range[0] << " to " << analysis.Range[1];
   const bool whole = scalarType != VTK_FLOAT && scalarType != VTK_DOUBLE;
-  if (isField)
+  if (areLabels)
+  {
+    analysis.Kind = Explore::VolumeKind::Labels;
+    reason << " are numbers of labels";
+  }
+  else if (isField)
   {
     analysis.Kind = Explore::VolumeKind::Field;
     reason << " of a field: thresholds from the histogram";
@@ -141,12 +152,12 @@ void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 
 namespace Explore
 {
-Analysis AnalyseVolume(vtkImageData* image, bool isField)
+Analysis AnalyseVolume(vtkImageData* image, bool isField, bool areLabels)
 {
   Analysis analysis;
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   scalars->GetFiniteRange(analysis.Range, 0);
-  SetKind(analysis, scalars->GetDataType(), isField);
+  SetKind(analysis, scalars->GetDataType(), isField, areLabels);
   std::vector<float> values = SampleValues(scalars);
   analysis.Low = Percentile(values, 0.005);
   analysis.High = Percentile(values, 0.995);

@@ -14,6 +14,7 @@ enum class VolumeKind
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
   Field,    // of a simulation: there are no tissues
+  Labels,   // numbers of labels
   Other
 };
 
@@ -33,8 +34,8 @@ struct Analysis
 };
 
 /// Everything except the position of the body. A large volume is sampled sparsely. The values of a
-/// field have no meaning of their own, whatever they look like.
-Analysis AnalyseVolume(vtkImageData* image, bool isField = false);
+/// field have no meaning of their own, whatever they look like; nor have those of labels.
+Analysis AnalyseVolume(vtkImageData* image, bool isField = false, bool areLabels = false);
 
 /// Adds the position of the voxels above the outer threshold: Centre and BodyBounds.
 void MeasureBody(Analysis& analysis, vtkImageData* image);

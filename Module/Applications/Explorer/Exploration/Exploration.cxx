@@ -51,11 +51,13 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   Exploration result;
   tell("Finding the body", 0.4);
   result.Input = volume;
-  result.Values = AnalyseVolume(volume.Image, volume.IsField);
+  result.Values = AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
   vtkNew<vtkVolumeHapticsFilter> filter;
   result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
   FitThresholds(filter->GetProperty(), result.Values);
-  result.Body = IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
+  result.Body = volume.AreLabels
+    ? volume.Image
+    : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   MeasureBody(result.Values, result.Body);
   result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
 
@@ -78,6 +80,10 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   {
     filter->SetLabelData(volume.Labels);
     filter->SetLabelTable(volume.LabelTable);
+  }
+  if (volume.AreLabels)
+  {
+    filter->SetGeometryFromLabels();
   }
   ScaleMethods(filter, result.Values, result.Body);
   const bool isFlow = settings.Method == "auto" && !volume.Flow.empty();

@@ -92,7 +92,7 @@ std::vector<Tissue> MakeTissueTable(const Analysis& analysis)
       { "muscle, organ", 17.5, 90.0 }, { "contrast medium, cartilage", 90.0, 300.0 },
       { "bone", 300.0, ENDLESS } };
   }
-  if (analysis.Kind == VolumeKind::Field)
+  if (analysis.Kind == VolumeKind::Field || analysis.Kind == VolumeKind::Labels)
   {
     return {};
   }
@@ -118,7 +118,9 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
   std::string name = preset;
   if (isAutomatic)
   {
-    name = analysis.Kind == VolumeKind::CT ? "CT contrast" : "propose";
+    name = analysis.Kind == VolumeKind::CT  ? "CT contrast"
+      : analysis.Kind == VolumeKind::Labels ? "Labels"
+                                            : "propose";
   }
   if (name == "propose")
   {

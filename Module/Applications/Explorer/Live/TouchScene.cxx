@@ -7,6 +7,8 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
+#include "Applications/Explorer/Live/TouchReplay.h"
+#include "Applications/Explorer/Live/WindowFiles.h"
 #include "Applications/Explorer/Live/WindowRecorder.h"
 #include "Applications/Explorer/Live/WindowSound.h"
 #include "Applications/Explorer/Record/DemoScript.h"
@@ -174,7 +176,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
   }
 }
 
-void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
+FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted)
 {
   const std::string& setup = wanted.Setup;
@@ -207,16 +209,31 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
     ? nullptr
     : std::make_unique<DemoScript>(ReadDemoScript(wanted.Script), interactor);
   auto heard = wanted.Sound ? std::make_unique<WindowSound>(touch, interactor) : nullptr;
-  const std::string keys = touch.Cut.ListKeys();
+  FileChoice choice;
+  auto files =
+    std::make_unique<WindowFiles>(touch, interactor, exploration.Input, wanted.File, choice);
+  auto replay = wanted.Replay.empty()
+    ? nullptr
+    : std::make_unique<TouchReplay>(touch, interactor, wanted.Replay);
+  const std::string keys =
+    touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + keys + WindowRecorder::ListKeys() +
-    "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n")
+  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + keys + files->ListKeys() +
+    WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n")
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
+  const bool mayAsk = exploration.Input.MayBeLabels && !exploration.Input.AreLabels;
+  if (!wanted.Notice.empty() || mayAsk)
+  {
+    touch.Display->SetNotice(
+      mayAsk ? "This looks like a label map: F4 shows it as labels" : wanted.Notice.c_str());
+  }
   touch.Scene.Window->Render();
   interactor->Initialize();
   interactor->Start();
+  replay.reset();
+  files.reset();
   script.reset();
   recorder.reset();
   presets.reset();
@@ -229,5 +246,6 @@ void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   {
     throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");
   }
+  return choice;
 }
 } // namespace Explore

@@ -53,6 +53,14 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
+/// What the window shows.
+struct FileChoice
+{
+  std::string Path;
+  int Series = 0;        // of a DICOM folder
+  bool AsLabels = false; // a label map is shown as such
+};
+
 /// Of the window; files that are not named are not read. The key S saves measurements without a
 /// name to the first free of measurements-001.mrk.json ...
 struct WindowOptions
@@ -62,11 +70,15 @@ struct WindowOptions
   std::string Script;
   std::string Movie;
   bool Sound = false;
+  std::string Replay; // a recording of a touch that is shown
+  FileChoice File;
+  std::string Notice; // at the beginning
 };
 
-/// Shows the scene in a window and returns when it is closed. Loads the files first, if they are
-/// there, and saves them at the end. Throws InputError if one can't be read.
-void RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
+/// Shows the scene in a window and returns when it is closed, with what to open next, or an empty
+/// path. Loads the files first, if they are there, and saves them at the end. Throws InputError if
+/// one can't be read.
+FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore
 

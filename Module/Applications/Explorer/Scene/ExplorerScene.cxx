@@ -89,6 +89,10 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   const Explore::Analysis& analysis = exploration.Values;
   vtkVolumeProperty* const property = scene.Look;
   Explore::SetVolumeLook(analysis, property);
+  if (exploration.Input.AreLabels)
+  {
+    Explore::SetLabelLook(exploration.Input.LabelTable, property);
+  }
   bool gpu = options.Mapper != MapperChoice::CPU;
   if (options.Mapper == MapperChoice::Auto)
   {

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Scene/VolumeLook.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkHapticLabelTable.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
@@ -79,6 +80,33 @@ void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
 
 namespace Explore
 {
+void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property)
+{
+  constexpr double half = 0.499, opacity = 0.9;
+  vtkNew<vtkColorTransferFunction> colour;
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(0.0, 0.0);
+  opacities->AddPoint(half, 0.0);
+  for (vtkIdType i = 0; i < table->GetNumberOfLabels(); ++i)
+  {
+    const int label = table->GetLabel(i);
+    if (label <= 0)
+    {
+      continue;
+    }
+    double seen[3];
+    table->GetColor(label, seen);
+    for (const double end : { label - half, label + half })
+    {
+      colour->AddRGBPoint(end, seen[0], seen[1], seen[2]);
+      opacities->AddPoint(end, table->GetFelt(label) ? opacity : 0.1 * opacity);
+    }
+  }
+  property->SetColor(colour);
+  property->SetScalarOpacity(opacities);
+  property->SetInterpolationTypeToNearest(); // between two numbers there is no label
+}
+
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
 {
   if (analysis.Kind == VolumeKind::CT)

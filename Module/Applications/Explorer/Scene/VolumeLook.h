@@ -5,6 +5,7 @@
 
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 
+class vtkHapticLabelTable;
 class vtkVolumeProperty;
 
 namespace Explore
@@ -13,6 +14,9 @@ namespace Explore
 /// so that a trail is visible on the outer surface as well as under it. The glass is equally clear
 /// at every scale.
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property);
+
+/// The colours of labels, each from half a number below its own to half a number above.
+void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property);
 } // namespace Explore
 
 #endif

@@ -3,14 +3,15 @@
 #include "Applications/Explorer/Volume/DicomFolder.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/DicomPixels.h"
 #include "Applications/Explorer/Volume/DicomSeries.h"
+#include "Applications/Explorer/Volume/DicomUnpacking.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
-#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -46,17 +47,19 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
 {
   for (const DicomHeader& slice : slices)
   {
-    if (!slice.IsReadable())
+    // One that is deflated as a whole has no size that could be read.
+    if (!slice.IsPlain() && (!Explore::CanUnpackDicom() || slice.Width == 0))
     {
       throw InputError(path,
-        "holds compressed DICOM slices (" + NameOf(slice) + "), which are not unpacked here",
-        "unpack them, e.g. with gdcmconv --raw (package libgdcm-tools) or dcmdjpeg (dcmtk)");
+        "holds compressed DICOM slices (" + NameOf(slice) + "), which this build can't unpack",
+        "build it with GDCM (package libgdcm-dev), or unpack them, e.g. with gdcmconv --raw "
+        "(package libgdcm-tools) or dcmdjpeg (dcmtk)");
     }
-    if (slice.Frames > 1)
+    if (!slice.HasPlaces)
     {
       throw InputError(path,
         "holds a DICOM file with " + std::to_string(slice.Frames) + " frames (" + NameOf(slice) +
-          "), which are not read here",
+          "), and does not tell where they are: is it a film?",
         "turn it into NIfTI, e.g. with dcm2niix (package dcm2niix)");
     }
     if (!slice.IsWhole)
@@ -174,21 +177,15 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));
   image->AllocateScalars(ChooseType(FindValues(slices)), first.Samples);
   image->GetPointData()->GetScalars()->SetName("DICOM");
-  std::string bytes(
-    static_cast<std::size_t>(first.Width) * first.Height * first.Samples * first.Bits / 8, '\0');
+  Explore::DicomPixels pixels;
   for (std::size_t k = 0; k < slices.size(); ++k)
   {
-    vtksys::ifstream file(slices[k].File.c_str(), std::ios::binary);
-    file.seekg(static_cast<std::streamoff>(slices[k].Pixels));
-    if (!file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
-    {
-      throw InputError(path, "has a slice that cannot be read (" + NameOf(slices[k]) + ")",
-        "make it readable, or copy or export the series again");
-    }
+    DicomHeader slice = slices[k];
+    const std::string bytes = pixels.Read(path, slice);
     void* const values = image->GetScalarPointer(0, 0, static_cast<int>(k));
     switch (image->GetScalarType())
     {
-      vtkTemplateMacro(Fill(bytes, slices[k], static_cast<VTK_TT*>(values)));
+      vtkTemplateMacro(Fill(bytes, slice, static_cast<VTK_TT*>(values)));
     }
   }
   return image;
@@ -237,6 +234,11 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   const double spacing = FindSpacing(path, slices, volume);
   volume.Image = ReadSlices(path, slices);
   PlaceSlices(slices.front(), spacing, volume.Image);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    volume.Series.push_back(all[i].Describe(i + 1));
+  }
+  volume.SeriesNumber = static_cast<int>(chosen) + 1;
   if (all.size() == 1)
   {
     volume.Notes.push_back(std::to_string(slices.size()) + " slices, sorted by position");

@@ -8,6 +8,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -24,7 +25,10 @@ constexpr std::uint32_t PIXELS = 0x7fe00010;
 constexpr std::uint32_t ITEM = 0xfffee000;
 constexpr std::uint32_t ITEM_END = 0xfffee00d;
 constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
+constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
+constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
 constexpr int DEEPEST = 16; // sequences in sequences
+constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
@@ -149,6 +153,14 @@ private:
   std::uint64_t Length;
 };
 
+/// What a file with several frames tells about their places.
+struct FramePlaces
+{
+  std::vector<DicomHeader> Groups; // of each frame: what differs from the file's header
+  std::vector<double> Offsets;     // along the normal, mm
+  double Step = 0.0;               // from frame to frame, mm
+};
+
 /// Without the blank or zero that makes lengths even.
 std::string TrimValue(std::string text)
 {
@@ -253,6 +265,83 @@ void TakeValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
   }
 }
 
+/// Decimal numbers between backslashes, as many as there are.
+std::vector<double> ReadAllDecimals(const std::string& text)
+{
+  std::vector<double> numbers(
+    static_cast<std::size_t>(1 + std::count(text.begin(), text.end(), '\\')));
+  return ReadDecimals(text, numbers.data(), static_cast<int>(numbers.size()))
+    ? numbers
+    : std::vector<double>();
+}
+
+void TakePlaces(std::uint32_t tag, const std::string& value, FramePlaces& places)
+{
+  double step;
+  if (tag == 0x3004000c)
+  {
+    places.Offsets = ReadAllDecimals(value);
+  }
+  else if (tag == 0x00180088 && ReadDecimals(value, &step, 1))
+  {
+    places.Step = std::abs(step);
+  }
+}
+
+/// The functional groups of an item, which are sequences of one item each.
+bool IsGroup(std::uint32_t tag)
+{
+  // The spacing of pixels, the place, the orientation, and slope and intercept.
+  return tag == 0x00289110 || tag == 0x00209113 || tag == 0x00209116 || tag == 0x00289145;
+}
+
+/// Calls for each value in a sequence, with the number of its item in the outermost one; groups are
+/// entered, other sequences are not. False if the file ends too early.
+template <typename Take>
+bool WalkItems(
+  DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
+{
+  constexpr std::uint32_t longest = 1024;
+  const bool isBounded = sequence.Length != UNKNOWN_LENGTH;
+  const std::uint64_t end = stream.Place() + (isBounded ? sequence.Length : 0);
+  DicomStream::Element element;
+  while ((!isBounded || stream.Place() < end) && stream.Next(element))
+  {
+    if (element.Tag == SEQUENCE_END)
+    {
+      return true;
+    }
+    if (element.Tag == ITEM)
+    {
+      number += depth == 0 ? 1 : 0;
+      continue; // into it: its elements follow
+    }
+    if (element.Tag == ITEM_END)
+    {
+      continue;
+    }
+    if (IsGroup(element.Tag) && depth < DEEPEST)
+    {
+      if (!WalkItems(stream, element, take, number, depth + 1))
+      {
+        return false;
+      }
+      continue;
+    }
+    const std::uint64_t begin = stream.Place();
+    if (element.Length <= longest && element.Length <= stream.Left())
+    {
+      take(number, element.Tag, stream.Read(element.Length));
+      stream.GoTo(begin);
+    }
+    if (!stream.Skip(element))
+    {
+      return false;
+    }
+  }
+  return isBounded && stream.Place() >= end;
+}
+
 void OrientSlice(const double orientation[6], DicomHeader& header)
 {
   double normal[3];
@@ -307,40 +396,54 @@ bool ReadMeta(DicomStream& stream, DicomHeader& header)
   }
   return true;
 }
-} // namespace
 
-namespace Explore
+/// Everything up to the pixels; false if they do not come.
+bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
 {
-bool DicomHeader::IsReadable() const
-{
-  const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
-    this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
-  return isPlain && (this->Bits == 8 || this->Bits == 16 || this->Bits == 32);
-}
-
-bool ReadDicomHeader(const std::string& path, DicomHeader& header)
-{
-  header = {};
-  header.File = path;
-  DicomStream stream(path);
-  if (!ReadMeta(stream, header))
-  {
-    return false;
-  }
-  if (header.TransferSyntax == DEFLATED)
-  {
-    return true; // and not readable
-  }
-  constexpr std::uint32_t longest = 1024; // of the values that are wanted
   double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  std::vector<std::array<double, 6>> orientations;
+  const auto takeOfFrame = [&](int number, std::uint32_t tag, const std::string& value)
+  {
+    if (number < 0 || number >= MOST_FRAMES)
+    {
+      return;
+    }
+    const auto index = static_cast<std::size_t>(number);
+    while (places.Groups.size() <= index)
+    {
+      places.Groups.push_back(header);
+      orientations.emplace_back();
+      std::copy_n(orientation, 6, orientations.back().begin());
+      places.Groups.back().HasPlaces = false;
+    }
+    places.Groups[index].HasPlaces = places.Groups[index].HasPlaces || tag == 0x00200032;
+    TakeValue(stream, tag, value, places.Groups[index], orientations[index].data());
+  };
+  constexpr std::uint32_t longest = 1024; // of the values that are wanted
+  constexpr std::uint32_t longestOffsets = 65536;
   DicomStream::Element element;
   while (stream.Next(element) && element.Tag != PIXELS)
   {
     const std::uint64_t begin = stream.Place();
-    if (element.Length <= longest && element.Length <= stream.Left())
+    if (element.Tag == SHARED_GROUPS || element.Tag == FRAME_GROUPS)
+    {
+      const bool isShared = element.Tag == SHARED_GROUPS;
+      const auto takeOfAll = [&](int, std::uint32_t tag, const std::string& value)
+      { TakeValue(stream, tag, value, header, orientation); };
+      if (!(isShared ? WalkItems(stream, element, takeOfAll, -1, 0)
+                     : WalkItems(stream, element, takeOfFrame, -1, 0)))
+      {
+        return false;
+      }
+      continue;
+    }
+    const bool areOffsets = element.Tag == 0x3004000c;
+    if (element.Length <= (areOffsets ? longestOffsets : longest) &&
+      element.Length <= stream.Left())
     {
       const std::string value = stream.Read(element.Length);
       TakeValue(stream, element.Tag, value, header, orientation);
+      TakePlaces(element.Tag, value, places);
       stream.GoTo(begin);
     }
     if (!stream.Skip(element))
@@ -348,16 +451,102 @@ bool ReadDicomHeader(const std::string& path, DicomHeader& header)
       return false;
     }
   }
-  if (element.Tag != PIXELS || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0)
+  if (element.Tag != PIXELS || header.Width <= 0 || header.Height <= 0 || header.Bits <= 0 ||
+    header.Samples <= 0)
   {
     return false;
   }
-  const std::uint64_t pixels = static_cast<std::uint64_t>(header.Width) * header.Height;
   header.IsBig = stream.IsBig;
   header.Pixels = stream.Place();
+  header.Frames = std::max(header.Frames, 1);
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
-  header.IsWhole = stream.Left() >= pixels * header.Samples * header.Bits / 8;
+  // The parts of compressed pixels have no length in all.
+  header.IsWhole = element.Length == UNKNOWN_LENGTH
+    ? stream.Left() > 16
+    : stream.Left() >= header.GetSize() * static_cast<std::uint64_t>(header.Frames);
   OrientSlice(orientation, header);
+  for (std::size_t i = 0; i < places.Groups.size(); ++i)
+  {
+    OrientSlice(orientations[i].data(), places.Groups[i]);
+  }
   return true;
+}
+
+bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& places)
+{
+  header = {};
+  header.File = path;
+  DicomStream stream(path);
+  // A deflated one is no slice that can be read.
+  return ReadMeta(stream, header) &&
+    (header.TransferSyntax == DEFLATED || ReadDataSet(stream, header, places));
+}
+} // namespace
+
+namespace Explore
+{
+bool DicomHeader::IsPlain() const
+{
+  const bool isPlain = this->TransferSyntax.empty() || this->TransferSyntax == IMPLICIT_LITTLE ||
+    this->TransferSyntax == EXPLICIT_LITTLE || this->TransferSyntax == EXPLICIT_BIG;
+  return isPlain && (this->Bits == 8 || this->Bits == 16 || this->Bits == 32);
+}
+
+std::uint64_t DicomHeader::GetSize() const
+{
+  return static_cast<std::uint64_t>(this->Width) * this->Height * this->Samples * this->Bits / 8;
+}
+
+bool ReadDicomHeader(const std::string& path, DicomHeader& header)
+{
+  FramePlaces places;
+  return ReadHeader(path, header, places);
+}
+
+std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
+{
+  DicomHeader header;
+  FramePlaces places;
+  if (!ReadHeader(path, header, places))
+  {
+    return {};
+  }
+  const int count = std::min(header.Frames, MOST_FRAMES);
+  const auto frames = static_cast<std::size_t>(count);
+  std::vector<DicomHeader> slices(frames, header);
+  const bool haveGroups = places.Groups.size() >= frames;
+  const bool haveOffsets = places.Offsets.size() == frames;
+  for (std::size_t i = 0; i < frames; ++i)
+  {
+    DicomHeader& slice = slices[i];
+    slice.Frame = static_cast<int>(i);
+    slice.Pixels += header.GetSize() * i;
+    if (haveGroups && places.Groups[i].HasPlaces)
+    {
+      const DicomHeader& own = places.Groups[i];
+      std::copy_n(own.Position, 3, slice.Position);
+      std::copy_n(own.Row, 3, slice.Row);
+      std::copy_n(own.Column, 3, slice.Column);
+      std::copy_n(own.Normal, 3, slice.Normal);
+      std::copy_n(own.Spacing, 2, slice.Spacing);
+      slice.Along = own.Along;
+      slice.Slope = own.Slope;
+      slice.Intercept = own.Intercept;
+      continue;
+    }
+    if (count == 1)
+    {
+      continue; // its header tells, or it is where a scanner puts slices by default
+    }
+    const double step =
+      haveOffsets ? places.Offsets[i] - places.Offsets[0] : places.Step * static_cast<double>(i);
+    slice.HasPlaces = haveOffsets || places.Step > 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      slice.Position[axis] += step * slice.Normal[axis];
+    }
+    slice.Along += step;
+  }
+  return slices;
 }
 } // namespace Explore

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace Explore
 {
@@ -25,6 +26,7 @@ struct DicomHeader
   bool IsSigned = false;
   bool IsBig = false; // the byte of the highest bits comes first
   int Frames = 1;     // in the file
+  int Frame = 0;      // this slice's number among them
   ///@{
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
@@ -38,15 +40,23 @@ struct DicomHeader
   double Spacing[2] = { 0.0, 0.0 }; // of pixels along a row and along a column, mm; 0: not told
   std::uint64_t Pixels = 0;         // where they begin in the file
   bool IsWhole = false;             // the file is long enough for its pixels
+  bool HasPlaces = true;            // it tells where each of its frames is
 
   /// Uncompressed little endian, implicit and explicit, and explicit big endian, with samples of
   /// 8, 16 or 32 bits.
-  bool IsReadable() const;
+  bool IsPlain() const;
+  /// The bytes of this slice's pixels, if they are not compressed.
+  std::uint64_t GetSize() const;
 };
 
 /// False if a file is not a DICOM file with pixels. Follows PS3.5 of the standard, sections 7 and
 /// A.
 bool ReadDicomHeader(const std::string& path, DicomHeader& header);
+
+/// A header for each frame of a file, with its own place and meaning of samples: by the functional
+/// groups of PS3.3, section C.7.6.16, by the offsets of a dose, or by the spacing between slices.
+/// Empty if this is not a DICOM file with pixels.
+std::vector<DicomHeader> ReadDicomSlices(const std::string& path);
 } // namespace Explore
 
 #endif

@@ -41,7 +41,6 @@ void AddFolder(
   for (const std::string& name : names)
   {
     const std::string path = folder + "/" + name;
-    DicomHeader header;
     if (name == "." || name == "..")
     {
       continue;
@@ -55,12 +54,15 @@ void AddFolder(
         AddFolder(path, depth + 1, all, hasFolders);
       }
     }
-    else if (Explore::ReadDicomHeader(path, header))
+    else
     {
-      const auto found = std::find_if(all.begin(), all.end(),
-        [&](const DicomSeries& series) { return IsAlike(series.Slices.front(), header); });
-      auto& slices = found != all.end() ? found->Slices : all.emplace_back().Slices;
-      slices.push_back(header);
+      for (const DicomHeader& slice : Explore::ReadDicomSlices(path))
+      {
+        const auto found = std::find_if(all.begin(), all.end(),
+          [&](const DicomSeries& series) { return IsAlike(series.Slices.front(), slice); });
+        auto& slices = found != all.end() ? found->Slices : all.emplace_back().Slices;
+        slices.push_back(slice);
+      }
     }
   }
 }

@@ -5,10 +5,16 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 
+#include "vtkDataArray.h"
 #include "vtkHapticSegmentationReader.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <vtksys/SystemTools.hxx>
+
+#include <cmath>
+#include <set>
 
 namespace
 {
@@ -35,10 +41,86 @@ void ReadSegmentation(Volume& volume, const std::string& path)
   volume.Labels->ShallowCopy(reader->GetOutput());
   volume.LabelTable->DeepCopy(reader->GetLabelTable());
 }
+void ReadTables(Volume& volume, const std::vector<std::string>& tables)
+{
+  for (const std::string& table : tables)
+  {
+    const Explore::MessageCapture capture;
+    if (!volume.LabelTable->ReadFile(table.c_str()))
+    {
+      throw InputError("--materials " + table, capture.FirstError(), "name another file");
+    }
+  }
+}
+
+/// The numbers of labels, without 0. Throws InputError if there are others or too many.
+std::set<int> FindLabels(const std::string& path, vtkImageData* image)
+{
+  constexpr std::size_t most = 4096;
+  constexpr double highest = 1e6;
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  std::set<int> labels;
+  double last = 0.0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    if (value == last)
+    {
+      continue;
+    }
+    if (value != std::floor(value) || value < 0.0 || value > highest || labels.size() > most)
+    {
+      throw InputError("--as-labels " + path, "has values that are no numbers of labels",
+        "leave --as-labels out; labels are up to 4096 whole numbers of 0 or more");
+    }
+    last = value;
+    labels.insert(static_cast<int>(value));
+  }
+  labels.erase(0);
+  return labels;
+}
+
+/// Hues as far from one another as the golden section puts them.
+void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
+{
+  const double hue = std::fmod(0.08 + 0.618034 * static_cast<double>(number), 1.0);
+  double color[3];
+  vtkMath::HSVToRGB(hue, number % 3 == 2 ? 0.35 : 0.55, 0.92, color, color + 1, color + 2);
+  table->SetColor(label, color);
+}
 } // namespace
 
 namespace Explore
 {
+void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables)
+{
+  const std::set<int> labels = FindLabels(path, volume.Image);
+  vtkNew<vtkHapticLabelTable> table;
+  volume.LabelTable = table;
+  if (!vtksys::SystemTools::FileIsDirectory(path))
+  {
+    const MessageCapture capture; // without names there are numbers
+    table->ReadFile(path.c_str());
+  }
+  std::size_t number = 0;
+  for (const int label : labels)
+  {
+    if (table->GetLabelName(label).empty())
+    {
+      table->SetLabelName(label, "label " + std::to_string(label));
+    }
+    if (!table->HasColor(label))
+    {
+      SetColor(table, label, number);
+    }
+    ++number;
+  }
+  ReadTables(volume, tables);
+  volume.Labels = volume.Image;
+  volume.AreLabels = true;
+  volume.Notes.push_back("its values are taken as labels: " + std::to_string(labels.size()));
+}
+
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
@@ -58,14 +140,7 @@ void LoadLabels(
     const MessageCapture capture; // without names there are numbers
     volume.LabelTable->ReadFile(segmentation.c_str());
   }
-  for (const std::string& table : tables)
-  {
-    const MessageCapture capture;
-    if (!volume.LabelTable->ReadFile(table.c_str()))
-    {
-      throw InputError("--materials " + table, capture.FirstError(), "name another file");
-    }
-  }
+  ReadTables(volume, tables);
   int withMaterial = 0;
   for (vtkIdType i = 0; i < volume.LabelTable->GetNumberOfLabels(); ++i)
   {

@@ -15,6 +15,11 @@ namespace Explore
 /// vtkHapticLabelTable::ReadFile. Throws InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
+
+/// Takes the volume itself as a label image: its values are numbers of labels, with the names and
+/// colours that the file at `path` has for them, and others for the rest. Throws InputError if they
+/// can't be that.
+void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 
 #endif

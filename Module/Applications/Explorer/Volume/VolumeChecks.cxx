@@ -12,6 +12,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <sstream>
@@ -98,11 +99,37 @@ void FindScalars(const std::string& path, Volume& volume)
   }
 }
 
+/// Bytes of red, green and blue, and perhaps opacity: how bright they are is what is felt.
+void UseBrightness(Volume& volume)
+{
+  vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedCharArray> brightness;
+  brightness->SetName(colours->GetName() ? colours->GetName() : "Brightness");
+  brightness->SetNumberOfValues(colours->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+  {
+    // The weights of vtkImageLuminance.
+    const double value = 0.30 * colours->GetComponent(i, 0) + 0.59 * colours->GetComponent(i, 1) +
+      0.11 * colours->GetComponent(i, 2);
+    brightness->SetValue(i, static_cast<unsigned char>(value));
+  }
+  vtkNew<vtkImageData> single;
+  single->CopyStructure(volume.Image);
+  single->GetPointData()->SetScalars(brightness);
+  volume.Image = single;
+  volume.Notes.emplace_back("colours: their brightness is used");
+}
+
 void UseFirstComponent(Volume& volume)
 {
   const int components = volume.Image->GetNumberOfScalarComponents();
   if (components == 1)
   {
+    return;
+  }
+  if ((components == 3 || components == 4) && volume.Image->GetScalarType() == VTK_UNSIGNED_CHAR)
+  {
+    UseBrightness(volume);
     return;
   }
   vtkNew<vtkImageExtractComponents> extract;

@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Volume/DicomFolder.h"
 #include "Applications/Explorer/Volume/GridLoader.h"
+#include "Applications/Explorer/Volume/LabelMap.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
@@ -280,6 +281,7 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }
   CheckVolume(path, volume);
+  volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image);
   volume.Image = AlignToAxes(volume.Image);
   fields.GiveTo(volume.Image);
   return volume;

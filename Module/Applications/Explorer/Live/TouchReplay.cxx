@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/TouchReplay.h"
+
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkProperty2D.h"
+#include "vtkTextProperty.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+constexpr double REPLAY_STEP = 0.1; // s, of F6 and F7
+constexpr float SLIDER_PRIORITY = 1.0f;
+
+void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
+  actor->PickableOff();
+  actor->UseBoundsOff();
+}
+
+/// The row of the last time that is not after this one.
+vtkIdType FindRow(vtkDataArray* times, double time)
+{
+  vtkIdType first = 0, last = times->GetNumberOfTuples() - 1;
+  while (first < last)
+  {
+    const vtkIdType middle = (first + last + 1) / 2;
+    if (times->GetComponent(middle, 0) <= time)
+    {
+      first = middle;
+    }
+    else
+    {
+      last = middle - 1;
+    }
+  }
+  return first;
+}
+} // namespace
+
+namespace Explore
+{
+TouchReplay::TouchReplay(
+  TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& file)
+  : Touch(touch)
+  , Interactor(interactor)
+{
+  this->ReadFile(file);
+  this->BuildActors();
+  this->BuildSlider(file);
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*)
+    {
+      auto* const replay = static_cast<TouchReplay*>(self);
+      if (event == vtkCommand::KeyPressEvent)
+      {
+        replay->PressKey();
+      }
+      else if (event == vtkCommand::InteractionEvent)
+      {
+        replay->IsPlaying = false;
+        replay->Show(replay->Begin + replay->Slider->GetValue());
+      }
+      else
+      {
+        replay->Follow();
+      }
+    });
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Observer);
+  interactor->AddObserver(vtkCommand::TimerEvent, this->Observer);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, this->Observer);
+  this->Show(this->Begin);
+}
+
+TouchReplay::~TouchReplay()
+{
+  this->Interactor->RemoveObserver(this->Observer);
+  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->SetEnabled(0);
+  this->Widget->SetInteractor(nullptr);
+  for (vtkActor* const actor :
+    { this->Way.Get(), this->ProxyActor.Get(), this->SpringActor.Get(), this->ForceActor.Get() })
+  {
+    this->Touch.Scene.Overlay->RemoveViewProp(actor);
+  }
+}
+
+std::string TouchReplay::ListKeys()
+{
+  return "Recording\nF5\tplay; hold\nF6\tback by 0.1 s\nF7\ton by 0.1 s\n";
+}
+
+void TouchReplay::ReadFile(const std::string& file)
+{
+  const MessageCapture capture;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  const bool isThere = vtksys::SystemTools::FileExists(file, true);
+  if (isThere && reader->CanReadFile(file.c_str()))
+  {
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    this->Trace = reader->GetOutput();
+  }
+  vtkPointData* const data = this->Trace ? this->Trace->GetPointData() : nullptr;
+  vtkDataArray* const times = data ? data->GetArray("Time") : nullptr;
+  if (!times || !data->GetArray("Force") || !data->GetArray("Tip") ||
+    times->GetNumberOfTuples() < 2)
+  {
+    throw InputError("--replay " + file,
+      isThere ? "is no recording of a touch" : "there is no such file",
+      "name a .vtp that key F10 or vtkHapticDevice::StartRecording() has written");
+  }
+  this->Begin = times->GetComponent(0, 0);
+  this->End = times->GetComponent(times->GetNumberOfTuples() - 1, 0);
+  if (!(this->End > this->Begin))
+  {
+    throw InputError("--replay " + file, "has times that do not go on", "record the touch again");
+  }
+}
+
+void TouchReplay::BuildActors()
+{
+  const double way[3] = { 0.55, 0.80, 1.0 }, proxy[3] = { 0.35, 0.70, 1.0 };
+  const double spring[3] = { 1.0, 1.0, 1.0 }, force[3] = { 1.0, 0.75, 0.25 };
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(this->Trace);
+  mapper->ScalarVisibilityOff();
+  this->Way->SetMapper(mapper);
+  this->Way->GetProperty()->SetColor(way[0], way[1], way[2]);
+  this->Way->GetProperty()->SetLineWidth(2.0f);
+  this->Way->GetProperty()->LightingOff();
+  this->Way->PickableOff();
+  this->Way->UseBoundsOff();
+  this->Proxy->SetRadius(this->Touch.Hand->GetRadius());
+  this->Proxy->SetThetaResolution(24);
+  this->Proxy->SetPhiResolution(16);
+  DrawSource(this->Proxy, this->ProxyActor, proxy);
+  DrawSource(this->Spring, this->SpringActor, spring);
+  this->Force->SetTipResolution(24);
+  this->Force->SetShaftResolution(24);
+  DrawSource(this->Force, this->ForceActor, force);
+  for (vtkActor* const actor :
+    { this->Way.Get(), this->ProxyActor.Get(), this->SpringActor.Get(), this->ForceActor.Get() })
+  {
+    this->Touch.Scene.Overlay->AddViewProp(actor);
+  }
+}
+
+void TouchReplay::BuildSlider(const std::string& file)
+{
+  vtkSliderRepresentation2D* const slider = this->Slider;
+  slider->SetMinimumValue(0.0);
+  slider->SetMaximumValue(this->End - this->Begin);
+  slider->SetTitleText(vtksys::SystemTools::GetFilenameName(file).c_str());
+  slider->SetLabelFormat("%.2f s");
+  slider->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+  slider->GetPoint1Coordinate()->SetValue(0.34, 0.07);
+  slider->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+  slider->GetPoint2Coordinate()->SetValue(0.66, 0.07);
+  slider->SetTubeWidth(0.006);
+  slider->SetSliderLength(0.012);
+  slider->SetSliderWidth(0.022);
+  slider->SetEndCapLength(0.004);
+  slider->SetTitleHeight(0.022);
+  slider->SetLabelHeight(0.022);
+  slider->GetTubeProperty()->SetColor(0.45, 0.52, 0.62);
+  slider->GetSliderProperty()->SetColor(0.93, 0.95, 0.98);
+  slider->GetSelectedProperty()->SetColor(1.0, 0.75, 0.25);
+  this->Widget->SetInteractor(this->Interactor);
+  this->Widget->SetRepresentation(slider);
+  this->Widget->SetCurrentRenderer(this->Touch.Scene.Overlay);
+  this->Widget->SetDefaultRenderer(this->Touch.Scene.Overlay);
+  this->Widget->SetPriority(SLIDER_PRIORITY);
+  this->Widget->KeyPressActivationOff();
+  this->Widget->SetAnimationModeToJump();
+  this->Widget->EnabledOn();
+}
+
+void TouchReplay::PressKey()
+{
+  const char* const symbol = this->Interactor->GetKeySym();
+  const std::string key = symbol ? symbol : "";
+  if (key == "F5")
+  {
+    this->IsPlaying = !this->IsPlaying;
+    this->Played = std::chrono::steady_clock::now();
+    if (this->IsPlaying && this->Now >= this->End)
+    {
+      this->Show(this->Begin);
+    }
+  }
+  else if (key == "F6" || key == "F7")
+  {
+    this->IsPlaying = false;
+    this->Show(this->Now + (key == "F7" ? REPLAY_STEP : -REPLAY_STEP));
+  }
+}
+
+void TouchReplay::Follow()
+{
+  if (!this->IsPlaying)
+  {
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - this->Played;
+  this->Played = now;
+  this->Show(this->Now + passed.count());
+  this->IsPlaying = this->Now < this->End;
+}
+
+void TouchReplay::Show(double time)
+{
+  this->Now = std::clamp(time, this->Begin, this->End);
+  vtkPointData* const data = this->Trace->GetPointData();
+  const vtkIdType row = FindRow(data->GetArray("Time"), this->Now);
+  double proxy[3], tip[3], force[3];
+  this->Trace->GetPoint(row, proxy);
+  data->GetArray("Tip")->GetTuple(row, tip);
+  data->GetArray("Force")->GetTuple(row, force);
+  this->Proxy->SetCenter(proxy);
+  this->Spring->SetPoint1(proxy);
+  this->Spring->SetPoint2(tip);
+
+  // The arrow of VTK lies along x, and is of length 1.
+  const double newtons = vtkMath::Norm(force);
+  const double length = newtons / this->Touch.Hand->GetForceScale();
+  double axes[3][3];
+  std::copy_n(force, 3, axes[0]);
+  this->ForceActor->SetVisibility(vtkMath::Normalize(axes[0]) > 0.0);
+  vtkMath::Perpendiculars(axes[0], axes[1], axes[2], 0.0);
+  vtkNew<vtkMatrix4x4> place;
+  for (int line = 0; line < 3; ++line)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place->SetElement(line, axis, length * axes[axis][line]);
+    }
+    place->SetElement(line, 3, proxy[line]);
+  }
+  this->ForceActor->SetUserMatrix(place);
+
+  std::ostringstream label;
+  label << std::fixed << std::setprecision(2) << "%.2f s, " << newtons << " N";
+  this->Slider->SetLabelFormat(label.str().c_str());
+  this->Slider->SetValue(this->Now - this->Begin);
+  if (!this->Touch.Scene.Window->GetNeverRendered())
+  {
+    this->Interactor->Render();
+  }
+}
+} // namespace Explore

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_TouchReplay_h
+#define Explore_TouchReplay_h
+
+#include "Applications/Explorer/Live/TouchScene.h"
+
+#include "vtkActor.h"
+#include "vtkArrowSource.h"
+#include "vtkCallbackCommand.h"
+#include "vtkLineSource.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSliderRepresentation2D.h"
+#include "vtkSliderWidget.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+
+#include <chrono>
+#include <string>
+
+namespace Explore
+{
+/// Shows a recording of the touch in the window: the way of the proxy, and at a time that a slider
+/// chooses, the tip, the proxy and the force. F5 plays it in real time and holds it, F6 and F7 go
+/// back and on. It feels nothing; a device can touch meanwhile.
+class TouchReplay
+{
+public:
+  /// Throws InputError if the file is no recording or trace.
+  TouchReplay(TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& file);
+  ~TouchReplay();
+  TouchReplay(const TouchReplay&) = delete;
+  TouchReplay& operator=(const TouchReplay&) = delete;
+
+  /// As in vtkHapticHeadUpDisplay::HelpText.
+  static std::string ListKeys();
+
+private:
+  void ReadFile(const std::string& file);
+  void BuildActors();
+  void BuildSlider(const std::string& file);
+  void PressKey();
+  void Follow();
+  /// Goes to a time of the recording (s).
+  void Show(double time);
+
+  TouchScene& Touch;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkSmartPointer<vtkPolyData> Trace;
+  double Begin = 0.0, End = 0.0; ///< s
+  double Now = 0.0;              ///< s
+  bool IsPlaying = false;
+  std::chrono::steady_clock::time_point Played; ///< up to here
+
+  vtkNew<vtkActor> Way;
+  vtkNew<vtkSphereSource> Proxy;
+  vtkNew<vtkActor> ProxyActor;
+  vtkNew<vtkLineSource> Spring; ///< from the proxy to the tip
+  vtkNew<vtkActor> SpringActor;
+  vtkNew<vtkArrowSource> Force;
+  vtkNew<vtkActor> ForceActor;
+  vtkNew<vtkSliderRepresentation2D> Slider;
+  vtkNew<vtkSliderWidget> Widget;
+  vtkNew<vtkCallbackCommand> Observer;
+};
+} // namespace Explore
+
+#endif

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/WindowFiles.h"
+
+#include "vtkStringArray.h"
+
+#include <vtksys/Directory.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+
+namespace
+{
+using Files = vtksys::SystemTools;
+
+const char* const FILE_ENDINGS[] = { ".vti", ".mhd", ".mha", ".nii", ".nii.gz", ".nrrd", ".nhdr",
+  ".vtkhdf", ".pvd", ".vtu", ".vtr", ".vts", ".vtm", ".vtmb", ".vtk", ".foam", ".case", ".dcm",
+  ".ima" };
+
+bool IsForTouch(const std::string& name)
+{
+  const std::string lower = Files::LowerCase(name);
+  return lower == "dicomdir" ||
+    std::any_of(std::begin(FILE_ENDINGS), std::end(FILE_ENDINGS),
+      [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
+}
+
+constexpr unsigned long FILE_EVENTS[] = { vtkCommand::KeyPressEvent, vtkCommand::CharEvent,
+  vtkCommand::LeftButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
+  vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent };
+constexpr float FILES_PRIORITY = 10.0f;
+} // namespace
+
+namespace Explore
+{
+void ListFolderForTouch(
+  const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths)
+{
+  vtksys::Directory directory;
+  directory.Load(folder);
+  std::vector<std::string> folders, files;
+  for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
+  {
+    const std::string name = directory.GetFile(i);
+    if (name.empty() || name[0] == '.')
+    {
+      continue;
+    }
+    const bool isFolder = Files::FileIsDirectory(folder + "/" + name);
+    if (isFolder || IsForTouch(name))
+    {
+      (isFolder ? folders : files).push_back(name);
+    }
+  }
+  std::sort(folders.begin(), folders.end());
+  std::sort(files.begin(), files.end());
+  lines = { "this folder, as DICOM or as a volume that moves", "../" };
+  paths = { folder, Files::GetParentDirectory(folder) };
+  for (const std::string& name : folders)
+  {
+    lines.push_back(name + "/");
+    paths.push_back(folder + "/" + name);
+  }
+  for (const std::string& name : files)
+  {
+    lines.push_back(name);
+    paths.push_back(folder + "/" + name);
+  }
+}
+
+WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interactor,
+  const Volume& volume, const FileChoice& now, FileChoice& choice)
+  : Touch(touch)
+  , Interactor(interactor)
+  , Now(now)
+  , Chosen(choice)
+  , Series(volume.Series)
+  , MayBeLabels(volume.MayBeLabels)
+  , List(touch.Scene.Overlay)
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* data)
+    { static_cast<WindowFiles*>(self)->Take(event, data); });
+  for (const unsigned long event : FILE_EVENTS)
+  {
+    interactor->AddObserver(event, this->Observer, FILES_PRIORITY);
+  }
+}
+
+WindowFiles::~WindowFiles()
+{
+  this->Interactor->RemoveObserver(this->Observer);
+}
+
+std::string WindowFiles::ListKeys() const
+{
+  std::string keys = "Data\nF2\topen a file\n";
+  keys += this->Series.size() > 1 ? "F3\tanother series\n" : "";
+  return keys +
+    (this->MayBeLabels ? this->Now.AsLabels ? "F4\tshow as values\n" : "F4\tshow as labels\n" : "");
+}
+
+void WindowFiles::Take(unsigned long event, void* data)
+{
+  const int* const at = this->Interactor->GetEventPosition();
+  bool isTaken = this->List.IsShown();
+  switch (event)
+  {
+    case vtkCommand::DropFilesEvent:
+      if (auto* const files = static_cast<vtkStringArray*>(data))
+      {
+        if (files->GetNumberOfValues() > 0)
+        {
+          this->Choose({ files->GetValue(0), 0, false });
+        }
+      }
+      break;
+    case vtkCommand::KeyPressEvent:
+    {
+      const char* const symbol = this->Interactor->GetKeySym();
+      isTaken = this->PressKey(symbol ? symbol : "");
+      break;
+    }
+    case vtkCommand::LeftButtonPressEvent:
+      if (isTaken)
+      {
+        this->Accept(this->List.Find(at[0], at[1]));
+      }
+      break;
+    case vtkCommand::MouseWheelForwardEvent:
+    case vtkCommand::MouseWheelBackwardEvent:
+      if (isTaken)
+      {
+        this->List.Move(event == vtkCommand::MouseWheelForwardEvent ? -1 : 1);
+        this->Interactor->Render();
+      }
+      break;
+    default:
+      break;
+  }
+  this->Observer->SetAbortFlag(isTaken);
+}
+
+bool WindowFiles::PressKey(const std::string& key)
+{
+  if (!this->List.IsShown())
+  {
+    if (key == "F2")
+    {
+      const std::string path = Files::CollapseFullPath(this->Now.Path);
+      this->ListFolder(Files::GetFilenamePath(path), path);
+    }
+    else if (key == "F3" && this->Series.size() > 1)
+    {
+      this->ListSeries();
+    }
+    else if (key == "F4" && this->MayBeLabels)
+    {
+      this->Choose({ this->Now.Path, this->Now.Series, !this->Now.AsLabels });
+    }
+    else
+    {
+      return false;
+    }
+    return true;
+  }
+  if (key == "Up" || key == "Down" || key == "Prior" || key == "Next")
+  {
+    constexpr int page = 10;
+    const int step = key == "Up" || key == "Down" ? 1 : page;
+    this->List.Move(key == "Up" || key == "Prior" ? -step : step);
+  }
+  else if (key == "Return" || key == "KP_Enter")
+  {
+    this->Accept(this->List.GetMarked());
+  }
+  else if (key == "BackSpace" && !this->Folder.empty())
+  {
+    this->ListFolder(Files::GetParentDirectory(this->Folder), this->Folder);
+  }
+  else if (key == "Escape" || key == "F2" || key == "F3")
+  {
+    this->List.Hide();
+  }
+  this->Interactor->Render();
+  return true;
+}
+
+void WindowFiles::ListFolder(const std::string folder, const std::string marked)
+{
+  // Who looks at a list does not look at the hand.
+  this->Touch.Style->SetTouchMode(false);
+  this->Touch.Device->Disarm();
+  std::vector<std::string> lines;
+  this->Folder = folder;
+  ListFolderForTouch(folder, lines, this->Paths);
+  const auto found = std::find(this->Paths.begin(), this->Paths.end(), marked);
+  const bool isListed = found != this->Paths.end();
+  this->List.Show(
+    "Open: " + folder, lines, isListed ? static_cast<int>(found - this->Paths.begin()) : 0);
+  this->Interactor->Render();
+}
+
+void WindowFiles::ListSeries()
+{
+  this->Touch.Style->SetTouchMode(false);
+  this->Touch.Device->Disarm();
+  this->Folder.clear();
+  this->List.Show("Series of " + Files::GetFilenameName(this->Now.Path), this->Series,
+    std::max(0, this->Now.Series - 1));
+  this->Interactor->Render();
+}
+
+void WindowFiles::Accept(int line)
+{
+  if (line < 0)
+  {
+    return;
+  }
+  if (this->Folder.empty())
+  {
+    this->Choose({ this->Now.Path, line + 1, false });
+    return;
+  }
+  const std::string path = this->Paths[static_cast<std::size_t>(line)];
+  const bool isZarr = Files::StringEndsWith(Files::LowerCase(path), ".zarr");
+  if (line > 0 && Files::FileIsDirectory(path) && !isZarr)
+  {
+    this->ListFolder(path, line == 1 ? this->Folder : std::string());
+    return;
+  }
+  this->Choose({ path, 0, false });
+}
+
+void WindowFiles::Choose(const FileChoice& choice)
+{
+  this->Chosen = choice;
+  this->List.Hide();
+  this->Interactor->TerminateApp();
+}
+} // namespace Explore

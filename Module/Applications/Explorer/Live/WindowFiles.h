@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_WindowFiles_h
+#define Explore_WindowFiles_h
+
+#include "Applications/Explorer/Live/TouchScene.h"
+#include "Applications/Explorer/View/ListOverlay.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// Chooses in the window what is touched next: F2 a file or folder, F3 another series of the same
+/// DICOM folder, F4 whether the volume is a label map; or a file is dropped on the window. The
+/// window then closes, and the program opens another one.
+class WindowFiles
+{
+public:
+  /// `now` is what the window shows, and `choice` gets what is chosen.
+  WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interactor, const Volume& volume,
+    const FileChoice& now, FileChoice& choice);
+  ~WindowFiles();
+  WindowFiles(const WindowFiles&) = delete;
+  WindowFiles& operator=(const WindowFiles&) = delete;
+
+  /// As in vtkHapticHeadUpDisplay::HelpText.
+  std::string ListKeys() const;
+
+private:
+  void Take(unsigned long event, void* data);
+  bool PressKey(const std::string& key);
+  /// By value: these may be the members that it sets.
+  void ListFolder(std::string folder, std::string marked);
+  void ListSeries();
+  void Accept(int line);
+  void Choose(const FileChoice& choice);
+
+  TouchScene& Touch;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  const FileChoice Now;
+  FileChoice& Chosen;
+  const std::vector<std::string> Series; ///< names; less than two without a choice
+  const bool MayBeLabels;
+  ListOverlay List;
+  std::string Folder;             ///< that is listed; empty: the series are
+  std::vector<std::string> Paths; ///< of the listed lines
+  vtkNew<vtkCallbackCommand> Observer;
+};
+
+/// The lines and paths of a folder: itself, its parent, its folders, and its volumes.
+void ListFolderForTouch(
+  const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths);
+} // namespace Explore
+
+#endif

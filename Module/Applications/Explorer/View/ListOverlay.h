@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ListOverlay_h
+#define Explore_ListOverlay_h
+
+#include "vtkNew.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// A list over the scene, of which one line is marked: the choice of a file or of a series.
+class ListOverlay
+{
+public:
+  explicit ListOverlay(vtkRenderer* overlay);
+  ~ListOverlay();
+  ListOverlay(const ListOverlay&) = delete;
+  ListOverlay& operator=(const ListOverlay&) = delete;
+
+  /// Shows the lines with one of them marked.
+  void Show(const std::string& title, const std::vector<std::string>& lines, int marked);
+  void Hide();
+  bool IsShown() const;
+  /// Moves the mark up (negative) or down. It stays within the list.
+  void Move(int lines);
+  int GetMarked() const { return this->Marked; }
+  /// The line at a position (pixels), -1 for none.
+  int Find(int x, int y) const;
+
+private:
+  void Write();
+
+  vtkRenderer* const Overlay;
+  vtkNew<vtkTextActor> Text;
+  std::string Title;
+  std::vector<std::string> Lines;
+  int Marked = 0;
+  int First = 0; ///< of the lines that are seen
+  int Seen = 0;  ///< their number
+};
+} // namespace Explore
+
+#endif

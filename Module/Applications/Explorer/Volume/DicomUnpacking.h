@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomUnpacking_h
+#define Explore_DicomUnpacking_h
+
+#include "Applications/Explorer/Volume/DicomHeader.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Whether this build has GDCM, which unpacks JPEG, JPEG-LS, JPEG 2000 and RLE.
+bool CanUnpackDicom();
+
+/// The samples of all frames of a compressed file, with the byte of the lowest bits first. The
+/// header is changed to what they are. False if they can't be unpacked.
+bool UnpackDicom(DicomHeader& slice, std::string& bytes);
+} // namespace Explore
+
+#endif

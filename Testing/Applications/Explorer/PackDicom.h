@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PackDicom_h
+#define PackDicom_h
+
+#include <string>
+
+/// Writes a DICOM file anew with compressed samples, by GDCM's own writer: "lossless" JPEG,
+/// JPEG-LS's "prediction", or the "wavelets" of JPEG 2000, none of which loses anything. False
+/// without GDCM.
+bool PackDicom(const std::string& plain, const std::string& packed, const std::string& how);
+
+#endif

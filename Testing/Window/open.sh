@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Another file is opened in the explorer's window, with real key events on a screen of its own: by the list of key F2,
+# by dropping it on the window, and a broken one, after which the window shows what it showed before. Then the window
+# shows a label map as labels.
+#
+# usage: open.sh [--picture FOLDER] EXPLORER VOLUME DROP_FILE PYTHON
+#
+#   --picture FOLDER   pictures of the lists; takes imagemagick
+#   DROP_FILE          the program of DropFile.cxx
+#   PYTHON             one that has VTK; it writes the label map
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth openbox xdotool wmctrl x11-utils" xvfb-run openbox xdotool wmctrl xprop
+take_own_screen "$@"
+pictures=""
+if [[ "$1" == --picture ]]
+then
+  pictures=$(realpath "$2")
+  shift 2
+fi
+explorer=$(realpath "$1")
+volume=$(realpath "$2")
+drop=$(realpath "$3")
+python=$4
+take_own_home
+cd "$folder"
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2
+  exit 1
+}
+
+# The window of a volume, which listens and has the keyboard's focus.
+is_ready()
+{
+  window=$(xdotool search --onlyvisible --name "^VTK Volume Haptics" | head -n 1)
+  [[ -n "$window" ]] && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW && wmctrl -i -a "$window" &&
+    [[ "$(xdotool getwindowfocus)" == "$window" ]]
+}
+# usage: has_read NAME TIMES: the program has told so often that it reads this file.
+has_read()
+{
+  [[ "$(grep -c "^Reading .*$1\$" program.log)" == "$2" ]]
+}
+take_picture()
+{
+  sleep 0.7
+  [[ -z "$pictures" ]] || import -window "$window" "$pictures/$1.png"
+}
+
+mkdir data data/deeper
+cp "$volume" data/first.vti
+cp "$volume" data/second.vti
+cp "$volume" data/deeper/third.vti
+echo "no volume" > data/zebra.vti
+"$python" - << 'END'
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+image = vtkImageData()
+image.SetDimensions(40, 40, 40)
+image.AllocateScalars(3, 1)  # unsigned char
+values = image.GetPointData().GetScalars()
+for i in range(values.GetNumberOfTuples()):
+    x, y, z = i % 40 - 19.5, i // 40 % 40 - 19.5, i // 1600 - 19.5
+    r = (x * x + y * y + z * z) ** 0.5
+    values.SetValue(i, 0 if r > 17 else 7 if x > 0 else 2)
+values.SetName("labels")
+writer = vtkXMLImageDataWriter()
+writer.SetFileName("data/deeper/labels.vti")
+writer.SetInputData(image)
+writer.Write()
+END
+
+openbox --startup "touch $folder/managed" > openbox.log 2>&1 &
+wait_for "a window manager" test -e managed
+"$explorer" data/first.vti --size 300 > program.log 2>&1 &
+child=$!
+wait_for "the first volume" has_read first.vti 1
+wait_for "its window" is_ready
+
+# The list has this folder, its parent, deeper/, and then the files; the present one is marked.
+sleep 0.5
+xdotool key F2
+take_picture list
+xdotool key Down Return
+wait_for "the second volume" has_read second.vti 1
+wait_for "its window" is_ready
+sleep 0.5
+xdotool key F2 Down Return
+wait_for "the broken volume" has_read zebra.vti 1
+wait_for "the second volume again" has_read second.vti 2
+wait_for "its window" is_ready
+take_picture broken
+grep -q "Cure: " program.log || fail "nobody tells what is wrong with the broken volume"
+
+"$drop" "$window" "$folder/data/deeper/third.vti" || fail "the window takes no file that is dropped"
+wait_for "the dropped volume" has_read third.vti 1
+wait_for "its window" is_ready
+sleep 0.5
+# From the folder deeper, over this folder and its parent, to the label map.
+xdotool key F2 Up Return
+wait_for "the label map" has_read labels.vti 1
+wait_for "its window" is_ready
+take_picture values
+xdotool key F4
+wait_for "the labels" has_read labels.vti 2
+wait_for "their window" is_ready
+take_picture labels
+grep -q "its values are taken as labels: 2" program.log || fail "the labels are not counted"
+
+# Escape only closes the list.
+xdotool key F2 Escape
+xdotool key q
+expect_end
+echo "opened by a list, by a drop and as labels"
