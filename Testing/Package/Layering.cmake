@@ -58,7 +58,8 @@ allow(Core/Proposal Core/Math Core/Field)
 allow(Core/Solvers ${solver_basis})
 allow(Core/Tools/PointShell ${solver_basis})
 allow(Core/Regions ${solver_basis} Core/Solvers)
-allow(Core/Servo ${solver_basis} Core/Solvers Core/Regions)
+allow(Core/Tools ${solver_basis} Core/Solvers)
+allow(Core/Servo ${solver_basis} Core/Solvers Core/Tools Core/Regions)
 
 set(device_basis Core/Math Core/Model/ForceCaps.h Core/Servo)
 # The list of kinds names each kind.

@@ -77,6 +77,11 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
   return modes;
 }
 
+std::shared_ptr<const BakedTool> MakeTool(const ToolDescription& tool)
+{
+  return tool.Kind == ToolKind::Point ? nullptr : std::make_shared<const BakedTool>(tool);
+}
+
 /** In a tick; the servo has time for no more. */
 constexpr int MostFramesFollowed = 4;
 
@@ -139,6 +144,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Cut(d.Cut)
   , HasOtherSurfaces(this->Cut || this->FeelsLabels())
   , Modes(MakeModes(d))
+  , Tool(MakeTool(d.Tool))
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
 }
@@ -162,6 +168,7 @@ BakedVolume::BakedVolume(
   , Cut(other.Cut)
   , HasOtherSurfaces(other.HasOtherSurfaces)
   , Modes(other.Modes)
+  , Tool(other.Tool)
   , Number(other.Number)
 {
 }

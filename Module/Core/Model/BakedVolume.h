@@ -11,6 +11,7 @@
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
 #include "Core/Model/BakedMode.h"
+#include "Core/Model/BakedTool.h"
 #include "Core/Model/CutAway.h"
 #include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticModelDescription.h"
@@ -82,13 +83,15 @@ struct BakedVolume
   const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
   /** Whether surfaces depend on more than the scalars: labels or a cut. */
   const bool HasOtherSurfaces;
-  const std::vector<BakedMode> Modes; ///< of HapticMethod::Primitives
+  const std::vector<BakedMode> Modes;          ///< of HapticMethod::Primitives
+  const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
   /** The share of what is felt at an index that a cut leaves. */
   double KeptShare(const Vector3& index) const noexcept
   {
     return this->Cut ? this->Cut->Find(index).Share() : 1.0;
   }
+  bool HasTool(ToolKind kind) const noexcept { return this->Tool && this->Tool->Kind == kind; }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. One

@@ -138,6 +138,12 @@ std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
       tables.push_back({ mode.Guide->GetBoxes(), mode.Guide->GetBoxesSize() });
     }
   }
+  if (const BakedTool* const tool = this->Baked->Tool.get())
+  {
+    tables.push_back({ tool, sizeof(*tool) });
+    tables.push_back({ tool->NeedleForces.GetMemory(),
+      tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces) });
+  }
   return tables;
 }
 
@@ -151,9 +157,13 @@ std::size_t HapticModel::GetMemorySize() const noexcept
       (mode.Guide ? mode.Guide->GetSegmentsSize() + mode.Guide->GetBoxesSize() : 0) +
       (mode.GuideSurface ? mode.GuideSurface->GetMemorySize() : 0);
   }
-  return modes + sizeof(*this) + sizeof(baked) + baked.Kernel.Table.capacity() * sizeof(double) +
-    baked.Materials.GetMemorySize() - sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() -
-    sizeof(baked.Distinctness) + GetMeshSize(baked) +
+  const BakedTool* const tool = baked.Tool.get();
+  const std::size_t ofTool =
+    tool ? sizeof(*tool) + tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces) : 0;
+  return modes + ofTool + sizeof(*this) + sizeof(baked) +
+    baked.Kernel.Table.capacity() * sizeof(double) + baked.Materials.GetMemorySize() -
+    sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() - sizeof(baked.Distinctness) +
+    GetMeshSize(baked) +
     (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +
     (baked.GetZone() ? baked.GetZone()->GetMemorySize() : 0) +
     (baked.Walls ? sizeof(LabelWalls) + baked.Walls->GetMemorySize() : 0);

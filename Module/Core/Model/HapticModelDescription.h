@@ -13,6 +13,7 @@
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Math/Vector3.h"
 #include "Core/Model/BakedMode.h"
+#include "Core/Model/BakedTool.h"
 #include "Core/Model/FrameSeries.h"
 #include "Core/Model/HapticSettings.h"
 
@@ -78,6 +79,7 @@ struct HapticModelDescription
    * whose primitives are more than a tick has, nothing is felt.
    */
   std::vector<ModeDescription> Modes;
+  ToolDescription Tool;
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
    * frames, with the same material and settings: a servo goes on from one to the other as if it had

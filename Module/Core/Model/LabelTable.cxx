@@ -28,6 +28,11 @@ LabelTable::LabelTable(const std::vector<LabelledMaterial>& entries)
         material.IsSet[channel] = true;
       }
     }
+    if (!material.IsFelt)
+    {
+      material.ShaftFriction = 0.0;
+      material.HasShaftFriction = true;
+    }
     std::size_t at = this->Home(entry.Label);
     while (this->Places[at] != 0)
     {

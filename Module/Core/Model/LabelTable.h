@@ -23,7 +23,12 @@ struct LabelMaterial
 
   std::array<double, Channels> Value{};
   std::array<bool, Channels> IsSet{};
-  bool IsFelt = true; ///< if not, T_N and R are 0, and the label makes no surface
+  ///@{
+  /** tau, N per metre of a needle's shaft. */
+  double ShaftFriction = 0.0;
+  bool HasShaftFriction = false;
+  ///@}
+  bool IsFelt = true; ///< if not, T_N, R and tau are 0, and the label makes no surface
   bool IsForbidden = false;
 };
 

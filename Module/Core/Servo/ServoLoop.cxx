@@ -228,6 +228,8 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
     this->IsForceNew = true;
   }
   this->HasSample = this->HasSample || sample.Fresh;
+  this->State.Orientation = this->Snapshot.Orientation;
+  this->State.HasOrientation = sample.HasOrientation;
   this->Snapshot.Before = this->State;
 }
 

@@ -57,7 +57,7 @@ struct ServoSnapshot
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
   std::uint32_t Buttons = 0;
   Vector3 Turn;                ///< rad/s, see DeviceSample
-  Quaternion Orientation;      ///< of the stylus, see DeviceSample; no force depends on it
+  Quaternion Orientation;      ///< of the stylus, see DeviceSample; tools turn with it
   bool HasOrientation = false; ///< Orientation is valid; it is a unit quaternion in any case
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1

@@ -7,31 +7,18 @@
 #include "Core/Solvers/Precise/PreciseSolver.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+#include "Core/Tools/NeedleEntry.h"
+#include "Core/Tools/NeedleTool.h"
 
 namespace VolumeHaptics
 {
-void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
+namespace
+{
+
+/** A tick of the method: what a point feels. */
+inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TapMemory* memory) noexcept
 {
-  // Also false for NaN.
-  const bool isSomewhere =
-    std::abs(tip.X) < FarthestTip && std::abs(tip.Y) < FarthestTip && std::abs(tip.Z) < FarthestTip;
-  if (!isSomewhere)
-  {
-    record = TickRecord{};
-    record.Tip = tip;
-    record.Proxy = state.Proxy;
-    state.Enabled = false;
-    return;
-  }
-  // The methods below do not always write these.
-  record.Tip = tip;
-  record.DataTime = state.DataTime;
-  record.Force = Vector3{};
-  record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
-  record.Contact = ContactState::Free;
-  record.IsUnfinished = record.IsRenewed = false;
-
   const HapticMethod method = model.Baked->Settings.Method;
   if (method == HapticMethod::SurfaceProxy && model.Baked->Mesh)
   {
@@ -56,6 +43,64 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   else
   {
     StepPaper(model, state, record, memory);
+  }
+}
+
+/** A tick with a tool in the hand. */
+void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& record,
+  const LocalSurfaceResult& result, TapMemory* memory) noexcept
+{
+  if (!state.Enabled)
+  {
+    state.Needle = NeedleState{};
+  }
+  if (state.Needle.IsInserted)
+  {
+    StepNeedle(model, state, record);
+    return;
+  }
+  const FreeTick before(state);
+  const bool isFelt = state.Enabled && model.Baked->HasTool(ToolKind::Needle);
+  StepMethod(model, state, record, result, memory);
+  if (isFelt)
+  {
+    EnterNeedle(model, state, before, record);
+  }
+}
+
+} // namespace
+
+void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
+  const LocalSurfaceResult& result, TapMemory* memory) noexcept
+{
+  // Also false for NaN.
+  const bool isSomewhere =
+    std::abs(tip.X) < FarthestTip && std::abs(tip.Y) < FarthestTip && std::abs(tip.Z) < FarthestTip;
+  if (!isSomewhere)
+  {
+    record = TickRecord{};
+    record.Tip = tip;
+    record.Proxy = state.Proxy;
+    state.Enabled = false;
+    return;
+  }
+  // The methods below do not always write these.
+  record.Tip = tip;
+  record.DataTime = state.DataTime;
+  record.Force = Vector3{};
+  record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
+  record.Depth = record.ShaftForce = 0.0;
+  record.Torque = Vector3{};
+  record.Contact = ContactState::Free;
+  record.IsUnfinished = record.IsRenewed = false;
+
+  if (model.Baked->Tool)
+  {
+    StepWithTool(model, state, record, result, memory);
+  }
+  else
+  {
+    StepMethod(model, state, record, result, memory);
   }
   state.Proxy = record.Proxy;
   state.PreviousTip = tip;
@@ -100,6 +145,8 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
   const HapticSettings& was = from.Baked->Settings;
   const HapticSettings& is = to.Baked->Settings;
+  const bool wasInserted = state.Needle.IsInserted;
+  CarryNeedle(from, to, state.Needle);
   // A coarse image that stands in, and what it stands for, have surfaces at different places: the
   // proxy must not come to the other side.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
@@ -115,7 +162,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   state.Precise.CachedSampleDistance = PreciseState::Unknown;
   state.Precise.StepPrediction = 1.0;
   const bool isOther = was.Method != is.Method;
-  if (isOther || was.Solver != is.Solver)
+  if (isOther || was.Solver != is.Solver || (wasInserted && !state.Needle.IsInserted))
   {
     // Methods and solvers keep only their own state up to date.
     state.Precise = PreciseState{};

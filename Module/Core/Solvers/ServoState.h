@@ -9,8 +9,10 @@
 #ifndef ServoState_h
 #define ServoState_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/LocalState.h"
+#include "Core/Solvers/NeedleState.h"
 #include "Core/Solvers/PreciseState.h"
 #include "Core/Solvers/PrimitiveMemory.h"
 #include "Core/Solvers/TickRecord.h"
@@ -33,6 +35,12 @@ struct ServoState
   LabelMemory Labels; ///< only saves time
   /** The data time of the tick: the caller advances it, if the volume moves. */
   double DataTime = 0.0;
+  ///@{
+  /** Of the stylus in this tick, for tools: the caller sets it. A unit quaternion if it is valid. */
+  Quaternion Orientation;
+  bool HasOrientation = false;
+  ///@}
+  NeedleState Needle;
   ///@{
   /** Of the last tick, for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time

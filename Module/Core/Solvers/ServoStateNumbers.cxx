@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace VolumeHaptics
 {
@@ -90,6 +91,62 @@ bool Read(double number, std::uint32_t& value)
   return isGood;
 }
 
+bool Read(double number, float& value)
+{
+  value = static_cast<float>(number);
+  return std::isfinite(value);
+}
+
+/** Labels are whole numbers that a double holds, or NoLabel, which it does, too. */
+bool Read(double number, std::int64_t& value)
+{
+  constexpr double most = 9007199254740992.0; // 2^53
+  const bool isNone = number == static_cast<double>(NoLabel);
+  const bool isGood = isNone || (std::abs(number) <= most && number == std::floor(number));
+  value = isGood && !isNone ? static_cast<std::int64_t>(number) : NoLabel;
+  return isGood;
+}
+
+bool Read(double number, int& value)
+{
+  const bool isGood = number >= 0.0 && number <= NeedleTrack::Most && number == std::floor(number);
+  value = isGood ? static_cast<int>(number) : 0;
+  return isGood;
+}
+
+template <typename Needle, typename Function>
+void VisitNeedle(Needle& needle, Function&& visit)
+{
+  visit(needle.IsInserted);
+  visit(needle.IsOutside);
+  VisitVector(needle.Axis, visit);
+  VisitVector(needle.Normal, visit);
+  VisitVector(needle.Entry, visit);
+  visit(needle.Depth);
+  visit(needle.Deepest);
+  visit(needle.Stiffness);
+  visit(needle.Puncture);
+  visit(needle.PuncturedAt);
+  visit(needle.PuncturedLabel);
+  VisitVector(needle.Motion, visit);
+  visit(needle.Pushed);
+  visit(needle.Touches);
+  visit(needle.IsTouching);
+  // A read size is set on the visited copy.
+  int size = needle.Track.GetSize();
+  visit(size);
+  if constexpr (!std::is_const_v<Needle>)
+  {
+    needle.Track.SetSize(size);
+  }
+  for (int i = 0; i < NeedleTrack::Most; ++i)
+  {
+    visit(needle.Track[i].Begin);
+    visit(needle.Track[i].Shaft);
+    visit(needle.Track[i].Label);
+  }
+}
+
 /** Every number of a state. Those that were added later come last: older files lack them. */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
@@ -116,6 +173,12 @@ void VisitState(State& state, Function&& visit)
   }
   visit(state.Primitives.Rate);
   VisitVector(state.Primitives.Towards, visit);
+  visit(state.Orientation.W);
+  visit(state.Orientation.X);
+  visit(state.Orientation.Y);
+  visit(state.Orientation.Z);
+  visit(state.HasOrientation);
+  VisitNeedle(state.Needle, visit);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -179,6 +242,25 @@ bool IsPossible(const PrimitiveMemory& primitives)
       [](const Vector3& force) { return IsNear(force, MostOfForce); });
 }
 
+bool IsPossible(const NeedleState& needle)
+{
+  const auto isLength = [](double length) { return length >= 0.0 && length < FarthestTip; };
+  const bool hasTrack = !needle.IsInserted || needle.Track.GetSize() > 0;
+  const bool hasAxis = !needle.IsInserted || Dot(needle.Axis, needle.Axis) > 0.0;
+  const bool hasSpring = !needle.IsInserted || needle.Stiffness > 0.0;
+  return hasTrack && hasAxis && hasSpring && IsDirection(needle.Axis) &&
+    IsDirection(needle.Normal) && IsNear(needle.Entry, FarthestTip) &&
+    IsNear(needle.Motion, FarthestTip) && isLength(needle.Depth) && isLength(needle.Deepest) &&
+    IsAmount(needle.Stiffness) && IsAmount(needle.Puncture) && isLength(needle.PuncturedAt) &&
+    isLength(needle.Pushed) && needle.Track.IsPossible();
+}
+
+/** Whether an orientation is one, if it is valid. */
+bool IsPossible(Quaternion orientation, bool isValid)
+{
+  return !isValid || MakeUnit(orientation);
+}
+
 } // namespace
 
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
@@ -205,7 +287,8 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
   VisitState(state, [&](auto& value) { isGood = Read(numbers[i++], value) && isGood; });
   return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
     IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
-    IsPossible(state.Local) && IsPossible(state.Primitives);
+    IsPossible(state.Local) && IsPossible(state.Primitives) && IsPossible(state.Needle) &&
+    IsPossible(state.Orientation, state.HasOrientation);
 }
 
 } // namespace VolumeHaptics

@@ -14,12 +14,12 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 101;
+constexpr int ServoStateSize = 226;
 /**
- * In recordings from before MaterialPlacement, before volumes that move, before primitives, and
- * before their directions; the other numbers are 0 then.
+ * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
+ * their directions, and before tools; the other numbers are 0 then.
  */
-constexpr std::array<int, 4> OldServoStateSizes = { 64, 68, 73, 98 };
+constexpr std::array<int, 5> OldServoStateSizes = { 64, 68, 73, 98, 101 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -29,10 +29,13 @@ struct TickRecord : MaterialPoint
   Vector3 Tip;
   Vector3 Proxy;              ///< after the tick
   Vector3 Force;              ///< N, on the hand
+  Vector3 Torque;             ///< N m, on the hand about the tip; of tools that turn
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
+  double Depth = 0.0;      ///< m, of a needle that is inserted; 0: it is not
+  double ShaftForce = 0.0; ///< N, the most that the tissue along a needle's shaft holds
   ContactState Contact = ContactState::Free;
   /// J, in this tick: of a surface that moves, on the spring that pulls the hand
   double WallWork = 0.0;

@@ -165,6 +165,44 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
 
+/// A needle that is pushed in and out, turned, and pushed aside, through more tissues than its track
+/// holds.
+TEST(AllocationFreeNeedle, NoTickAllocates)
+{
+  const TestVolume volume = MakeRamp(40);
+  TestVolume samples(ScalarType::Int16, { 58, 58, 58 });
+  samples.Fill<std::int16_t>([](std::int64_t i, std::int64_t j, std::int64_t k)
+    { return (i / 4 + 2 * (j / 4) + 3 * k) % 5 - 2; });
+  for (const bool hasLabels : { false, true })
+  {
+    HapticModelDescription description = Describe(volume);
+    description.Material.SurfaceStrength = ConstantPolyline(0.2);
+    description.Material.Viscosity = { { 500.0, 0.0 }, { 600.0, 0.1 } };
+    description.Tool.Kind = ToolKind::Needle;
+    description.Tool.Needle.ShaftFriction = { { 0.0, 5.0 }, { 4000.0, 60.0 } };
+    description.Labels = hasLabels ? MakeLabels(samples, false) : nullptr;
+    const HapticModel model(description);
+    ServoState state;
+    TickRecord record;
+    int inserted = 0;
+    int most = 0;
+    const std::size_t before = CountAllocations().Calls;
+    for (int i = 0; i < 50000; ++i)
+    {
+      const double turn = 1e-4 * i;
+      state.HasOrientation = i % 20000 < 10000;
+      state.Orientation = { std::sin(turn / 50.0), std::cos(turn / 50.0), 0.0, 0.0 };
+      const double depth = 0.018 - 0.024 * std::cos(3.0 * turn);
+      Tick(model, state, { 0.02 + 0.002 * std::sin(7.0 * turn), 0.02, depth }, record);
+      inserted += record.Depth > 0.0 ? 1 : 0;
+      most = std::max(most, state.Needle.Track.GetSize());
+    }
+    EXPECT_EQ(CountAllocations().Calls, before);
+    EXPECT_GT(inserted, 5000);
+    EXPECT_GT(most, 10);
+  }
+}
+
 TEST(AllocationFreeModes, NoTickAllocates)
 {
   // Random vectors: their primitives are oblique, and turn from voxel to voxel.

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a needle meets at a place: a label's numbers, or else the functions of the scalar.
+ */
+#ifndef NeedleTissue_h
+#define NeedleTissue_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Model/LabelMemory.h"
+
+namespace VolumeHaptics
+{
+
+/** The tissue at a place. */
+struct NeedleTissue
+{
+  double Cutting = 0.0; ///< R, N
+  double Shaft = 0.0;   ///< tau, N per metre
+  double Value = 0.0;   ///< of the scalars
+  std::int64_t Label = NoLabel;
+  bool HasPuncture = false; ///< its label says how strong its boundary is, which is then Puncture
+  double Puncture = 0.0;    ///< T, N
+
+  bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
+};
+
+/** Reads the tissue of a model at a data time. It allocates nothing. */
+class NeedleTissueReader
+{
+public:
+  /** The model has a tool, and lives longer. */
+  NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
+
+  /** Nothing resists outside the volume, and where it is cut away. */
+  NeedleTissue At(const Vector3& place) const noexcept;
+
+  /**
+   * T W_d (N) of the surface through a place that holds a needle with this axis: 0 if its normal
+   * does not go with the axis, or if the label behind it has a strength of its own, which the
+   * boundary between labels has.
+   */
+  double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
+
+  /** The stiffness (N/m) of the tissue at a place. */
+  double Stiffness(const Vector3& place) const noexcept;
+
+  /** Whether a place is within the stand-off of a forbidden label. */
+  bool IsForbidden(const Vector3& place) const noexcept;
+
+  /** A quarter of a voxel (m) along a unit axis, of the finer image. */
+  double FindStep(const Vector3& axis) const noexcept;
+
+private:
+  const LabelMaterial* FindLabel(std::int64_t label) const noexcept
+  {
+    return this->Labels ? this->Labels->Table.Find(label) : nullptr;
+  }
+
+  const HapticModel& Model;
+  const BakedLabels* const Labels;
+  const FieldAtTime Field;
+  LabelMemory& Memory;
+  const bool HasSurfaces; ///< whether any surface of the scalars holds
+};
+
+} // namespace VolumeHaptics
+
+#endif
