@@ -96,6 +96,7 @@ public:
       take(&LabelEntry::Friction);
       take(&LabelEntry::Viscosity);
       take(&LabelEntry::SurfaceStrength);
+      take(&LabelEntry::ShaftFriction);
       take(&LabelEntry::Felt);
       take(&LabelEntry::Forbidden);
       isChange = isChange || isNew || !(merged == entry->second);
@@ -168,6 +169,7 @@ void PrintEntry(ostream& os, const LabelEntry& entry)
   print("friction", entry.Friction, "");
   print("viscosity", entry.Viscosity, " N");
   print("surface strength", entry.SurfaceStrength, " N");
+  print("shaft friction", entry.ShaftFriction, " N/m");
   os << (entry.Felt.value_or(true) ? "" : ", not felt")
      << (entry.Forbidden.value_or(false) ? ", forbidden" : "") << "\n";
 }
@@ -208,6 +210,7 @@ vtkHapticLabelTableMaterialMacro(Stiffness, stiffness, "stiffness", " (N/m)");
 vtkHapticLabelTableMaterialMacro(Friction, friction, "friction", "");
 vtkHapticLabelTableMaterialMacro(Viscosity, viscosity, "viscosity", " (N)");
 vtkHapticLabelTableMaterialMacro(SurfaceStrength, strength, "surface strength", " (N)");
+vtkHapticLabelTableMaterialMacro(ShaftFriction, friction, "shaft friction", " (N/m)");
 
 //------------------------------------------------------------------------------
 void vtkHapticLabelTable::RemoveMaterial(int label)
@@ -219,6 +222,7 @@ void vtkHapticLabelTable::RemoveMaterial(int label)
     entry.Friction.reset();
     entry.Viscosity.reset();
     entry.SurfaceStrength.reset();
+    entry.ShaftFriction.reset();
     this->Modified();
   }
 }
@@ -228,7 +232,8 @@ bool vtkHapticLabelTable::HasMaterial(int label)
 {
   const LabelEntry* const entry = this->Internals->Find(label);
   return entry &&
-    (entry->Stiffness || entry->Friction || entry->Viscosity || entry->SurfaceStrength);
+    (entry->Stiffness || entry->Friction || entry->Viscosity || entry->SurfaceStrength ||
+      entry->ShaftFriction);
 }
 
 //------------------------------------------------------------------------------

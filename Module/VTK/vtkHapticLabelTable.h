@@ -80,13 +80,22 @@ public:
   double GetSurfaceStrength(int label);
   ///@}
 
+  ///@{
   /**
-   * Forgets stiffness, friction, viscosity and surface strength of a label; the transfer functions
-   * hold again.
+   * Friction tau of this label's tissue along the shaft of a vtkHapticNeedle (N per metre of the
+   * shaft in it, 0 or more). The getter returns -1 if it is not set.
+   */
+  void SetShaftFriction(int label, double friction);
+  double GetShaftFriction(int label);
+  ///@}
+
+  /**
+   * Forgets stiffness, friction, viscosity, surface strength and shaft friction of a label; the
+   * transfer functions hold again.
    */
   void RemoveMaterial(int label);
 
-  /** Whether any of stiffness, friction, viscosity and surface strength of a label is set. */
+  /** Whether any of these is set of a label. */
   bool HasMaterial(int label);
 
   ///@{
@@ -160,8 +169,8 @@ public:
    * - MRIcron, names (.txt) and colours (.lut);
    * - VTK, image (.vti) with the arrays of WriteFieldData;
    * - CSV whose first line names the columns: label (or index, id), name, stiffness (N/m),
-   *   friction, viscosity (N), strength (N), felt, forbidden (1 or 0), and color (`\#rrggbb`). Only
-   *   label is needed, other columns are ignored, and empty cells set nothing.
+   *   friction, viscosity (N), strength (N), shaft (N/m), felt, forbidden (1 or 0), and color
+   *   (`\#rrggbb`). Only label is needed, other columns are ignored, and empty cells set nothing.
    *
    * What the file has of a label replaces what the table had of it; everything else stays. Texts
    * are UTF-8, or ISO 8859-1 if they are not. Returns false, with an error and no change, if the
@@ -176,8 +185,8 @@ public:
   /**
    * The table as arrays with a tuple for each label, so that an image carries it in its field data:
    * Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction, LabelViscosity,
-   * LabelSurfaceStrength, LabelFelt and LabelForbidden, -1 where nothing is set; and LabelStandOff,
-   * one number. Only Label is needed to read them, which changes the table as ReadFile does; false,
+   * LabelSurfaceStrength, LabelShaftFriction, LabelFelt and LabelForbidden, -1 where nothing is set;
+   * and LabelStandOff, one number. Only Label is needed to read them, which changes the table as ReadFile does; false,
    * with an error and no change, if that fails.
    */
   bool ReadFieldData(vtkFieldData* data);

@@ -27,6 +27,7 @@ _SETTERS = {
     "friction": "SetFriction",
     "viscosity": "SetViscosity",
     "surface_strength": "SetSurfaceStrength",
+    "shaft_friction": "SetShaftFriction",
     "felt": "SetFelt",
     "forbidden": "SetForbidden",
 }

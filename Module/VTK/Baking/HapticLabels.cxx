@@ -178,6 +178,8 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
     {
       entry.Material.IsSet[c] = entry.Material.Value[c] >= 0.0; // -1: not set
     }
+    entry.Material.ShaftFriction = table->GetShaftFriction(label);
+    entry.Material.HasShaftFriction = entry.Material.ShaftFriction >= 0.0;
     entry.Material.IsFelt = table->GetFelt(label);
     entry.Material.IsForbidden = table->GetForbidden(label);
     // A name or a colour alone is no entry.

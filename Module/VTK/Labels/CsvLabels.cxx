@@ -30,6 +30,7 @@ enum class Column
   Friction,
   Viscosity,
   SurfaceStrength,
+  ShaftFriction,
   Felt,
   Forbidden,
   Color,
@@ -49,7 +50,8 @@ constexpr ColumnName ColumnNames[] = { { "label", Column::Label }, { "labelvalue
   { "name", Column::Name }, { "labelname", Column::Name }, { "structure", Column::Name },
   { "stiffness", Column::Stiffness }, { "friction", Column::Friction },
   { "viscosity", Column::Viscosity }, { "strength", Column::SurfaceStrength },
-  { "surfacestrength", Column::SurfaceStrength }, { "felt", Column::Felt },
+  { "surfacestrength", Column::SurfaceStrength }, { "shaft", Column::ShaftFriction },
+  { "shaftfriction", Column::ShaftFriction }, { "felt", Column::Felt },
   { "forbidden", Column::Forbidden }, { "color", Column::Color }, { "colour", Column::Color },
   { "red", Column::Red }, { "r", Column::Red }, { "green", Column::Green }, { "g", Column::Green },
   { "blue", Column::Blue }, { "b", Column::Blue } };
@@ -219,6 +221,9 @@ private:
       case Column::SurfaceStrength:
         entry.SurfaceStrength = number;
         break;
+      case Column::ShaftFriction:
+        entry.ShaftFriction = number;
+        break;
       default:
         parts[static_cast<int>(column) - static_cast<int>(Column::Red)] = number;
     }
@@ -316,7 +321,11 @@ std::string WriteCsv(const LabelEntries& entries)
   };
   const auto flag = [&text](const std::optional<bool>& value)
   { text << "," << (value ? (*value ? "1" : "0") : ""); };
-  text << "label,name,stiffness,friction,viscosity,strength,felt,forbidden,color\n";
+  // Only for those who use needles.
+  const bool hasShaft = std::any_of(entries.begin(), entries.end(),
+    [](const auto& entry) { return entry.second.ShaftFriction.has_value(); });
+  text << "label,name,stiffness,friction,viscosity,strength," << (hasShaft ? "shaft," : "")
+       << "felt,forbidden,color\n";
   for (const auto& [label, entry] : entries)
   {
     text << label << "," << WriteCell(entry.Name.value_or(""));
@@ -324,6 +333,10 @@ std::string WriteCsv(const LabelEntries& entries)
     number(entry.Friction);
     number(entry.Viscosity);
     number(entry.SurfaceStrength);
+    if (hasShaft)
+    {
+      number(entry.ShaftFriction);
+    }
     flag(entry.Felt);
     flag(entry.Forbidden);
     text << "," << (entry.Color ? WriteColor(*entry.Color) : "") << "\n";

@@ -24,6 +24,7 @@ struct LabelEntry
   std::optional<double> Friction;        ///< dimensionless
   std::optional<double> Viscosity;       ///< N
   std::optional<double> SurfaceStrength; ///< N
+  std::optional<double> ShaftFriction;   ///< N per metre
   std::optional<bool> Felt;
   std::optional<bool> Forbidden;
 };
@@ -32,7 +33,8 @@ inline bool operator==(const LabelEntry& a, const LabelEntry& b)
 {
   return a.Name == b.Name && a.Color == b.Color && a.Stiffness == b.Stiffness &&
     a.Friction == b.Friction && a.Viscosity == b.Viscosity &&
-    a.SurfaceStrength == b.SurfaceStrength && a.Felt == b.Felt && a.Forbidden == b.Forbidden;
+    a.SurfaceStrength == b.SurfaceStrength && a.ShaftFriction == b.ShaftFriction &&
+    a.Felt == b.Felt && a.Forbidden == b.Forbidden;
 }
 
 /** By label, in rising order. */

@@ -35,7 +35,8 @@ struct NumberArray
 };
 constexpr NumberArray NumberArrays[] = { { "LabelStiffness", &LabelEntry::Stiffness },
   { "LabelFriction", &LabelEntry::Friction }, { "LabelViscosity", &LabelEntry::Viscosity },
-  { "LabelSurfaceStrength", &LabelEntry::SurfaceStrength } };
+  { "LabelSurfaceStrength", &LabelEntry::SurfaceStrength },
+  { "LabelShaftFriction", &LabelEntry::ShaftFriction } };
 struct FlagArray
 {
   const char* Name;

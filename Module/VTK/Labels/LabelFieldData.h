@@ -11,6 +11,7 @@
  * | LabelColor | 3 components, 0 to 1 | -1 |
  * | LabelStiffness (N/m), LabelFriction | number | -1 |
  * | LabelViscosity (N), LabelSurfaceStrength (N) | number | -1 |
+ * | LabelShaftFriction (N per metre) | number | -1 |
  * | LabelFelt, LabelForbidden | 1 or 0 | -1 |
  * | LabelStandOff (world units) | number; one tuple in all | - |
  *

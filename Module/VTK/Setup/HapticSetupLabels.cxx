@@ -31,6 +31,8 @@ const LabelNumber LabelNumbers[] = {
   { "Viscosity", &vtkHapticLabelTable::SetViscosity, &vtkHapticLabelTable::GetViscosity },
   { "SurfaceStrength", &vtkHapticLabelTable::SetSurfaceStrength,
     &vtkHapticLabelTable::GetSurfaceStrength },
+  { "ShaftFriction", &vtkHapticLabelTable::SetShaftFriction,
+    &vtkHapticLabelTable::GetShaftFriction },
 };
 
 /** Whether a text is a label as std::to_string writes it. */

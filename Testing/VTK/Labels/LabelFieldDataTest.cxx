@@ -82,10 +82,10 @@ TEST_F(LabelFieldData, HasItsNames)
   EXPECT_EQ(data->GetArray("LabelForbidden")->GetTuple1(0), 1.0);
   EXPECT_EQ(data->GetArray("LabelFelt")->GetTuple1(0), -1.0);
   EXPECT_EQ(data->GetArray("LabelStandOff")->GetTuple1(0), 2.5);
-  EXPECT_EQ(data->GetNumberOfArrays(), 10);
+  EXPECT_EQ(data->GetNumberOfArrays(), 11);
   // Again: no array twice.
   this->Table->WriteFieldData(data);
-  EXPECT_EQ(data->GetNumberOfArrays(), 10);
+  EXPECT_EQ(data->GetNumberOfArrays(), 11);
 }
 
 TEST_F(LabelFieldData, GoesThroughAFile)
