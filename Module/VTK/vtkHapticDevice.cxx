@@ -9,6 +9,7 @@
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Session/ModelSource.h"
 #include "VTK/Session/VirtualTip.h"
+#include "VTK/Trace/NeedleTrace.h"
 
 #include "vtkCommand.h"
 #include "vtkMath.h"
@@ -297,6 +298,34 @@ void vtkHapticDevice::GetFollowed(vtkPolyData* shapes, double reach)
   {
     shapes->Initialize();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::GetNeedleTrack(vtkPolyData* track)
+{
+  DeviceSession& session = this->Internals->Session;
+  const HapticModel* const model = session.FindModel();
+  if (!track)
+  {
+    vtkErrorMacro("GetNeedleTrack() needs a polydata to write to, but got a null pointer.");
+  }
+  else if (model && session.GetState().Time > 0.0)
+  {
+    const ServoState& before = session.GetState().Before;
+    WriteNeedleTrack(*model, before.Needle, before.Proxy, track);
+  }
+  else
+  {
+    track->Initialize();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticDevice::GetNeedleDepth()
+{
+  DeviceSession& session = this->Internals->Session;
+  const HapticModel* const model = session.FindModel();
+  return model ? model->WorldUnitsPerMeter * session.GetState().Record.Depth : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -436,6 +436,19 @@ public:
   void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
 
   /**
+   * Write where a vtkHapticNeedle in the hand runs through tissue (world): a line for each stretch
+   * of one label, from the entry to the tip. Point array Depth (world units), cell arrays Label and
+   * Length (world units). Field arrays, one number each: Depth and Deepest (world units), Angle to
+   * the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
+   * ForbiddenTouches, how often a forbidden label stopped this insertion. Without a needle in
+   * tissue there are no lines. Any writer of polydata exports it.
+   */
+  void GetNeedleTrack(vtkPolyData* track);
+
+  /** Of the latest state: how deep a vtkHapticNeedle is inserted (world units); 0 if it is not. */
+  double GetNeedleDepth();
+
+  /**
    * Of the latest state: the label just inside the surface, that is, at the proxy plus r times the
    * normal; 0 if the filter has no label image, or none there. vtkHapticLabelTable has its name.
    */

@@ -6,6 +6,7 @@
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticModeColors.h"
 #include "VTK/Charts/HapticTextLook.h"
+#include "VTK/Scene/DrawnNeedle.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/HapticViewRay.h"
@@ -63,6 +64,7 @@ struct vtkHapticRepresentation::vtkInternals
   SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
+  DrawnNeedle Needle;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   /// Of a stylus whose orientation is not measured, by the camera of the last frame.
   Quaternion Leaning = NoOrientation;
@@ -93,6 +95,7 @@ struct vtkHapticRepresentation::vtkInternals
       this->SecondHeads[i].RenderOpaque(viewport);
     }
     this->Stylus.RenderOpaque(viewport);
+    this->Needle.RenderOpaque(viewport);
     this->Landing.RenderOpaque(viewport);
   }
   void RenderInside(vtkViewport* viewport)
@@ -295,6 +298,8 @@ void vtkHapticRepresentation::UpdateMarkers()
     d.Spheres[Source::SURFACE_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
     d.Spheres[Source::MEDIUM_POSITION].Show(this->MarkerVisibility && !d.HasLetGo);
   }
+  d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
+    this->FindStylusLength());
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
     this->FollowedReach, this->Radius);
@@ -308,7 +313,7 @@ void vtkHapticRepresentation::UpdateStylus()
 {
   auto& d = *this->Internals;
   d.Stylus.Show(false);
-  if (!d.HasState || !this->StylusVisibility)
+  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown())
   {
     return;
   }
@@ -324,6 +329,12 @@ void vtkHapticRepresentation::UpdateStylus()
   d.Stylus.Show(SquaredNorm(orientation) > 0.0);
   d.Stylus.PlaceTurned({ proxy[0], proxy[1], proxy[2] }, orientation,
     this->StylusLength > 0.0 ? this->StylusLength : automatic);
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticRepresentation::FindStylusLength()
+{
+  return this->StylusLength > 0.0 ? this->StylusLength : StylusRadii * this->Radius;
 }
 
 //------------------------------------------------------------------------------
@@ -391,6 +402,7 @@ double* vtkHapticRepresentation::GetBounds()
   }
   d.Spring.AddTo(d.Box);
   d.Stylus.AddTo(d.Box);
+  d.Needle.AddTo(d.Box);
   d.Followed.AddTo(d.Box);
   d.Landing.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
@@ -474,6 +486,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     state->vtkglEnable(GL_BLEND);
     d.Followed.RenderHidden(viewport);
     d.Landing.RenderHidden(viewport);
+    d.Needle.RenderHidden(viewport);
     d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
@@ -511,6 +524,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
     d.SecondHeads[i].Release(window);
   }
   d.Stylus.Release(window);
+  d.Needle.Release(window);
   d.Followed.Release(window);
   d.Landing.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);

@@ -116,7 +116,8 @@ public:
 
   ///@{
   /**
-   * Whether a stylus is shown at the proxy. Default on.
+   * Whether a stylus is shown at the proxy. Default on. A vtkHapticNeedle in tissue is shown
+   * instead, with its track in the colours of the labels.
    */
   vtkSetMacro(StylusVisibility, bool);
   vtkGetMacro(StylusVisibility, bool);
@@ -220,6 +221,7 @@ private:
   void UpdateMarkers();
   void UpdateStylus();
   void Lean(vtkViewport* viewport);
+  double FindStylusLength();
   void UpdateTrail();
 
   struct vtkInternals;

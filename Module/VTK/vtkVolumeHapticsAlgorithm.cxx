@@ -5,6 +5,7 @@
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Baking/ModePresets.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
@@ -52,6 +53,7 @@ vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
   {
     time = std::max(time, mode->GetMTime());
   }
+  time = this->Tool ? std::max(time, this->Tool->GetMTime()) : time;
   return this->Property ? std::max(time, this->Property->GetMTime()) : time;
 }
 
@@ -105,6 +107,29 @@ vtkHapticMode* vtkVolumeHapticsAlgorithm::GetMode(int mode)
   return mode >= 0 && mode < this->GetNumberOfModes()
     ? this->Modes[static_cast<std::size_t>(mode)].Get()
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsAlgorithm::SetTool(vtkHapticTool* tool)
+{
+  if (tool && !VolumeHaptics::HasToolKind(tool))
+  {
+    vtkErrorMacro("A " << tool->GetClassName()
+                       << " can't be felt and is not set: derive it from one of the module's "
+                          "tools, such as vtkHapticNeedle.");
+    return;
+  }
+  if (this->Tool != tool)
+  {
+    this->Tool = tool;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticTool* vtkVolumeHapticsAlgorithm::GetTool()
+{
+  return this->Tool;
 }
 
 //------------------------------------------------------------------------------
@@ -346,6 +371,11 @@ void vtkVolumeHapticsAlgorithm::PrintSettings(ostream& os, vtkIndent indent)
   {
     os << indent << "Mode: " << mode->GetClassName() << "\n";
     mode->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "Tool: " << (this->Tool ? this->Tool->GetClassName() : "(none)") << "\n";
+  if (this->Tool)
+  {
+    this->Tool->PrintSelf(os, indent.GetNextIndent());
   }
 }
 

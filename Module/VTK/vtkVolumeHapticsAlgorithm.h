@@ -18,6 +18,7 @@
 
 class vtkHapticMode;
 class vtkHapticProperty;
+class vtkHapticTool;
 class vtkImageData;
 class vtkStringArray;
 
@@ -112,6 +113,16 @@ public:
 
   /** The names that ApplyModePreset understands. */
   static vtkStringArray* GetModePresetNames();
+
+  ///@{
+  /**
+   * What the hand holds, such as a vtkHapticNeedle; nullptr (default) is a point. It may change
+   * while a hand feels it: after the next vtkHapticDevice::Publish(), force that would leap comes
+   * softly. A tool of a class that is not the module's own is an error, and changes nothing.
+   */
+  void SetTool(vtkHapticTool* tool);
+  vtkHapticTool* GetTool();
+  ///@}
 
   enum SolverType
   {
@@ -489,7 +500,7 @@ public:
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
-  /** Includes the property, the modes and their functions. */
+  /** Includes the property, the modes, the tool and their functions. */
   vtkMTimeType GetMTime() override;
 
   /** Print the settings and the property, without the pipeline around them: for recordings. */
@@ -507,10 +518,11 @@ protected:
   std::string CheckSettings(double rate);
 #endif
 
-  unsigned int TraceArrays; // a TraceArrayChoice
+  unsigned long long TraceArrays; // a TraceArrayChoice
 
   vtkSmartPointer<vtkHapticProperty> Property;
   std::vector<vtkSmartPointer<vtkHapticMode>> Modes;
+  vtkSmartPointer<vtkHapticTool> Tool;
   int Method = PROXY;
   int Solver = PRECISE;
   int ContactAlignment = EDGE;

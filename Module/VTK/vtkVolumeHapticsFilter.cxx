@@ -378,7 +378,8 @@ int vtkVolumeHapticsFilter::TouchPath(
   std::string error;
   const double period = 1.0 / this->ServoRate;
   TipPaths paths;
-  const bool readable = !path || paths.Read(path, period, error);
+  const bool readable = !path ||
+    (paths.Read(path, period, error) && (!this->Tool || paths.ReadOrientations(path, error)));
   const RecordedPath* const recording = paths.GetRecording();
   vtkHapticRegionSource* const source = this->GetRegionSource();
   if (source && (!path || !readable || recording))
@@ -470,7 +471,8 @@ int vtkVolumeHapticsFilter::TouchPath(
   // Ticks of a recording are points of the path, one for one, unless the user ended this.
   vtkDataArray* const orientations =
     recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
-  if (orientations && output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
+  if (orientations && !output->GetPointData()->HasArray(RecordingNames::Orientation) &&
+    output->GetNumberOfPoints() == orientations->GetNumberOfTuples())
   {
     output->GetPointData()->AddArray(orientations);
   }

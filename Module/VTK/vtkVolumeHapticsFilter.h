@@ -126,6 +126,10 @@
  *   DataTime           of the source; at this tick. Only of a volume that moves
  *   ModeForce_i (3)    N, world axes; of mode i on the hand, before MaximumForce. Only with the
  *                      method PRIMITIVES, for all of its modes
+ *   Orientation (4)    of the stylus in the world: w, x, y, z; all 0: none. Only with a tool
+ *   Torque (3)         N m, world axes; on the hand about the tip. Only with a tool
+ *   Depth              world units; of a vtkHapticNeedle that is inserted, else 0. Only with a tool
+ *   ShaftForce         N; the most that the tissue along its shaft holds. Only with a tool
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the

@@ -110,6 +110,10 @@ ARRAYS = {
     "Renewed": "LOCAL_SURFACE",
     "Energy": "J",
     "ModeForce_i": "N",
+    "Orientation": "world",
+    "Torque": "N m",
+    "Depth": "world units",
+    "ShaftForce": "N",
 }
 MODES = {
     "VectorFollow": ("SetPush",),
@@ -170,6 +174,21 @@ def test_modes():
         haptics = vtkVolumeHapticsFilter()
         haptics.AddMode(cls())
         assert haptics.GetMode(0).GetStrength().GetSize() == 0
+
+
+def test_tools():
+    documented = {"SetShaftFriction": ("N per metre", "0"), "SetCuttingForce": ("(N)", "viscosity"),
+                  "SetLateralStrength": ("(N)", "1")}
+    assert issubclass(volumehaptics.vtkHapticNeedle, volumehaptics.vtkHapticTool)
+    check(volumehaptics.vtkHapticNeedle, documented, ("MakeTrack", "GetText"))
+    haptics = vtkVolumeHapticsFilter()
+    assert haptics.GetTool() is None
+    haptics.SetTool(volumehaptics.vtkHapticNeedle())
+    assert haptics.GetTool().GetText() == "needle"
+    table = volumehaptics.vtkHapticLabelTable()
+    assert table.GetShaftFriction(3) == -1.0
+    table.SetShaftFriction(3, 60.0)
+    assert table.GetShaftFriction(3) == 60.0 and table.HasMaterial(3)
 
 
 def test_method_names_are_all_documented():

@@ -67,7 +67,8 @@ protected:
       vtkDataArray* const here = replayed->GetPointData()->GetArray(a);
       vtkDataArray* const there = recorded->GetPointData()->GetArray(here->GetName());
       const std::string name = here->GetName();
-      if (name == "Label" || name.compare(0, 10, "ModeForce_") == 0)
+      if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
+        name.compare(0, 10, "ModeForce_") == 0)
       {
         continue; // found anew by every replay
       }

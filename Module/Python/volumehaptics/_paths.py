@@ -22,7 +22,8 @@ def _lines(ends: np.ndarray) -> vtkCellArray:
 
 def _is_plain(path: vtkPolyData) -> bool:
     """Whether it is one path through its points in their order, and can be a line of several."""
-    if path.GetNumberOfPoints() == 0 or path.GetPointData().HasArray("DeviceTip"):
+    data = path.GetPointData()
+    if path.GetNumberOfPoints() == 0 or data.HasArray("DeviceTip") or data.HasArray("Orientation"):
         return False
     lines, size = path.GetLines(), path.GetNumberOfPoints()
     if lines.GetNumberOfCells() == 0:

@@ -325,7 +325,7 @@ def touch(
         the preset.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
-        vtkHapticProperty of one's own. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the only
+        vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the only
         arrays that the trace gets, which takes less time and memory.
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the

@@ -10,6 +10,7 @@
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
 
@@ -350,6 +351,10 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   }
   if (d.Settings.Method == HapticMethod::Primitives &&
     !DescribeModes(options.Modes, image, d.View, d.Modes, error))
+  {
+    return nullptr;
+  }
+  if (!DescribeTool(options.Tool, d, error))
   {
     return nullptr;
   }

@@ -16,6 +16,7 @@
 
 class vtkDataArray;
 class vtkHapticProperty;
+class vtkHapticTool;
 class vtkImageData;
 class vtkPolyData;
 
@@ -39,6 +40,7 @@ struct HapticModelOptions
   std::string Displacements;         ///< the name of their array; empty if they have none
   FrameSeries Series;                ///< of which Frames are a part
   HapticModes Modes;                 ///< for HapticMethod::Primitives
+  vtkHapticTool* Tool = nullptr;     ///< null for a point
   const HapticCut* Cut = nullptr;    ///< null if nothing is cut away
 };
 

@@ -49,11 +49,20 @@ bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
     AreSame(a.GuideSurface, b.GuideSurface) && a.Side == b.Side;
 }
 
+bool IsSameTool(const ToolDescription& a, const ToolDescription& b)
+{
+  const NeedleDescription& n = a.Needle;
+  const NeedleDescription& m = b.Needle;
+  return a.Kind == b.Kind && IsSameLine(n.ShaftFriction, m.ShaftFriction) &&
+    IsSameLine(n.CuttingForce, m.CuttingForce) && n.HasCuttingForce == m.HasCuttingForce &&
+    n.LateralStrength == m.LateralStrength;
+}
+
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
 {
   return IsSameIn(FilterSettings, a, b) && IsSameIn(PropertySettings, a, b) &&
     a.Settings.TickPeriod == b.Settings.TickPeriod && a.Settings.Caps == b.Settings.Caps &&
-    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface &&
+    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface && IsSameTool(a.Tool, b.Tool) &&
     std::equal(a.Modes.begin(), a.Modes.end(), b.Modes.begin(), b.Modes.end(), IsSameMode);
 }
 

@@ -17,6 +17,7 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticTool.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -181,6 +182,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Series = frames.Series;
   options.Displacements = this->Filter->DisplacementArrayName;
   options.Modes = this->Filter->Modes;
+  options.Tool = this->Filter->Tool;
   options.Cut = this->Filter->Cut.get();
   vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
   options.Surface = vtkPolyData::SafeDownCast(surface);

@@ -75,7 +75,13 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
     return {};
   }
   std::ostringstream text;
-  if (AreOnlyFieldsFelt(device->GetVolumeHaptics()))
+  const double depth = device->GetNeedleDepth();
+  if (depth > 0.0)
+  {
+    text << "Needle " << std::fixed << std::setprecision(1) << depth << " deep"
+         << (tissue.empty() ? "" : " in ") << tissue;
+  }
+  else if (AreOnlyFieldsFelt(device->GetVolumeHaptics()))
   {
     static const char* const guidance[] = { "Pushed", "Held", "Guided", "Guided" };
     text << guidance[contact] << (tissue.empty() ? "" : " in ") << tissue;

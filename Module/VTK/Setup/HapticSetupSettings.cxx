@@ -9,6 +9,7 @@
 #include "VTK/Setup/HapticSetupLabels.h"
 #include "VTK/Setup/HapticSetupMaterials.h"
 #include "VTK/Setup/HapticSetupModes.h"
+#include "VTK/Setup/HapticSetupTool.h"
 #include "VTK/Setup/PassSettings.h"
 
 #include "vtkCamera.h"
@@ -101,6 +102,7 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterTexts);
   PassProperty(node, filter, visible);
   PassModes(node, filter);
+  PassTool(node, filter);
   PassLabels(node, filter);
 }
 

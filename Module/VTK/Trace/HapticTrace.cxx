@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 
 namespace VolumeHaptics
@@ -104,9 +105,39 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
       this->ModeNumbers[mode] = static_cast<double*>(this->Arrays.back()->GetVoidPointer(0));
     }
   }
+  if (volume.Tool)
+  {
+    this->AddToolArrays(ticks, choice);
+  }
 }
 
 HapticTrace::~HapticTrace() = default;
+
+void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice)
+{
+  constexpr ColumnType number = ColumnType::Float64;
+  constexpr TraceColumn columns[] = { { ToolColumns[0], "", number, 4, 0 },
+    { ToolColumns[1], "", number, 3, offsetof(TraceRow, Torque) },
+    { ToolColumns[2], "", number, 1, offsetof(TraceRow, Depth) },
+    { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) } };
+  for (std::size_t i = 0; i < std::size(columns); ++i)
+  {
+    if (!IsChosen(choice, GetToolArray(i)))
+    {
+      continue;
+    }
+    this->Arrays.push_back(NewArray(columns[i], ticks));
+    void* const numbers = this->Arrays.back()->GetVoidPointer(0);
+    if (i == 0)
+    {
+      this->OrientationNumbers = static_cast<double*>(numbers);
+    }
+    else
+    {
+      this->Columns[columns[i].Offset] = static_cast<unsigned char*>(numbers);
+    }
+  }
+}
 
 void HapticTrace::CloseGaps(const std::vector<Rows>& paths)
 {

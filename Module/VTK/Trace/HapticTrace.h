@@ -49,6 +49,9 @@ public:
   /** The forces of each mode, three numbers a tick; null for those that are not chosen. */
   const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
 
+  /** The orientations of the stylus, four numbers a tick; null if they are not chosen. */
+  double* GetOrientations() const { return this->OrientationNumbers; }
+
   /** Some rows of the trace: the ticks of one path. */
   struct Rows
   {
@@ -64,6 +67,7 @@ public:
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
 private:
+  void AddToolArrays(vtkIdType ticks, TraceArrayChoice choice);
   void CloseGaps(const std::vector<Rows>& paths);
 
   vtkNew<vtkPoints> Proxies;
@@ -71,6 +75,7 @@ private:
   std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< by the offset in a TraceRow
   long long* LabelNumbers = nullptr;
   std::vector<double*> ModeNumbers; ///< none if no mode is chosen
+  double* OrientationNumbers = nullptr;
 };
 
 } // namespace VolumeHaptics

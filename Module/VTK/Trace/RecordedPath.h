@@ -23,6 +23,8 @@ struct RecordedPath
   std::vector<bool> Enabled;     ///< per tick
   std::vector<bool> Renewed;     ///< per tick
   std::vector<double> DataTimes; ///< per tick; empty if the volume did not move
+  /// per tick, in device space; NoOrientation where there was none; empty if there never was one
+  std::vector<Quaternion> Orientations;
   ServoState InitialState;
   double TickPeriod = 0.0;     ///< s, of the recorded servo
   std::vector<ForceCaps> Caps; ///< of the recorded device, per placement

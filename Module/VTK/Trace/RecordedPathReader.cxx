@@ -43,6 +43,7 @@ std::string RecordedPathReader::Read()
   this->ReadPlacements();
   this->ReadBegin();
   this->ReadTicks();
+  this->ReadOrientations();
   return this->Flaw;
 }
 
@@ -186,6 +187,31 @@ void RecordedPathReader::ReadTicks()
   {
     // At a data time of 0, the volume was that of the first time step, or did not move at all.
     this->Result.DataTimes.clear();
+  }
+}
+
+void RecordedPathReader::ReadOrientations()
+{
+  // Older recordings, and those of files that a user has made smaller, lack them.
+  if (!this->Path->GetPointData()->GetArray(RecordingNames::DeviceOrientation))
+  {
+    return;
+  }
+  vtkDataArray* const array = this->FindOfTicks(RecordingNames::DeviceOrientation, 4);
+  bool isTurned = false;
+  for (vtkIdType i = 0; this->Flaw.empty() && i < this->Ticks; ++i)
+  {
+    Quaternion q{ array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2),
+      array->GetComponent(i, 3) };
+    const bool isNone = IsIdentical(q, NoOrientation);
+    this->Require(isNone || MakeUnit(q), RecordingNames::DeviceOrientation, i,
+      "a unit quaternion, or four zeros");
+    this->Result.Orientations.push_back(q);
+    isTurned = isTurned || !isNone;
+  }
+  if (!isTurned)
+  {
+    this->Result.Orientations.clear();
   }
 }
 

@@ -44,6 +44,7 @@ private:
   void ReadCaps();
   void ReadBegin();
   void ReadTicks();
+  void ReadOrientations();
 
   vtkPolyData* const Path;
   RecordedPath& Result;

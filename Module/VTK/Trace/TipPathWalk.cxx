@@ -41,6 +41,7 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
   // What ResidentServo does where all samples are there.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
+  this->TakeOrientation(model);
   VolumeHaptics::Tick(
     model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps);
 }
@@ -51,6 +52,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     const Vector3 tip = model->WorldToDevice(this->Tips->Next());
     this->State.DataTime = FindDataTime(*model, this->Tips->GetTime());
+    this->TakeOrientation(*model);
     if (this->Finder)
     {
       model = (*this->Finder)(std::move(model), this->State, tip);
@@ -80,6 +82,12 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     this->State.DataTime = recording.DataTimes[i];
   }
+  if (!recording.Orientations.empty())
+  {
+    const Quaternion& q = recording.Orientations[i];
+    this->State.HasOrientation = !IsIdentical(q, NoOrientation);
+    this->State.Orientation = this->State.HasOrientation ? q : Quaternion{};
+  }
   // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
   LocalSurfaceResult result;
@@ -90,6 +98,24 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   }
   this->Step(*model, recording.Tips[i], result);
   return model;
+}
+
+void TipPathWalk::TakeOrientation(const HapticModel& model)
+{
+  if (!model.Baked->Tool)
+  {
+    return;
+  }
+  const Quaternion world = this->Tips->GetOrientation();
+  this->State.HasOrientation = !IsIdentical(world, NoOrientation);
+  this->State.Orientation = this->State.HasOrientation
+    ? Conjugate(ToQuaternion(model.DeviceToWorldRotation)) * world
+    : Quaternion{};
+}
+
+Quaternion TipPathWalk::GetOrientation(const HapticModel& model) const
+{
+  return TurnedBy(model.DeviceToWorldRotation, this->State.Orientation, this->State.HasOrientation);
 }
 
 void TipPathWalk::Step(

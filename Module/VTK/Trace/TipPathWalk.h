@@ -48,10 +48,14 @@ public:
   const TickRecord& GetRecord() const;
   /** The forces of the modes of the last tick, with its model. */
   ModeForces FindModeForces(const HapticModel& model) const;
+  /** The orientation of the stylus (world) in the last tick; NoOrientation if there is none. */
+  Quaternion GetOrientation(const HapticModel& model) const;
   /** Time of the last tick (s). */
   double GetTime() const;
 
 private:
+  /** Of a path, to the state: turned to the device's axes. */
+  void TakeOrientation(const HapticModel& model);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording

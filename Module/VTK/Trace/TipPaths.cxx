@@ -209,6 +209,42 @@ bool TipPaths::ReadTimes(vtkPolyData* path, std::string& error)
   return true;
 }
 
+bool TipPaths::ReadOrientations(vtkPolyData* path, std::string& error)
+{
+  vtkDataArray* const array = path->GetPointData()->GetArray(RecordingNames::Orientation);
+  if (!array || this->Recording)
+  {
+    return true;
+  }
+  const vtkIdType n = path->GetNumberOfPoints();
+  std::ostringstream message;
+  message << "The point array \"Orientation\" of the tip path, on input port 1, ";
+  constexpr const char* cure = " Give it the four numbers w, x, y, z of a unit quaternion a point, "
+                               "or four zeros for none, or remove the array.";
+  if (array->GetNumberOfComponents() != 4 || array->GetNumberOfTuples() != n)
+  {
+    message << "has " << array->GetNumberOfTuples() << " tuples of "
+            << array->GetNumberOfComponents() << " component(s) for " << n << " points." << cure;
+    error = message.str();
+    return false;
+  }
+  this->Orientations.resize(static_cast<std::size_t>(n));
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    Quaternion& q = this->Orientations[i];
+    q = { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2),
+      array->GetComponent(i, 3) };
+    if (!IsIdentical(q, NoOrientation) && !MakeUnit(q))
+    {
+      message << "is (" << q.W << ", " << q.X << ", " << q.Y << ", " << q.Z << ") at point " << i
+              << ", which is no unit quaternion." << cure;
+      error = message.str();
+      return false;
+    }
+  }
+  return true;
+}
+
 bool TipPaths::CheckTimes(std::size_t path, std::string& error) const
 {
   const Members members(*this, path);

@@ -7,6 +7,7 @@
 #ifndef TipPaths_h
 #define TipPaths_h
 
+#include "Core/Math/Quaternion.h"
 #include "VTK/Trace/RecordedPath.h"
 #include "VTK/Trace/TipPathLines.h"
 
@@ -40,6 +41,11 @@ public:
    * points, or more ticks than fit into memory.
    */
   bool Read(vtkPolyData* path, double period, std::string& error);
+  /**
+   * Reads the point array Orientation, if there is one and the path is no recording. False, with an
+   * error, for an array that has none.
+   */
+  bool ReadOrientations(vtkPolyData* path, std::string& error);
 
   std::size_t GetNumberOfPaths() const { return this->FirstTicks.size() - 1; }
   /** Of all paths. */
@@ -85,6 +91,10 @@ public:
   /** The time of a point (s). */
   double GetTime(vtkIdType point) const { return this->Times[point]; }
   double GetPeriod() const { return this->Period; }
+  /** Whether points have orientations, of the stylus in the world. */
+  bool HaveOrientations() const { return !this->Orientations.empty(); }
+  /** That of a point; NoOrientation if it has none. */
+  const Quaternion& GetOrientation(vtkIdType point) const { return this->Orientations[point]; }
 
   /** If the times of point and tick differ by less than this share of a tick, they are one. */
   static constexpr double SnapShare = 1e-6;
@@ -101,6 +111,7 @@ private:
   const double* Doubles = nullptr;           ///< of the points, if they are such
   const float* Floats = nullptr;             ///< of the points, if they are such
   std::vector<double> Times;                 ///< s, of each point; empty if each is a tick
+  std::vector<Quaternion> Orientations;      ///< of each point; empty if there are none
   double Period = 0.0;                       ///< s
   DividedPoints Divided;                     ///< empty if all points are one path, in order
   std::vector<vtkIdType> FirstTicks = { 0 }; ///< of each path; then the number of all

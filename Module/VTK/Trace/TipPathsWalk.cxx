@@ -108,7 +108,8 @@ vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
 
 void TipPathsWalk::AddPipe(Runner& runner) const
 {
-  if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty())
+  if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty() &&
+    !this->Trace.GetOrientations())
   {
     try
     {
@@ -272,6 +273,15 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     {
       this->Flaw = rows.Count + i;
       return;
+    }
+    if (double* const orientations = this->Trace.GetOrientations())
+    {
+      const Quaternion q = runner.Walk.GetOrientation(*runner.Model);
+      double* const to = orientations + 4 * (rows.First + rows.Count + i);
+      to[0] = q.W;
+      to[1] = q.X;
+      to[2] = q.Y;
+      to[3] = q.Z;
     }
     if (hasModes)
     {

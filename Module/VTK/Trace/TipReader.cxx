@@ -37,4 +37,34 @@ Vector3 TipReader::FindPoint()
   return a + share * (this->PointAt(before + 1) - a);
 }
 
+Quaternion TipReader::FindOrientation() const
+{
+  const auto at = [this](vtkIdType i) -> const Quaternion&
+  { return this->Paths.GetOrientation(this->Members.At(i)); };
+  if (!this->Paths.HaveTimes())
+  {
+    return at(this->Tick);
+  }
+  const vtkIdType before = this->Before;
+  const vtkIdType last = this->Members.GetSize() - 1;
+  const Quaternion& a = at(before);
+  const double since = this->GetTime() - this->TimeAt(before);
+  if (before == last || std::abs(since) <= TipPaths::SnapShare * this->Paths.GetPeriod())
+  {
+    return a;
+  }
+  const Quaternion& b = at(before + 1);
+  if (IsIdentical(a, NoOrientation) || IsIdentical(b, NoOrientation))
+  {
+    return NoOrientation;
+  }
+  // The shorter way round: q and -q are the same.
+  const double share = since / (this->TimeAt(before + 1) - this->TimeAt(before));
+  const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -share : share;
+  const double rest = 1.0 - share;
+  const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,
+    rest * a.Z + side * b.Z };
+  return (1.0 / std::sqrt(SquaredNorm(mixed))) * mixed;
+}
+
 } // namespace VolumeHaptics

@@ -26,6 +26,11 @@ public:
     ++this->Tick;
     return this->Paths.HaveTimes() ? this->FindPoint() : this->PointAt(this->Tick);
   }
+  /** The orientation of the stylus (world) at the last tick; NoOrientation if there is none. */
+  Quaternion GetOrientation() const
+  {
+    return this->Paths.HaveOrientations() ? this->FindOrientation() : NoOrientation;
+  }
   /** Time of the last tick (s). */
   double GetTime() const
   {
@@ -35,6 +40,8 @@ public:
 private:
   /** The point at the time of the tick. */
   Vector3 FindPoint();
+  /** Between the points before and after the tick. */
+  Quaternion FindOrientation() const;
   double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }
   Vector3 PointAt(vtkIdType i) const { return this->Paths.GetPoint(this->Members.At(i)); }
 

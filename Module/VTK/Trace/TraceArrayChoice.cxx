@@ -6,6 +6,7 @@
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include <cctype>
+#include <iterator>
 
 namespace VolumeHaptics
 {
@@ -15,9 +16,14 @@ std::size_t GetModeForceArray(std::size_t mode)
   return GetTraceColumns().size() + 2 + mode;
 }
 
+std::size_t GetToolArray(std::size_t column)
+{
+  return GetModeForceArray(MostModeForces) + column;
+}
+
 std::size_t GetNumberOfTraceArrays()
 {
-  return GetModeForceArray(MostModeForces);
+  return GetToolArray(std::size(ToolColumns));
 }
 
 const char* GetTraceArrayName(std::size_t array)
@@ -35,6 +41,7 @@ const char* GetTraceArrayName(std::size_t array)
     {
       all->push_back(ModeForceColumn + std::to_string(mode));
     }
+    all->insert(all->end(), std::begin(ToolColumns), std::end(ToolColumns));
     return all;
   }();
   return (*names)[array].c_str();

@@ -16,12 +16,13 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Of arrays that only traces of volumes with labels, of volumes that move, and of the method
- * PRIMITIVES have. The number of the mode follows the name of the last ones.
+ * Of arrays that only traces of volumes with labels, of volumes that move, of the method
+ * PRIMITIVES, and of tools have. The number of the mode follows the name of its array.
  */
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
+constexpr const char* ToolColumns[] = { "Orientation", "Torque", "Depth", "ShaftForce" };
 ///@}
 
 /** As many as there may be modes. */
@@ -29,14 +30,14 @@ constexpr std::size_t MostModeForces = 8;
 
 /**
  * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels, the
- * data time, and the force of each mode.
+ * data time, the force of each mode, and the ToolColumns.
  */
-using TraceArrayChoice = unsigned int;
+using TraceArrayChoice = unsigned long long;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
 
 constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 {
-  return (choice >> array & 1U) != 0;
+  return (choice >> array & TraceArrayChoice(1)) != 0;
 }
 
 ///@{
@@ -44,6 +45,8 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 std::size_t GetNumberOfTraceArrays();
 /** The number of the array of a mode's force. */
 std::size_t GetModeForceArray(std::size_t mode);
+/** The number of one of the ToolColumns. */
+std::size_t GetToolArray(std::size_t column);
 const char* GetTraceArrayName(std::size_t array);
 ///@}
 

@@ -102,6 +102,8 @@ void WriteRecords(const HapticTrace& trace, const HapticModel& model, const Tick
   columns.Numbers(&TraceRow::Energy, [&](std::size_t i) { return work.Add(records[i]); });
   columns.Numbers(
     &TraceRow::DataTime, [&](std::size_t i) { return GetTraceDataTime(model, records[i]); });
+  columns.Numbers(
+    &TraceRow::Depth, [&](std::size_t i) { return model.WorldUnitsPerMeter * records[i].Depth; });
   columns.Numbers(&TraceRow::Value,
     [&](std::size_t i) { return model.ValueAtDevice(records[i].Proxy, records[i].DataTime); });
   if (long long* const labels = trace.GetLabels())

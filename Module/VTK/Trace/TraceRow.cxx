@@ -55,7 +55,8 @@ struct RowFiller
 
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
 {
-  const std::int64_t label = model.LabelAtDevice(record.Proxy + model.KernelLength * record.Normal);
+  const double reach = record.Depth > 0.0 ? 0.0 : model.KernelLength;
+  const std::int64_t label = model.LabelAtDevice(record.Proxy + reach * record.Normal);
   return label == NoLabel ? 0 : label;
 }
 
@@ -83,6 +84,7 @@ void FillTraceRow(
   row.Value = model.ValueAtDevice(record.Proxy, record.DataTime);
   row.Energy = work.Add(record);
   row.DataTime = GetTraceDataTime(model, record);
+  row.Depth = model.WorldUnitsPerMeter * record.Depth;
 }
 
 RecordingRow MakeRecordingRow(

@@ -39,6 +39,12 @@ struct TraceRow
   double SurfaceStrength;
   double Energy; ///< J
   double DataTime;
+  ///@{
+  /** Of tools. */
+  double Torque[3]; ///< N m
+  double Depth;     ///< world units
+  double ShaftForce;
+  ///@}
   unsigned char Contact;
   unsigned char Unfinished;
   unsigned char Renewed;
@@ -88,7 +94,10 @@ private:
   double Work = 0.0;
 };
 
-/** The label just inside the surface at a record's proxy; 0 if there is none. */
+/**
+ * The label just inside the surface at a record's proxy, or that of the point of a needle that is
+ * inserted; 0 if there is none.
+ */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
 /** Whether the wall in front of a forbidden label holds the proxy of a record. */
@@ -108,6 +117,8 @@ void VisitTraceSources(Visitor&& visit)
   visit.Number(&TraceRow::FrictionForce, &TickRecord::FrictionForce);
   visit.Number(&TraceRow::DragForce, &TickRecord::DragForce);
   visit.Direction(&TraceRow::Normal, &TickRecord::Normal);
+  visit.Direction(&TraceRow::Torque, &TickRecord::Torque);
+  visit.Number(&TraceRow::ShaftForce, &TickRecord::ShaftForce);
   visit.Number(&TraceRow::GradientMagnitude, &TickRecord::GradientMagnitude);
   visit.Number(&TraceRow::SurfaceValue, &TickRecord::SurfaceValue);
   visit.Number(&TraceRow::MediumValue, &TickRecord::MediumValue);

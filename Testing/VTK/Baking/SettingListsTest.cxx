@@ -9,6 +9,7 @@
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticRegionSettings.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Session/HapticDeviceSettings.h"
 #include "VTK/Trace/HapticPathSettings.h"
 
@@ -180,6 +181,7 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticVectorFrontMode>(FrontModeSettings);
   ExpectHeadersBehave<vtkHapticRidgeMode>(RidgeModeSettings);
   ExpectHeadersBehave<vtkHapticGuideMode>(GuideModeSettings);
+  ExpectHeadersBehave<vtkHapticNeedle>(NeedleSettings);
   for (const HardwareVector& setting : HardwareVectors)
   {
     SCOPED_TRACE(setting.Name);
@@ -231,6 +233,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticVectorFrontMode", Names(FrontModeSettings));
   ExpectRows("vtkHapticRidgeMode", Names(RidgeModeSettings));
   ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
+  ExpectRows("vtkHapticNeedle", Names(NeedleSettings));
 }
 
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
@@ -256,6 +259,7 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticVectorFrontMode", FrontModeSettings);
   ExpectComments("vtkHapticRidgeMode", RidgeModeSettings);
   ExpectComments("vtkHapticGuideMode", GuideModeSettings);
+  ExpectComments("vtkHapticNeedle", NeedleSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)

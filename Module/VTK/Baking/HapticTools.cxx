@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticToolSettings.h"
+
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+std::size_t IndexOfTool(vtkHapticTool* tool)
+{
+  const auto& kinds = GetToolKinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+    [tool](const ToolKindRow& kind)
+    { return tool->IsA((std::string("vtkHaptic") + kind.Name).c_str()); });
+  return static_cast<std::size_t>(found - kinds.begin());
+}
+
+bool ReadToolFunction(const ToolKindRow& kind, const ToolFunction& function, vtkHapticTool* tool,
+  Polyline& line, std::string& error)
+{
+  line = ToPolyline(function.Get(tool), 0.0);
+  for (const Vertex& vertex : line)
+  {
+    // Also false for NaN.
+    if (!(vertex.Y >= 0.0 && std::isfinite(vertex.Y) && std::isfinite(vertex.X)))
+    {
+      std::ostringstream message;
+      message << "The function " << function.Name << " of the vtkHaptic" << kind.Name
+              << " has the value " << vertex.Y << " at " << vertex.X << ": it must be finite and 0 "
+              << function.Unit << " or more. Correct this point of vtkHaptic" << kind.Name
+              << "::Get" << function.Name << "().";
+      error = message.str();
+      return false;
+    }
+  }
+  return true;
+}
+
+bool DescribeNeedle(vtkHapticNeedle* needle, HapticModelDescription& d, std::string& error)
+{
+  if (d.Settings.Method != HapticMethod::Proxy)
+  {
+    error = "A vtkHapticNeedle punctures surfaces, which only the method PROXY knows. Choose it "
+            "with SetMethodToProxy(), or take the needle away with SetTool(nullptr).";
+    return false;
+  }
+  if (!d.Frames.empty())
+  {
+    error = "A vtkHapticNeedle can't be inserted into a volume that moves, and the image on input "
+            "port 0 has several frames. Stop time with SetTimeUnitsPerSecond(0), or take the "
+            "needle away with SetTool(nullptr).";
+    return false;
+  }
+  const ToolKindRow& kind = FindToolKind(needle);
+  NeedleDescription& described = d.Tool.Needle;
+  d.Tool.Kind = ToolKind::Needle;
+  described.LateralStrength = needle->GetLateralStrength();
+  described.HasCuttingForce = needle->GetCuttingForce()->GetSize() > 0;
+  if (!std::isfinite(described.LateralStrength))
+  {
+    error = "The LateralStrength of the vtkHapticNeedle is not a finite number. Set it with "
+            "SetLateralStrength().";
+    return false;
+  }
+  return ReadToolFunction(kind, kind.Functions[0], needle, described.ShaftFriction, error) &&
+    ReadToolFunction(kind, kind.Functions[1], needle, described.CuttingForce, error);
+}
+
+} // namespace
+
+const std::vector<ToolKindRow>& GetToolKinds()
+{
+  using N = vtkHapticNeedle;
+  // Never destroyed: a device that is deleted while the process exits may still print its tool.
+  static const auto* const kinds = new std::vector<ToolKindRow>{
+    { "Needle", "needle", [] { return vtkSmartPointer<vtkHapticTool>(vtkSmartPointer<N>::New()); },
+      { { "ShaftFriction", "N/m",
+          [](vtkHapticTool* tool) { return N::SafeDownCast(tool)->GetShaftFriction(); } },
+        { "CuttingForce", "N",
+          [](vtkHapticTool* tool) { return N::SafeDownCast(tool)->GetCuttingForce(); } } } },
+  };
+  return *kinds;
+}
+
+bool HasToolKind(vtkHapticTool* tool)
+{
+  return IndexOfTool(tool) < GetToolKinds().size();
+}
+
+const ToolKindRow& FindToolKind(vtkHapticTool* tool)
+{
+  return GetToolKinds()[IndexOfTool(tool)];
+}
+
+std::string GetToolText(vtkHapticTool* tool)
+{
+  return HasToolKind(tool) ? FindToolKind(tool).Text : "";
+}
+
+void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool)
+{
+  if (auto* const needle = vtkHapticNeedle::SafeDownCast(tool))
+  {
+    PrintSettings(os, indent, needle, NeedleSettings);
+  }
+  for (const ToolFunction& function : FindToolKind(tool).Functions)
+  {
+    os << indent << function.Name << ":\n";
+    function.Get(tool)->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+
+bool DescribeTool(vtkHapticTool* tool, HapticModelDescription& description, std::string& error)
+{
+  auto* const needle = vtkHapticNeedle::SafeDownCast(tool);
+  return !needle || DescribeNeedle(needle, description, error);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Setup/HapticSetupTool.h"
+
+#include "VTK/Baking/HapticToolSettings.h"
+#include "VTK/Setup/HapticSetupFunctions.h"
+#include "VTK/Setup/PassSettings.h"
+
+#include "vtkVolumeHapticsAlgorithm.h"
+
+namespace VolumeHaptics
+{
+
+void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
+{
+  if (haptics.IsWriting() ? !filter->GetTool() : !haptics.Has("Tool"))
+  {
+    return;
+  }
+  SetupNode node = haptics.Child("Tool");
+  std::vector<const char*> names;
+  for (const ToolKindRow& kind : GetToolKinds())
+  {
+    names.push_back(kind.Name);
+  }
+  vtkSmartPointer<vtkHapticTool> tool = filter->GetTool();
+  const int read = node.Choice(
+    "Kind", names, [&] { return static_cast<int>(&FindToolKind(tool) - GetToolKinds().data()); },
+    [](int) {});
+  if (!haptics.IsWriting())
+  {
+    haptics.Require("Tool", read >= 0, "an object with the Kind of a tool");
+    if (read < 0)
+    {
+      return;
+    }
+    tool = GetToolKinds()[static_cast<std::size_t>(read)].Make();
+  }
+  if (auto* const needle = vtkHapticNeedle::SafeDownCast(tool))
+  {
+    PassSettings(node, needle, NeedleSettings);
+  }
+  for (const ToolFunction& function : FindToolKind(tool).Functions)
+  {
+    PassFunction(
+      node.Child(function.Name), NotNegative(), [tool, get = function.Get] { return get(tool); });
+  }
+  haptics.Then([=] { filter->SetTool(tool); });
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The track of a needle as a polydata, of a trace or of a needle in the hand.
+ */
+#ifndef NeedleTrace_h
+#define NeedleTrace_h
+
+#include "Core/Math/Vector3.h"
+
+#include <string>
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+class HapticModel;
+struct NeedleState;
+
+/** See vtkHapticNeedle::MakeTrack. Returns the fault and the cure; empty if there is none. */
+std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track);
+
+/**
+ * See vtkHapticDevice::GetNeedleTrack: from the entry to the tip, along the needle as it is. The
+ * proxy is in metres. A needle that is not inserted gives an empty track.
+ */
+void WriteNeedleTrack(
+  const HapticModel& model, const NeedleState& needle, const Vector3& proxy, vtkPolyData* track);
+
+} // namespace VolumeHaptics
+
+#endif

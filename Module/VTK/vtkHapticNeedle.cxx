@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticNeedle.h"
+
+#include "VTK/Baking/HapticToolSettings.h"
+#include "VTK/Trace/NeedleTrace.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticNeedle);
+
+//------------------------------------------------------------------------------
+vtkHapticNeedle::vtkHapticNeedle() = default;
+vtkHapticNeedle::~vtkHapticNeedle() = default;
+
+//------------------------------------------------------------------------------
+#define vtkHapticNeedleFunctionMacro(name)                        \
+  void vtkHapticNeedle::Set##name(vtkPiecewiseFunction* function) \
+  {                                                               \
+    if (this->name != function)                                   \
+    {                                                             \
+      this->name = function;                                      \
+      this->Modified();                                           \
+    }                                                             \
+  }                                                               \
+  vtkPiecewiseFunction* vtkHapticNeedle::Get##name()              \
+  {                                                               \
+    if (!this->name)                                              \
+    {                                                             \
+      this->name = vtkSmartPointer<vtkPiecewiseFunction>::New();  \
+    }                                                             \
+    return this->name;                                            \
+  }
+
+vtkHapticNeedleFunctionMacro(ShaftFriction);
+vtkHapticNeedleFunctionMacro(CuttingForce);
+
+//------------------------------------------------------------------------------
+bool vtkHapticNeedle::MakeTrack(vtkPolyData* trace, vtkPolyData* track)
+{
+  if (!track)
+  {
+    vtkGenericWarningMacro("MakeTrack() needs a polydata for the track, but got a null pointer.");
+    return false;
+  }
+  const std::string error = VolumeHaptics::MakeNeedleTrack(trace, track);
+  if (!error.empty())
+  {
+    vtkErrorWithObjectMacro(track, << error);
+  }
+  return error.empty();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHapticNeedle::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkPiecewiseFunction* const function :
+    { this->ShaftFriction.Get(), this->CuttingForce.Get() })
+  {
+    time = function ? std::max(time, function->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticNeedle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  VolumeHaptics::PrintTool(os, indent, this);
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticNeedle
+ * @brief   a needle, which feels layers, its shaft, and the loss of resistance
+ *
+ * Its point feels surfaces as the hand does without a tool. One that is pushed through them is
+ * inserted, and feels:
+ *
+ *   vtkNew<vtkHapticNeedle> needle;
+ *   filter->SetTool(needle);
+ *   filter->SetLabelTable(table);
+ *   table->SetSurfaceStrength(7, 1.2); // N, to puncture the ligament
+ *   table->SetViscosity(7, 0.8);       // N, to cut it
+ *   table->SetShaftFriction(7, 60.0);  // N per metre of the shaft in it
+ *
+ * - **the layer around its point**: the force R that cuts it, only while the needle is pushed;
+ * - **boundaries**: labels that have a surface strength T hold the point until they are punctured;
+ *   so do the surfaces of the scalars, where the label has none;
+ * - **its shaft**: friction tau of all tissues along the track, against any motion, in and out;
+ * - **across its axis** the tissue holds it with the LateralStrength.
+ *
+ * So the force along the needle is T + R + F_s at most while it is pushed, F_s while it is
+ * withdrawn, with F_s the integral of tau over the track, and anything between at rest. Where a
+ * tissue ends whose R was felt, that much resistance is lost.
+ *
+ * R is the viscosity of the label, T its surface strength, and tau its shaft friction. Where a label
+ * does not say it, or without labels, R is the CuttingForce, tau the ShaftFriction, both functions
+ * of the scalar, and T that of vtkHapticProperty. The spring keeps the stiffness of the surface that
+ * was punctured until the needle is out. Lengths in N per metre are the hand's.
+ *
+ * The axis is that of the stylus. If the device measures no orientation, it is the direction of the
+ * hand's motion at the puncture, over the last millimetre, and stays until the needle is out.
+ *
+ * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
+ * length that is inserted (world units; 0: none), and ShaftForce, F_s (N). MakeTrack() makes of such
+ * a trace what was passed; vtkHapticDevice::GetNeedleTrack() tells it of a hand.
+ *
+ * @sa vtkHapticTool vtkHapticLabelTable
+ */
+#ifndef vtkHapticNeedle_h
+#define vtkHapticNeedle_h
+
+#include "vtkHapticTool.h"
+#include "vtkSmartPointer.h"        // for ivars
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkPiecewiseFunction;
+class vtkPolyData;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticNeedle : public vtkHapticTool
+{
+public:
+  static vtkHapticNeedle* New();
+  vtkTypeMacro(vtkHapticNeedle, vtkHapticTool);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The friction tau of the shaft (N per metre of it) against the scalar value, for tissue whose
+   * label does not say it. A function without points is 0. Created on first Get; nullptr restores
+   * the default.
+   */
+  void SetShaftFriction(vtkPiecewiseFunction* friction);
+  vtkPiecewiseFunction* GetShaftFriction();
+  ///@}
+
+  ///@{
+  /**
+   * The force R with which the point cuts (N) against the scalar value, for tissue whose label does
+   * not say it. A function without points leaves it to the viscosity of vtkHapticProperty (default).
+   * Created on first Get; nullptr restores the default.
+   */
+  void SetCuttingForce(vtkPiecewiseFunction* force);
+  vtkPiecewiseFunction* GetCuttingForce();
+  ///@}
+
+  ///@{
+  /**
+   * The force with which tissue holds the inserted needle across its axis (N), 0 or more. It is
+   * whole from 1 mm of the hand's depth on. Default 1.
+   */
+  vtkSetClampMacro(LateralStrength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LateralStrength, double);
+  ///@}
+
+  /**
+   * The track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
+   * needle: a polyline of the places at which the point came into other tissue, and of the deepest
+   * one. Point arrays: Depth (world units), the way along the needle; cell arrays, for each stretch
+   * of it: Label, and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
+   * (degrees), between the track and the normal of the surface at the entry, or -1 without one.
+   * Returns false, with an error and an empty track, if the trace has no needle.
+   */
+  static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
+
+  /** Includes the functions. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHapticNeedle();
+  ~vtkHapticNeedle() override;
+
+  vtkSmartPointer<vtkPiecewiseFunction> ShaftFriction;
+  vtkSmartPointer<vtkPiecewiseFunction> CuttingForce;
+  double LateralStrength = 1.0;
+
+private:
+  vtkHapticNeedle(const vtkHapticNeedle&) = delete;
+  void operator=(const vtkHapticNeedle&) = delete;
+};
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticTool
+ * @brief   what the hand holds: more than a point
+ *
+ * Without a tool, vtkVolumeHapticsFilter feels the volume with a point. A tool replaces it:
+ *
+ *   vtkNew<vtkHapticNeedle> needle;
+ *   filter->SetTool(needle);
+ *
+ *   vtkHapticNeedle  punctures surfaces, and is then held by the tissue along its shaft
+ *
+ * A tool turns with the stylus, if the device measures how it is held
+ * (vtkHapticDevice::GetTipOrientation). A stylus points along its own -z. Offline, the path may
+ * have the point array Orientation: w, x, y, z of unit quaternions that turn the stylus's axes to
+ * those of the world. A point of four zeros has none. Between points it is interpolated.
+ *
+ * @sa vtkVolumeHapticsAlgorithm
+ */
+#ifndef vtkHapticTool_h
+#define vtkHapticTool_h
+
+#include "vtkObject.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <string> // for std::string
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticTool : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkHapticTool, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What it is, for the user, such as "needle". */
+  std::string GetText();
+
+protected:
+  vtkHapticTool();
+  ~vtkHapticTool() override;
+
+private:
+  vtkHapticTool(const vtkHapticTool&) = delete;
+  void operator=(const vtkHapticTool&) = delete;
+};
+
+#endif

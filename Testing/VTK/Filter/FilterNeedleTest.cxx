@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A needle offline: the layers of N1 with a spring of 500 N/m, their loss of resistance, the hold
+ * across, rotated data, orientations of paths, tracks, and what can't be felt.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkHapticLabelTable.h>
+#include <vtkHapticNeedle.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double Skin = 4.5; // mm
+
+/// Of the layers of N1, from the skin on: mm, N/m, N.
+constexpr double Layers[][3] = { { 3, 20, 0.3 }, { 12, 5, 0.1 }, { 20, 25, 0.3 }, { 3, 60, 0.8 },
+  { 100, 0, 0 } };
+
+int LabelAt(double depth)
+{
+  int label = depth < 0.0 ? 0 : 1;
+  for (double end = Layers[0][0]; label > 0 && depth > end; ++label)
+  {
+    end += Layers[label][0];
+  }
+  return label;
+}
+
+/// The friction (N) of the shaft down to a depth (mm).
+double ShaftAt(double depth)
+{
+  double sum = 0.0;
+  double begin = 0.0;
+  for (const auto& layer : Layers)
+  {
+    sum += 1e-3 * layer[1] * std::max(0.0, std::min(depth, begin + layer[0]) - begin);
+    begin += layer[0];
+  }
+  return sum;
+}
+
+class FilterNeedle : public ApiTest
+{
+protected:
+  FilterNeedle()
+  {
+    this->Filter->SetInputData(MakeStack([](int) { return 0.0; }));
+    this->Filter->SetLabelData(MakeStack([](int k) { return LabelAt(k - Skin); }));
+    this->Filter->SetGeometryFromLabels();
+    this->Filter->SetLabelTable(this->Table);
+    for (int label = 1; label <= 5; ++label)
+    {
+      this->Table->SetStiffness(label, 500.0);
+      this->Table->SetSurfaceStrength(label, 0.0);
+      this->Table->SetShaftFriction(label, Layers[label - 1][1]);
+      this->Table->SetViscosity(label, Layers[label - 1][2]);
+    }
+    this->Filter->SetTool(this->Needle);
+  }
+
+  static vtkSmartPointer<vtkImageData> MakeStack(const std::function<double(int)>& value)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(16, 16, 56);
+    image->AllocateScalars(VTK_SHORT, 1);
+    for (int k = 0; k < 56; ++k)
+    {
+      for (int i = 0; i < 16 * 16; ++i)
+      {
+        image->GetPointData()->GetScalars()->SetComponent(256 * k + i, 0, value(k));
+      }
+    }
+    return image;
+  }
+
+  /// Through these places, in steps of a hundredth of a millimetre.
+  vtkPolyData* Follow(const std::vector<Point>& places, int steps = 100)
+  {
+    std::vector<Point> points;
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      const Point& a = places[i - 1];
+      const Point& b = places[i];
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+      const std::vector<Point> part = Line(a, b, std::max(1, int(steps * length)));
+      points.insert(points.end(), part.begin(), part.end());
+    }
+    this->Path = MakePath(points);
+    this->Filter->SetPathData(this->Path);
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  static double Number(vtkPolyData* track, const char* name)
+  {
+    return track->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+  }
+
+  vtkNew<vtkHapticLabelTable> Table;
+  vtkNew<vtkHapticNeedle> Needle;
+};
+} // namespace
+
+TEST_F(FilterNeedle, FeelsLayersInAndOut)
+{
+  for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
+  {
+    this->Filter->SetSolver(solver);
+    vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 48 }, { 7, 7, 1 } });
+    double lastDepth = 0.0;
+    double loss = 0.0;
+    int in = 0;
+    int out = 0;
+    for (vtkIdType i = 1; i < trace->GetNumberOfPoints(); ++i)
+    {
+      const double depth = Get(trace, "Depth", i);
+      const double force = Get(trace, "Force", i, 2);
+      if (depth > 0.0)
+      {
+        ASSERT_NEAR(depth, trace->GetPoint(i)[2] - Skin, 1e-3);
+        ASSERT_EQ(Get(trace, "Label", i), LabelAt(depth));
+        ASSERT_NEAR(Get(trace, "ShaftForce", i), ShaftAt(depth), 1e-5);
+      }
+      const double cutting = depth > 0.0 ? Layers[LabelAt(depth) - 1][2] : 0.0;
+      // In the tick that comes to harder tissue, the force has not risen yet.
+      const bool isSame = LabelAt(depth) == LabelAt(lastDepth);
+      if (depth > lastDepth && isSame)
+      {
+        const double held = cutting + ShaftAt(depth);
+        ASSERT_NEAR(-force, held, 0.01 * held + 1e-4) << depth;
+        ++in;
+      }
+      else if (depth < lastDepth && depth > 0.0)
+      {
+        ASSERT_NEAR(force, ShaftAt(depth), 0.01 * ShaftAt(depth) + 1e-4) << depth;
+        ++out;
+      }
+      loss = std::max(loss, force - Get(trace, "Force", i - 1, 2));
+      lastDepth = depth;
+    }
+    EXPECT_GT(in, 3000);
+    EXPECT_GT(out, 3000);
+    EXPECT_NEAR(loss, 0.80, 0.02);
+    EXPECT_EQ(Get(trace, "Depth", trace->GetNumberOfPoints() - 1), 0.0);
+    // The hand's work (J), with what falls of R by 0.2 and 0.8 N lose.
+    const double work = -Get(trace, "Energy", trace->GetNumberOfPoints() - 1);
+    EXPECT_NEAR(work,
+      12.30e-3 + 10.5e-3 + 0.68e-3 + 12.30e-3 + 2.0 * 0.8 * (48 - Skin - 41.6) * 1e-3, 0.01 * work);
+  }
+}
+
+TEST_F(FilterNeedle, HoldsAcrossItsAxis)
+{
+  vtkPolyData* trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 25 }, { 8, 7, 25 } });
+  const vtkIdType last = trace->GetNumberOfPoints() - 1;
+  EXPECT_NEAR(Get(trace, "Force", last, 0), -0.5, 0.005);
+  EXPECT_NEAR(Get(trace, "FrictionForce", last), 0.5, 0.005);
+  this->Needle->SetLateralStrength(0.2);
+  trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 25 }, { 8, 7, 25 } });
+  EXPECT_NEAR(Get(trace, "Force", last, 0), -0.2, 0.002);
+}
+
+TEST_F(FilterNeedle, TurnsWithTheDataAndThePath)
+{
+  const std::vector<Point> way = { { 7, 7, 2 }, { 7, 7, 30 }, { 7.5, 7.2, 30 }, { 7, 7, 20 } };
+  const auto upright = (this->Follow(way), Keep(this->Filter));
+  // z becomes x, x becomes y, y becomes z.
+  const double turn[9] = { 0, 0, 1, 1, 0, 0, 0, 1, 0 };
+  for (const int port : { 0, 3 })
+  {
+    vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(port, 0))
+      ->GetDirectionMatrix()
+      ->DeepCopy(turn);
+    this->Filter->GetInputDataObject(port, 0)->Modified();
+  }
+  std::vector<Point> turned;
+  for (const Point& p : way)
+  {
+    turned.push_back({ p[2], p[0], p[1] });
+  }
+  vtkPolyData* const trace = this->Follow(turned);
+  ASSERT_EQ(trace->GetNumberOfPoints(), upright->GetNumberOfPoints());
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      largest = std::max(
+        largest, std::abs(Get(trace, "Force", i, (c + 1) % 3) - Get(upright, "Force", i, c)));
+    }
+  }
+  EXPECT_LT(largest, 1e-6);
+}
+
+TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
+{
+  this->Table->SetSurfaceStrength(1, 1.0);
+  this->Follow({ { 7, 7, 2 }, { 7, 7, 25 } });
+  const vtkIdType n = this->Path->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> orientations;
+  orientations->SetName("Orientation");
+  orientations->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    // Half a turn about x: the stylus points along +z. Then it leans by 0.2 rad.
+    orientations->InsertNextTuple4(std::sin(-0.1), std::cos(-0.1), 0.0, 0.0);
+  }
+  this->Path->GetPointData()->AddArray(orientations);
+  this->Path->Modified();
+  this->Filter->Update();
+  vtkPolyData* const trace = this->Filter->GetOutput();
+  EXPECT_GT(Get(trace, "Depth", n - 1), 10.0);
+  EXPECT_NEAR(Get(trace, "Orientation", n - 1, 1), std::cos(0.1), 1e-12);
+  EXPECT_NEAR(Get(trace, "Torque", n - 1, 0), 0.0, 0.0);
+  EXPECT_NEAR(std::abs(Get(trace, "Normal", n - 1, 1)), std::sin(0.2), 1e-9);
+  EXPECT_NEAR(Get(trace, "Normal", n - 1, 2), std::cos(0.2), 1e-9);
+  vtkNew<vtkPolyData> track;
+  ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
+  EXPECT_NEAR(this->Number(track, "Angle"), 0.2 * 57.29577951, 0.2);
+  // Turned the other way, the needle presses with its butt, and nothing is punctured.
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    orientations->SetTuple4(i, 1.0, 0.0, 0.0, 0.0);
+  }
+  orientations->Modified();
+  this->Path->Modified();
+  this->Filter->Update();
+  EXPECT_EQ(Get(this->Filter->GetOutput(), "Depth", n - 1), 0.0);
+}
+
+TEST_F(FilterNeedle, TellsWhatItHasPassed)
+{
+  this->Table->SetSurfaceStrength(1, 0.5);
+  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 41 }, { 7, 7, 30 } });
+  vtkNew<vtkPolyData> track;
+  ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
+  ASSERT_EQ(track->GetNumberOfCells(), 4);
+  const double lengths[] = { 3.0, 12.0, 20.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(track->GetCellData()->GetArray("Label")->GetComponent(i, 0), i + 1);
+    EXPECT_NEAR(track->GetCellData()->GetArray("Length")->GetComponent(i, 0), lengths[i], 0.1);
+  }
+  EXPECT_EQ(track->GetCellData()->GetArray("Label")->GetComponent(3, 0), 4);
+  EXPECT_NEAR(track->GetPoint(0)[2], Skin, 0.05);
+  EXPECT_NEAR(track->GetPoint(4)[2] - Skin, this->Number(track, "Depth"), 0.05);
+  EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
+}
+
+TEST_F(FilterNeedle, HasItsArraysOnlyWithATool)
+{
+  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 10 } }, 10);
+  for (const char* const name : { "Orientation", "Torque", "Depth", "ShaftForce" })
+  {
+    EXPECT_TRUE(trace->GetPointData()->HasArray(name)) << name;
+  }
+  this->Filter->SetTraceArrays("Depth");
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 1);
+  this->Filter->SetTraceArrays("all");
+  this->Filter->SetTool(nullptr);
+  this->Filter->Update();
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("Depth"));
+}
+
+TEST_F(FilterNeedle, TellsWhatCannotBeFelt)
+{
+  const auto refuse = [this](const std::vector<std::string>& words)
+  {
+    const MessageLog log(this->Filter);
+    this->Filter->Modified();
+    this->Filter->Update();
+    EXPECT_EQ(log.Errors.size(), 1U);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE((log.Errors.empty() ? "" : log.Errors[0]).find(word), std::string::npos) << word;
+    }
+  };
+  this->Follow({ { 7, 7, 2 }, { 7, 7, 10 } }, 10);
+  this->Filter->SetMethodToForceField();
+  refuse({ "vtkHapticNeedle", "SetMethodToProxy()" });
+  this->Filter->SetMethodToProxy();
+  this->Needle->GetShaftFriction()->AddPoint(10.0, -1.0);
+  refuse({ "ShaftFriction", "-1", "GetShaftFriction()" });
+  this->Needle->SetShaftFriction(nullptr);
+  this->Needle->GetCuttingForce()->AddPoint(10.0, std::nan(""));
+  refuse({ "CuttingForce", "GetCuttingForce()" });
+  this->Needle->SetCuttingForce(nullptr);
+  vtkNew<vtkDoubleArray> orientations;
+  orientations->SetName("Orientation");
+  orientations->SetNumberOfComponents(4);
+  orientations->SetNumberOfTuples(this->Path->GetNumberOfPoints());
+  orientations->FillValue(3.0);
+  this->Path->GetPointData()->AddArray(orientations);
+  this->Path->Modified();
+  refuse({ "\"Orientation\"", "point 0", "unit quaternion" });
+  // Without a tool, such an array means nothing.
+  this->Filter->SetTool(nullptr);
+  this->Filter->Update();
+  EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+}
