@@ -12,6 +12,7 @@
 #include "vtkHapticNeedle.h"
 #include "vtkHapticTool.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ namespace NeedleSettingRows
 using Owner = vtkHapticNeedle;
 
 inline constexpr NeedleSetting All[] = {
-  HapticNumberMacro(LateralStrength, 0.0, LargestNumber, 1.0, "N", NotBaked,
+  HapticNumberMacro(LateralStrength, 0.0, VTK_DOUBLE_MAX, 1.0, "N", NotBaked,
     "The force with which tissue holds the inserted needle across its axis (N), 0 or more."),
 };
 } // namespace NeedleSettingRows
