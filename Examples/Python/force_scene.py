@@ -94,12 +94,13 @@ def make_renderer(*actors):
     return renderer
 
 
-def show(renderer, picture=None, size=(1000, 700)):
-    """In a window, until it is closed; or in a PNG file."""
+def show(renderers, picture=None, size=(1000, 700)):
+    """A renderer, or several, in a window, until it is closed; or in a PNG file."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(picture is not None)
     window.SetSize(size)
-    window.AddRenderer(renderer)
+    for renderer in renderers if isinstance(renderers, list) else [renderers]:
+        window.AddRenderer(renderer)
     if picture:
         window.Render()
         grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()

@@ -44,6 +44,7 @@ set(Explore_SOURCES
   Exploration/ModeChoice.cxx
   Exploration/TissueTable.cxx
   Live/FreeFile.cxx
+  Live/HandTool.cxx
   Live/LiveRun.cxx
   Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx

@@ -119,7 +119,7 @@ Explore::FileChoice Touch(
     options.AsLabels };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
     { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound,
-      options.Replay, now, options.Notice });
+      options.Tool, options.Replay, now, options.Notice });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)

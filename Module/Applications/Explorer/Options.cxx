@@ -221,6 +221,14 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     Explore::CheckMode(value);
     options.How.Modes.push_back(value);
   }
+  else if (name == "--tool")
+  {
+    if (value != "needle" && value != "point")
+    {
+      throw InputError("--tool '" + value + "'", "is not known", "take needle, or point");
+    }
+    options.Tool = value == "needle" ? value : std::string();
+  }
   else if (name == "--mapper")
   {
     options.Mapper = Choose(MAPPERS, name, value);
@@ -416,6 +424,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --cut NAME        of the window: cut open at first by a plane or a box (default: not cut). The mouse drags the
                     handles; keys: x plane, box, none; X swaps the kept and the hidden part; z feels the
                     cut faces
+  --tool NAME       of the window: what the hand holds, point (default) or needle, which punctures surfaces,
+                    and rubs and is held in tissue; keys: N needle, point; T saves its track
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
@@ -204,6 +205,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   touch.Cut.SetInteractor(interactor);
   saved.SaveByKey(interactor);
   auto presets = std::make_unique<PresetSaver>(touch, interactor);
+  auto tool = std::make_unique<HandTool>(touch, exploration, interactor, wanted.Tool);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
     ? nullptr
@@ -218,8 +220,9 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + keys + files->ListKeys() +
-    WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound + "S\tsave measurements\nq\tclose\n")
+  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + HandTool::ListKeys() + keys +
+    files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
+    "S\tsave measurements\nq\tclose\n")
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
@@ -236,6 +239,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   files.reset();
   script.reset();
   recorder.reset();
+  tool.reset();
   presets.reset();
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
