@@ -3,29 +3,90 @@
 #include "HapticController.h"
 
 #include "HapticPipeline.h"
+#include "HapticVolumeLook.h"
 #include "vtkHapticDevice.h"
+#include "vtkHapticProperty.h"
 #include "vtkHapticViewLink.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
+#include "vtkCallbackCommand.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkSMHapticDeviceProxy.h"
 #include "vtkSMHapticViewProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+namespace
+{
+
+/** The first error of an object, while this lives, in place of VTK's output window. */
+class HapticErrorText
+{
+public:
+  explicit HapticErrorText(vtkObject* object)
+    : Object(object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* message)
+      {
+        QString& text = static_cast<HapticErrorText*>(self)->Text;
+        if (text.isEmpty())
+        {
+          // After VTK's source position, and the object's address.
+          text = QString::fromUtf8(static_cast<const char*>(message)).trimmed();
+          text = text.mid(text.indexOf("): ") + 3);
+        }
+      });
+    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  ~HapticErrorText() { this->Object->RemoveObserver(this->Command); }
+  HapticErrorText(const HapticErrorText&) = delete;
+  HapticErrorText& operator=(const HapticErrorText&) = delete;
+
+  const QString& Get() const { return this->Text; }
+
+private:
+  vtkObject* const Object;
+  vtkNew<vtkCallbackCommand> Command;
+  QString Text;
+};
+
+/** Sets a property of a filter, as its panel would: it can be undone, and is traced. */
+template <typename ValueType>
+void SetOfFilter(pqPipelineSource* filter, const char* property, const ValueType& value)
+{
+  vtkSMProxy* const proxy = filter->getProxy();
+  BEGIN_UNDO_SET(QString("Haptic %1").arg(property));
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+    vtkSMPropertyHelper(proxy, property).Set(value);
+    proxy->UpdateVTKObjects();
+  }
+  END_UNDO_SET();
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 HapticController::HapticController(QObject* parent)
@@ -61,7 +122,7 @@ QList<HapticController::DeviceChoice> HapticController::listDevices()
 }
 
 //------------------------------------------------------------------------------
-void HapticController::attach(const QString& deviceId)
+void HapticController::attach(const QString& deviceId, const QString& preset, int method)
 {
   this->detach();
   pqActiveObjects& active = pqActiveObjects::instance();
@@ -72,6 +133,7 @@ void HapticController::attach(const QString& deviceId)
     return;
   }
   pqPipelineSource* const source = active.activeSource();
+  const bool hadTouch = this->findTouch() != nullptr;
   pqPipelineSource* const device = HapticPipeline::FindOrMakeDevice(source);
   if (!device)
   {
@@ -83,6 +145,11 @@ void HapticController::attach(const QString& deviceId)
     return;
   }
   active.setActiveSource(source);
+  if (pqPipelineSource* const touch = hadTouch ? nullptr : HapticPipeline::GetTouch(device))
+  {
+    SetOfFilter(touch, "Preset", preset.toUtf8().data());
+    SetOfFilter(touch, "Method", method);
+  }
   this->Device = vtkSMHapticDeviceProxy::SafeDownCast(device->getProxy());
   const bool isOther =
     deviceId != QString(vtkSMPropertyHelper(this->Device, "Device").GetAsString());
@@ -216,9 +283,174 @@ void HapticController::record(const QString& file)
 }
 
 //------------------------------------------------------------------------------
+pqPipelineSource* HapticController::findTouch() const
+{
+  pqServerManagerModel* const model = pqApplicationCore::instance()->getServerManagerModel();
+  if (this->Device && this->View)
+  {
+    return HapticPipeline::GetTouch(model->findItem<pqPipelineSource*>(this->Device.GetPointer()));
+  }
+  return HapticPipeline::FindTouch(pqActiveObjects::instance().activeSource());
+}
+
+pqPipelineSource* HapticController::findVolume() const
+{
+  pqPipelineSource* const touch = this->findTouch();
+  pqPipelineSource* const active = pqActiveObjects::instance().activeSource();
+  return touch                         ? HapticPipeline::GetVolume(touch)
+    : HapticPipeline::IsVolume(active) ? active
+                                       : nullptr;
+}
+
+pqView* HapticController::findView() const
+{
+  pqServerManagerModel* const model = pqApplicationCore::instance()->getServerManagerModel();
+  return this->View && this->View->GetLink()->IsAttached()
+    ? model->findItem<pqView*>(this->View->GetLink()->GetView())
+    : qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
+}
+
+//------------------------------------------------------------------------------
+void HapticController::setPreset(const QString& name)
+{
+  if (pqPipelineSource* const touch = this->findTouch())
+  {
+    SetOfFilter(touch, "Preset", name.toUtf8().data());
+  }
+}
+
+void HapticController::setMethod(int method)
+{
+  if (pqPipelineSource* const touch = this->findTouch())
+  {
+    SetOfFilter(touch, "Method", method);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticController::loadPreset(const QString& file)
+{
+  pqPipelineSource* const touch = this->findTouch();
+  if (!touch)
+  {
+    Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
+    return;
+  }
+  // The client reads it, and the filter gets functions, which go to any server and into state files.
+  vtkNew<vtkHapticProperty> read;
+  const HapticErrorText error(read);
+  if (!read->ReadPreset(file.toLocal8Bit().data()))
+  {
+    Q_EMIT this->told(error.Get());
+    return;
+  }
+  SetOfFilter(touch, "Preset", file.toLocal8Bit().data());
+  BEGIN_UNDO_SET("Haptic preset file");
+  touch->getProxy()->InvokeCommand("CopyPreset");
+  END_UNDO_SET();
+  Q_EMIT this->told(QString());
+}
+
+//------------------------------------------------------------------------------
+void HapticController::savePreset(const QString& file)
+{
+  vtkVolumeHapticsFilter* const felt =
+    this->Device ? this->Device->GetDevice()->GetVolumeHaptics() : nullptr;
+  if (!felt)
+  {
+    Q_EMIT this->told(tr("There is nothing felt to be saved: attach first."));
+    return;
+  }
+  const HapticErrorText error(felt->GetProperty());
+  const bool isWritten = felt->GetProperty()->WritePreset(file.toLocal8Bit().data());
+  Q_EMIT this->told(isWritten ? tr("Saved: %1").arg(file) : error.Get());
+}
+
+//------------------------------------------------------------------------------
+void HapticController::showAsCT()
+{
+  pqPipelineSource* const volume = this->findVolume();
+  pqView* const view = this->findView();
+  pqPipelineSource* const touch = this->findTouch();
+  const QString array = touch
+    ? QString(vtkSMPropertyHelper(touch->getProxy(), "Scalars").GetInputArrayNameToProcess())
+    : QString();
+  if (!volume || !view)
+  {
+    Q_EMIT this->told(tr("Select a volume in the pipeline browser, and click on a render view."));
+  }
+  else if (!HapticVolumeLook::ShowAsCT(volume, view, array))
+  {
+    Q_EMIT this->told(
+      tr("%1 has no point array to be rendered as a volume. The filter \"Cell Data to Point Data\" "
+         "makes one of cell arrays.")
+        .arg(volume->getSMName()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticController::followRecording(bool isRecording)
+{
+  if (this->WasRecording && !isRecording && this->Device)
+  {
+    const QString file = vtkSMPropertyHelper(this->Device, "RecordingFile").GetAsString();
+    this->Recorded = QFileInfo::exists(file) ? file : QString();
+  }
+  this->WasRecording = isRecording;
+}
+
+//------------------------------------------------------------------------------
+void HapticController::openRecorded()
+{
+  pqServer* const server = pqActiveObjects::instance().activeServer();
+  if (this->Recorded.isEmpty() || !server)
+  {
+    return;
+  }
+  if (server->isRemote())
+  {
+    Q_EMIT this->told(
+      tr("%1 is a file of this computer, which the server does not read: open it there.")
+        .arg(this->Recorded));
+    return;
+  }
+  const bool isTable = this->Recorded.endsWith(".csv", Qt::CaseInsensitive);
+  pqPipelineSource* const touched = pqActiveObjects::instance().activeSource();
+  pqPipelineSource* const reader = pqApplicationCore::instance()->getObjectBuilder()->createReader(
+    "sources", isTable ? "CSVReader" : "XMLPolyDataReader", QStringList(this->Recorded), server);
+  if (!reader)
+  {
+    Q_EMIT this->told(tr("%1 can't be opened: see the output messages.").arg(this->Recorded));
+    return;
+  }
+  reader->getProxy()->UpdateVTKObjects();
+  reader->setModifiedState(pqProxy::UNMODIFIED);
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  pqView* const view = this->findView();
+  controller->ShowInPreferredView(vtkSMSourceProxy::SafeDownCast(reader->getProxy()), 0,
+    view ? vtkSMViewProxy::SafeDownCast(view->getProxy()) : nullptr);
+  pqApplicationCore::instance()->render();
+  // The hand goes on with what it touches.
+  if (this->View)
+  {
+    pqActiveObjects::instance().setActiveSource(touched);
+  }
+}
+
+//------------------------------------------------------------------------------
 HapticController::Figures HapticController::look()
 {
   Figures figures;
+  pqPipelineSource* const chosen = this->findTouch();
+  figures.HasTouch = chosen != nullptr;
+  if (chosen)
+  {
+    figures.Preset = vtkSMPropertyHelper(chosen->getProxy(), "Preset").GetAsString();
+    figures.Method = vtkSMPropertyHelper(chosen->getProxy(), "Method").GetAsInt();
+  }
+  pqPipelineSource* const shown = this->findVolume();
+  figures.CanShow = shown && this->findView();
+  figures.IsVolume = figures.CanShow && HapticVolumeLook::IsShown(shown, this->findView());
   if (this->View && !this->View->GetLink()->IsAttached())
   {
     Q_EMIT this->told(QString::fromStdString(this->View->GetLink()->GetReason()));
@@ -235,6 +467,8 @@ HapticController::Figures HapticController::look()
   figures.Armed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   figures.Touches = this->View && this->View->GetLink()->GetTouchMode();
   figures.Recording = vtkSMPropertyHelper(this->Device, "Recording").GetAsInt() != 0;
+  this->followRecording(figures.Recording);
+  figures.Recorded = this->Recorded;
   figures.IsVirtual = device->GetDeviceId() == "virtual";
   figures.CanHome = device->IsRunning() && !figures.IsVirtual;
   figures.Status = vtkSMPropertyHelper(this->Device, "StatusText").GetAsString();

@@ -22,7 +22,9 @@
 #include <QObject>
 #include <QString>
 
+class pqPipelineSource;
 class pqServerManagerModelItem;
+class pqView;
 class vtkSMHapticDeviceProxy;
 class vtkSMHapticViewProxy;
 
@@ -53,7 +55,13 @@ public:
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
-    QString Felt; ///< names of the volume and of the filter; empty if nothing is attached
+    bool HasTouch = false; ///< there is a filter, attached or of the active source
+    QString Preset;        ///< of that filter
+    int Method = 0;        ///< the same
+    bool CanShow = false;  ///< there is a volume, and a render view
+    bool IsVolume = false; ///< the view renders the volume as one
+    QString Recorded;      ///< the file of the last recording, if it was written
+    QString Felt;          ///< names of the volume and of the filter; empty if nothing is attached
     QString Status;
     double Force = 0.0;        ///< N, on the hand
     double MaximumForce = 0.0; ///< N
@@ -67,16 +75,28 @@ public:
 public Q_SLOTS:
   /**
    * Attaches to the active render view. The active source selects the device: it is a HapticDevice,
-   * a VolumeHaptics filter, or image data; missing objects are made. If that fails, told() tells
-   * the cure.
+   * a VolumeHaptics filter, or image data; missing objects are made. A filter that is made gets the
+   * preset and the method. If that fails, told() tells the cure.
    */
-  void attach(const QString& deviceId);
+  void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
   void setArmed(bool on);
   void setTouchMode(bool on);
   void home();
   /** Records into a .vtp or .csv; an empty name ends and writes the recording. */
   void record(const QString& file);
+  ///@{
+  /** Of the filter that is attached, or of the active source; nothing without one. */
+  void setPreset(const QString& name);
+  void setMethod(int method);
+  /** Functions from a file of vtkHapticProperty::WritePreset, and what is felt to one. */
+  void loadPreset(const QString& file);
+  void savePreset(const QString& file);
+  ///@}
+  /** Renders the felt volume, or the active source, as a CT volume in the active view. */
+  void showAsCT();
+  /** Opens the last recording in ParaView, and shows it. */
+  void openRecorded();
   /** Detaches, stops and forgets the device. */
   void release();
 
@@ -90,9 +110,15 @@ private Q_SLOTS:
 private:
   void change(const char* property, int value);
   void set(const char* property, const QString& value);
+  pqPipelineSource* findTouch() const;
+  pqPipelineSource* findVolume() const;
+  pqView* findView() const;
+  void followRecording(bool isRecording);
 
   vtkWeakPointer<vtkSMHapticDeviceProxy> Device;
   vtkSmartPointer<vtkSMHapticViewProxy> View;
+  bool WasRecording = false;
+  QString Recorded;
 };
 
 #endif

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticDock.h"
 
+#include "vtkHapticProperty.h"
+#include "vtkStringArray.h"
+
 #include "pqFileDialog.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -20,6 +25,11 @@ namespace
 {
 constexpr int Period = 100;    ///< ms between looks at the device
 constexpr int BarSteps = 1000; ///< of the bar, up to the largest force
+
+/** In the order of vtkVolumeHapticsAlgorithm::MethodType. */
+const char* const Methods[] = { QT_TRANSLATE_NOOP("HapticDock", "Proxy"),
+  QT_TRANSLATE_NOOP("HapticDock", "Force field"), QT_TRANSLATE_NOOP("HapticDock", "Surface proxy"),
+  QT_TRANSLATE_NOOP("HapticDock", "Local surface"), QT_TRANSLATE_NOOP("HapticDock", "Primitives") };
 
 void SetChecked(QPushButton* button, bool on)
 {
@@ -83,8 +93,13 @@ HapticDock::HapticDock(QWidget* parent)
   this->Bar->setRange(0, BarSteps);
   this->Bar->setTextVisible(false);
   this->Bar->setMaximumHeight(10);
-  grid->addWidget(this->Force, 4, 0);
-  grid->addWidget(this->Rate, 4, 1, 1, 2);
+  this->addChoices(grid, 4);
+  grid->addWidget(this->Force, 8, 0);
+  grid->addWidget(this->Rate, 8, 1, 1, 2);
+  this->OpenRecorded = this->addButton(grid, 3, 1, "HapticOpenRecorded", QString(),
+    tr("Opens the last recording in ParaView, and shows it: its line in a render view, or its "
+       "table."));
+  this->OpenRecorded->setCheckable(false);
 
   auto* const all = new QVBoxLayout(panel);
   all->addLayout(grid);
@@ -101,6 +116,8 @@ HapticDock::HapticDock(QWidget* parent)
     this->Touch, &QPushButton::toggled, this->Controller, &HapticController::setTouchMode);
   this->connect(this->Home, &QPushButton::clicked, this->Controller, &HapticController::home);
   this->connect(this->Record, &QPushButton::toggled, this, &HapticDock::onRecord);
+  this->connect(
+    this->OpenRecorded, &QPushButton::clicked, this->Controller, &HapticController::openRecorded);
   this->connect(this->Controller, &HapticController::told, this, &HapticDock::onTold);
   this->connect(&this->Timer, &QTimer::timeout, this, &HapticDock::update);
   this->listDevices();
@@ -121,6 +138,121 @@ QPushButton* HapticDock::addButton(
   button->setCheckable(true);
   grid->addWidget(button, row, column, 1, column == 1 ? 2 : 1);
   return button;
+}
+
+//------------------------------------------------------------------------------
+void HapticDock::addChoices(QGridLayout* grid, int row)
+{
+  const auto addCombo = [&](int at, const char* name, const QString& text, const QString& tip)
+  {
+    auto* const combo = new QComboBox(this);
+    combo->setObjectName(name);
+    combo->setToolTip(tip);
+    auto* const title = new QLabel(text, this);
+    title->setBuddy(combo);
+    grid->addWidget(title, at, 0);
+    grid->addWidget(combo, at, 1, 1, 2);
+    return combo;
+  };
+  this->Preset = addCombo(row, "HapticPreset", tr("Preset"),
+    tr("What the tissues feel like. Custom: the functions of the filter. \"CT contrast\" is for CT "
+       "in Hounsfield units. A filter that Attach makes begins with it."));
+  this->Preset->addItem("Custom");
+  vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    this->Preset->addItem(QString::fromStdString(names->GetValue(i)));
+  }
+  this->Method = addCombo(row + 1, "HapticMethod", tr("Method"),
+    tr("How the volume is felt. Key m in the view goes through them."));
+  for (const char* const method : Methods)
+  {
+    this->Method->addItem(tr(method));
+  }
+  this->LoadPreset = this->addButton(grid, row + 2, 0, "HapticLoadPreset", tr("Load preset..."),
+    tr("Functions from a file, for Custom."));
+  this->SavePreset = this->addButton(grid, row + 2, 1, "HapticSavePreset", tr("Save preset..."),
+    tr("What is felt now to a file, to be loaded here, in Python or in volumehaptics-explore."));
+  this->ShowAsCT = this->addButton(grid, row + 3, 0, "HapticShowAsCT", tr("Show as CT volume"),
+    tr(
+      "Renders the volume with the opacity of skin and bone, at Hounsfield units. What its opacity "
+      "hides is not felt."));
+  for (QPushButton* const button : { this->LoadPreset, this->SavePreset, this->ShowAsCT })
+  {
+    button->setCheckable(false);
+  }
+  using Chosen = void (QComboBox::*)(int);
+  this->connect(this->Preset, static_cast<Chosen>(&QComboBox::currentIndexChanged), this,
+    [this] { this->Controller->setPreset(this->Preset->currentText()); });
+  this->connect(this->Method, static_cast<Chosen>(&QComboBox::currentIndexChanged),
+    this->Controller, &HapticController::setMethod);
+  this->connect(this->LoadPreset, &QPushButton::clicked, this, &HapticDock::onLoadPreset);
+  this->connect(this->SavePreset, &QPushButton::clicked, this, &HapticDock::onSavePreset);
+  this->connect(
+    this->ShowAsCT, &QPushButton::clicked, this->Controller, &HapticController::showAsCT);
+}
+
+//------------------------------------------------------------------------------
+void HapticDock::showChoices(const HapticController::Figures& now)
+{
+  this->LoadPreset->setEnabled(now.HasTouch);
+  this->SavePreset->setEnabled(now.Attached);
+  this->ShowAsCT->setEnabled(now.CanShow);
+  if (!now.HasTouch)
+  {
+    return;
+  }
+  const QSignalBlocker presets(this->Preset);
+  const QSignalBlocker methods(this->Method);
+  int at = this->Preset->findText(now.Preset);
+  if (at < 0) // that of a script, or a file
+  {
+    this->Preset->addItem(now.Preset);
+    at = this->Preset->count() - 1;
+  }
+  // An open list stays under the mouse.
+  if (!this->Preset->view()->isVisible())
+  {
+    this->Preset->setCurrentIndex(at);
+  }
+  if (!this->Method->view()->isVisible())
+  {
+    this->Method->setCurrentIndex(now.Method);
+  }
+}
+
+//------------------------------------------------------------------------------
+QString HapticDock::askFile(
+  const char* name, const QString& title, const QString& kinds, bool isNew)
+{
+  // The client reads and writes it, even if the data are on a server.
+  pqFileDialog dialog(nullptr, this, title, QString(), kinds);
+  dialog.setObjectName(name);
+  dialog.setFileMode(isNew ? pqFileDialog::AnyFile : pqFileDialog::ExistingFile);
+  return dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().isEmpty()
+    ? dialog.getSelectedFiles().first()
+    : QString();
+}
+
+//------------------------------------------------------------------------------
+void HapticDock::onLoadPreset()
+{
+  const QString file =
+    this->askFile("HapticLoadPresetDialog", tr("Load a preset"), tr("Presets (*.json)"), false);
+  if (!file.isEmpty())
+  {
+    this->Controller->loadPreset(file);
+  }
+}
+
+void HapticDock::onSavePreset()
+{
+  const QString file =
+    this->askFile("HapticSavePresetDialog", tr("Save the preset"), tr("Presets (*.json)"), true);
+  if (!file.isEmpty())
+  {
+    this->Controller->savePreset(file);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +277,8 @@ void HapticDock::onAttach(bool on)
   this->Told.clear();
   if (on)
   {
-    this->Controller->attach(this->Device->currentData().toString());
+    this->Controller->attach(this->Device->currentData().toString(), this->Preset->currentText(),
+      this->Method->currentIndex());
   }
   else
   {
@@ -160,17 +293,13 @@ void HapticDock::onRecord(bool on)
   QString file;
   if (on)
   {
-    // The client writes the file, even if the data are on a server.
-    pqFileDialog dialog(nullptr, this, tr("Record to"), QString(),
-      tr("Traces (*.vtp);;Comma separated values (*.csv)"));
-    dialog.setObjectName("HapticRecordDialog");
-    dialog.setFileMode(pqFileDialog::AnyFile);
-    if (dialog.exec() != QDialog::Accepted || dialog.getSelectedFiles().isEmpty())
+    file = this->askFile("HapticRecordDialog", tr("Record to"),
+      tr("Traces (*.vtp);;Comma separated values (*.csv)"), true);
+    if (file.isEmpty())
     {
       SetChecked(this->Record, false);
       return;
     }
-    file = dialog.getSelectedFiles().first();
   }
   this->Controller->record(file);
 }
@@ -205,7 +334,16 @@ void HapticDock::update()
   this->Rate->setText(now.Attached
       ? tr("%1 Hz, %2 missed").arg(now.TickRate, 0, 'f', 0).arg(now.MissedTicks)
       : QString());
-  this->Felt->setText(now.Attached ? now.Felt : QString());
+  this->showChoices(now);
+  const bool isHidden = now.Attached && !now.IsVolume;
+  this->Felt->setText(!now.Attached ? QString()
+      : isHidden                    ? now.Felt + "\n" +
+        tr(
+          "Nothing is rendered as a volume in this view, so that everything is felt: press Show as "
+          "CT volume, or choose the representation Volume.")
+                 : now.Felt);
+  this->OpenRecorded->setVisible(!now.Recorded.isEmpty());
+  this->OpenRecorded->setText(tr("Open %1").arg(QFileInfo(now.Recorded).fileName()));
   this->Status->setText(!this->Told.isEmpty() ? this->Told
       : now.Attached                          ? now.Status
                      : tr("Select a volume and a render view, and attach."));

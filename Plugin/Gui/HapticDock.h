@@ -4,8 +4,8 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and
- * record; and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
+ * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and record;
+ * the preset and the method of what is felt, and how it is seen; and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
  */
 #ifndef HapticDock_h
 #define HapticDock_h
@@ -34,12 +34,19 @@ private Q_SLOTS:
   void listDevices();
   void onAttach(bool on);
   void onRecord(bool on);
+  void onLoadPreset();
+  void onSavePreset();
   void onTold(const QString& message);
   void update();
 
 private:
   QPushButton* addButton(QGridLayout* grid, int row, int column, const char* name,
     const QString& text, const QString& tip);
+  void addChoices(QGridLayout* grid, int row);
+  /** Shows those of a filter; without one, the choice for one to come stays. */
+  void showChoices(const HapticController::Figures& now);
+  /** The name of a file that the user chooses; empty if none. */
+  QString askFile(const char* name, const QString& title, const QString& kinds, bool isNew);
 
   HapticController* Controller;
   QTimer Timer;
@@ -50,6 +57,12 @@ private:
   QPushButton* Touch;
   QPushButton* Home;
   QPushButton* Record;
+  QComboBox* Preset;
+  QComboBox* Method;
+  QPushButton* LoadPreset;
+  QPushButton* SavePreset;
+  QPushButton* ShowAsCT;
+  QPushButton* OpenRecorded;
   QLabel* Felt;
   QLabel* Status;
   QLabel* Force;

@@ -36,7 +36,7 @@ pqPipelineSource* FindUpstream(pqPipelineSource* source, const char* property)
   return proxy ? Model()->findItem<pqPipelineSource*>(proxy) : nullptr;
 }
 
-pqPipelineSource* FindOrMakeTouch(pqPipelineSource* volume)
+pqPipelineSource* FindConsumer(pqPipelineSource* volume)
 {
   for (pqPipelineSource* consumer : volume->getAllConsumers())
   {
@@ -44,6 +44,15 @@ pqPipelineSource* FindOrMakeTouch(pqPipelineSource* volume)
     {
       return consumer;
     }
+  }
+  return nullptr;
+}
+
+pqPipelineSource* FindOrMakeTouch(pqPipelineSource* volume)
+{
+  if (pqPipelineSource* const found = FindConsumer(volume))
+  {
+    return found;
   }
   pqPipelineSource* const made = pqApplicationCore::instance()->getObjectBuilder()->createFilter(
     "filters", "VolumeHaptics", volume);
@@ -112,6 +121,14 @@ pqPipelineSource* GetTouch(pqPipelineSource* device)
 pqPipelineSource* GetVolume(pqPipelineSource* touch)
 {
   return FindUpstream(touch, "Input");
+}
+
+pqPipelineSource* FindTouch(pqPipelineSource* source)
+{
+  return IsTouch(source) ? source
+    : IsDevice(source)   ? GetTouch(source)
+    : source             ? FindConsumer(source)
+                         : nullptr;
 }
 
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source)

@@ -34,6 +34,9 @@ pqPipelineSource* GetTouch(pqPipelineSource* device);
 pqPipelineSource* GetVolume(pqPipelineSource* touch);
 ///@}
 
+/** The VolumeHaptics filter of a source that is one, of its device, or of a volume; or nullptr. */
+pqPipelineSource* FindTouch(pqPipelineSource* source);
+
 } // namespace HapticPipeline
 
 #endif

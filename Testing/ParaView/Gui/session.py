@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions that Gui.xml calls, step by step, in the Python of a running paraview."""
 
+import json
 import os
 import re
 import shutil
@@ -86,6 +87,58 @@ class Session:
         assert device.Touch.Input.GetXMLName() == "XMLImageDataReader", "the active volume is not what is touched"
         assert self.current_style() is not self.style, "the view has no haptic style"
         assert self.hands() == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"], "the hand is not shown"
+
+    def touch(self):
+        found = [proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "VolumeHaptics"]
+        assert len(found) == 1, f"{len(found)} filters"
+        return found[0]
+
+    def chosen(self):
+        touch = self.touch()
+        assert touch.Preset == "CT contrast" and touch.Method == "Force field", (touch.Preset, touch.Method)
+        self.device().UpdatePipeline()
+
+    def saved(self):
+        """As it was written by the plugin, and is read by any program: JSON."""
+        with open(os.path.join(OUTPUT, "saved.json"), encoding="utf-8") as file:
+            preset = json.load(file)
+        assert preset["Tissues"]["fat"] == [-150, -80], preset["Tissues"]
+        # Bone, as the table of Documentation/materials.md has it: its strength from 350 HU on.
+        assert [350, 12] in [node[:2] for node in preset["SurfaceStrength"]["Nodes"]]
+        preset["SurfaceStrength"]["Nodes"][-1][1] = 10  # at 3071 HU
+        with open(os.path.join(OUTPUT, "saved.json"), "w", encoding="utf-8") as file:
+            json.dump(preset, file)
+
+    def loaded(self):
+        touch = self.touch()
+        assert touch.Preset == "Custom" and touch.Method == "Proxy"
+        strongest = touch.SurfaceStrength.Points[-3] * touch.SurfaceStrengthScale
+        assert touch.SurfaceStrength.Points[-4] == 3071 and abs(strongest - 10) < 1e-9, touch.SurfaceStrength.Points
+        # The next step presses the button that shows it again.
+        shown = simple.GetDisplayProperties(simple.FindSource("HeadPhantom.vti"), simple.GetActiveView())
+        shown.SetRepresentationType("Outline")
+        simple.Render()
+
+    def picture_of_dock(self):
+        if shutil.which("import"):
+            subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "dock.png")], check=True, timeout=60)
+
+    def shown_as_ct(self):
+        shown = simple.GetDisplayProperties(simple.FindSource("HeadPhantom.vti"), simple.GetActiveView())
+        assert shown.Representation == "Volume" and shown.ColorArrayName[:] == ["POINTS", "HU"], shown.Representation
+        opacity = simple.GetOpacityTransferFunction("HU").Points
+        assert opacity[0] == -1024 and opacity[1] == 0, "air is clear"
+        assert opacity[-4] == 3000 and opacity[-3] == 1, "bone is not"
+        assert shown.Shade == 1
+
+    def opened(self):
+        reader = [proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "XMLPolyDataReader"]
+        assert len(reader) == 1, f"{len(reader)} recordings are open"
+        assert reader[0].PointData["Force"].GetRange(-1)[1] > 0.5
+        assert simple.GetDisplayProperties(reader[0], simple.GetActiveView()).Visibility == 1
+        assert simple.GetActiveSource().GetXMLName() == "XMLImageDataReader", "the hand goes on with what it touches"
+        assert self.hands(), "and is attached"
+        simple.Delete(reader[0])
 
     def tip(self):
         device = self.device()

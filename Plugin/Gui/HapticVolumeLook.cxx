@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HapticVolumeLook.h"
+
+#include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMParaViewPipelineControllerWithRendering.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace
+{
+
+struct LookStop
+{
+  double Value; ///< HU
+  double Opacity;
+  double Color[3];
+};
+
+// Air is clear, skin is half, bone is whole.
+constexpr LookStop Stops[] = {
+  { -1024.0, 0.00, { 0.85, 0.60, 0.47 } },
+  { -600.0, 0.00, { 0.85, 0.60, 0.47 } },
+  { -400.0, 0.35, { 0.93, 0.69, 0.56 } },
+  { -100.0, 0.35, { 0.93, 0.69, 0.56 } },
+  { 0.0, 0.16, { 0.86, 0.52, 0.44 } },
+  { 130.0, 0.14, { 0.90, 0.66, 0.56 } },
+  { 260.0, 0.50, { 0.95, 0.90, 0.80 } },
+  { 500.0, 0.98, { 0.98, 0.95, 0.88 } },
+  { 3000.0, 1.00, { 1.00, 1.00, 0.98 } },
+};
+constexpr double OpacityLength = 4.0; ///< world units (mm) of the opacities
+
+pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
+{
+  pqOutputPort* const port = volume && view ? volume->getOutputPort(0) : nullptr;
+  return port ? port->getRepresentation(view) : nullptr;
+}
+
+/** The name, if the source has it, or that of the first point array; empty if there is none. */
+std::string FindArray(pqPipelineSource* volume, const QString& wanted)
+{
+  vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
+  vtkPVDataSetAttributesInformation* const points =
+    data ? data->GetPointDataInformation() : nullptr;
+  if (!points || points->GetNumberOfArrays() == 0)
+  {
+    return {};
+  }
+  const std::string name = wanted.toStdString();
+  return points->GetArrayInformation(name.c_str()) ? name
+                                                   : points->GetArrayInformation(0)->GetName();
+}
+
+template <typename ElementType>
+void SetTraced(vtkSMProxy* proxy, const char* property, const ElementType& elements)
+{
+  if (proxy && proxy->GetProperty(property))
+  {
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
+    vtkSMPropertyHelper(proxy, property)
+      .Set(elements.data(), static_cast<unsigned int>(elements.size()));
+    proxy->UpdateVTKObjects();
+  }
+}
+
+} // namespace
+
+namespace HapticVolumeLook
+{
+
+//------------------------------------------------------------------------------
+bool IsShown(pqPipelineSource* volume, pqView* view)
+{
+  pqDataRepresentation* const shown = FindShown(volume, view);
+  return shown && shown->isVisible() && shown->getProxy()->GetProperty("Representation") &&
+    QString(vtkSMPropertyHelper(shown->getProxy(), "Representation", true).GetAsString()) ==
+    "Volume";
+}
+
+//------------------------------------------------------------------------------
+bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
+{
+  const std::string name = FindArray(volume, array);
+  if (name.empty())
+  {
+    return false;
+  }
+  BEGIN_UNDO_SET("Show as CT volume");
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
+  vtkSMProxy* const shown = controller->Show(vtkSMSourceProxy::SafeDownCast(volume->getProxy()), 0,
+    vtkSMViewProxy::SafeDownCast(view->getProxy()));
+  const bool isVolume = shown &&
+    vtkSMPVRepresentationProxy::SetScalarColoring(
+      shown, name.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS) &&
+    vtkSMRepresentationProxy::SetRepresentationType(shown, "Volume");
+  if (isVolume)
+  {
+    std::vector<double> colors;
+    std::vector<double> opacities;
+    for (const LookStop& stop : Stops)
+    {
+      colors.insert(colors.end(), { stop.Value, stop.Color[0], stop.Color[1], stop.Color[2] });
+      opacities.insert(opacities.end(), { stop.Value, stop.Opacity, 0.5, 0.0 });
+    }
+    vtkSMProxy* const table = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy();
+    constexpr int never = -1; // rescaled to the range of the data
+    SetTraced(table, "AutomaticRescaleRangeMode", std::vector<int>{ never });
+    SetTraced(table, "RGBPoints", colors);
+    SetTraced(
+      vtkSMPropertyHelper(shown, "ScalarOpacityFunction").GetAsProxy(), "Points", opacities);
+    SetTraced(shown, "ScalarOpacityUnitDistance", std::vector<double>{ OpacityLength });
+    SetTraced(shown, "Shade", std::vector<int>{ 1 });
+  }
+  END_UNDO_SET();
+  view->render();
+  return isVolume;
+}
+
+} // namespace HapticVolumeLook
