@@ -25,7 +25,7 @@ namespace
 {
 
 /** Less is not felt, N. */
-constexpr double LeastForce = 0.005;
+constexpr double LeastMeasuredForce = 0.005;
 /** In voxels: the brush, and how far it goes at least between two positions. */
 constexpr double BrushVoxels = 4.0;
 constexpr double StepVoxels = 0.25;
@@ -35,7 +35,8 @@ constexpr double CutShare = 0.1;
 bool IsTouching(vtkHapticDevice* device)
 {
   return device && device->IsRunning() &&
-    (device->GetContact() != 0 || Norm(FromArray(device->GetComputedForce())) >= LeastForce);
+    (device->GetContact() != 0 ||
+      Norm(FromArray(device->GetComputedForce())) >= LeastMeasuredForce);
 }
 
 /** Between the eight samples around a position. */

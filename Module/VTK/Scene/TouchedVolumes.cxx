@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double Pause = 0.1;        // s between choices, each of which walks along a line
-constexpr double LeastForce = 0.005; // N
+constexpr double SmallForce = 0.005; // N
 
 /** What a choice between volumes looks at. */
 struct SurfaceAhead
@@ -33,8 +33,8 @@ bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
   // About equal forces, such as those of one material: the nearest one.
   constexpr double clearly = 1.05;
-  const bool isStronger = a.Force > clearly * b.Force + LeastForce;
-  const bool isWeaker = b.Force > clearly * a.Force + LeastForce;
+  const bool isStronger = a.Force > clearly * b.Force + SmallForce;
+  const bool isWeaker = b.Force > clearly * a.Force + SmallForce;
   return choice == vtkInteractorStyleHaptic::STRONGEST && (isStronger || isWeaker)
     ? isStronger
     : a.Distance < b.Distance;
@@ -211,7 +211,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   const double now = vtkTimerLog::GetUniversalTime();
   // FORCE_FIELD has no contact, only a force.
   if (this->All.size() < 2 || !renderer || this->Scene.Device->GetContact() != 0 ||
-    Norm(FromArray(this->Scene.Device->GetComputedForce())) > LeastForce ||
+    Norm(FromArray(this->Scene.Device->GetComputedForce())) > SmallForce ||
     now - this->ChosenTime < Pause)
   {
     return;
