@@ -185,9 +185,9 @@ public:
   /**
    * The table as arrays with a tuple for each label, so that an image carries it in its field data:
    * Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction, LabelViscosity,
-   * LabelSurfaceStrength, LabelShaftFriction, LabelFelt and LabelForbidden, -1 where nothing is set;
-   * and LabelStandOff, one number. Only Label is needed to read them, which changes the table as ReadFile does; false,
-   * with an error and no change, if that fails.
+   * LabelSurfaceStrength, LabelShaftFriction, LabelFelt, LabelForbidden, -1 where nothing is set;
+   * and LabelStandOff, one number. Only Label is needed to read them, which changes the table as
+   * ReadFile does; false, with an error and no change, if that fails.
    */
   bool ReadFieldData(vtkFieldData* data);
   void WriteFieldData(vtkFieldData* data);

@@ -24,17 +24,17 @@
  * withdrawn, with F_s the integral of tau over the track, and anything between at rest. Where a
  * tissue ends whose R was felt, that much resistance is lost.
  *
- * R is the viscosity of the label, T its surface strength, and tau its shaft friction. Where a label
+ * R is the viscosity of the label, T its surface strength, tau its shaft friction. Where a label
  * does not say it, or without labels, R is the CuttingForce, tau the ShaftFriction, both functions
- * of the scalar, and T that of vtkHapticProperty. The spring keeps the stiffness of the surface that
- * was punctured until the needle is out. Lengths in N per metre are the hand's.
+ * of the scalar, and T that of vtkHapticProperty. The spring keeps the stiffness of the surface
+ * that was punctured until the needle is out. Lengths in N per metre are the hand's.
  *
  * The axis is that of the stylus. If the device measures no orientation, it is the direction of the
  * hand's motion at the puncture, over the last millimetre, and stays until the needle is out.
  *
  * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
- * length that is inserted (world units; 0: none), and ShaftForce, F_s (N). MakeTrack() makes of such
- * a trace what was passed; vtkHapticDevice::GetNeedleTrack() tells it of a hand.
+ * length that is inserted (world units; 0: none), and ShaftForce, F_s (N). MakeTrack() makes of a
+ * trace what was passed; vtkHapticDevice::GetNeedleTrack() tells it of a hand.
  *
  * @sa vtkHapticTool vtkHapticLabelTable
  */
@@ -68,7 +68,7 @@ public:
   ///@{
   /**
    * The force R with which the point cuts (N) against the scalar value, for tissue whose label does
-   * not say it. A function without points leaves it to the viscosity of vtkHapticProperty (default).
+   * not say it. A function without points leaves it to the viscosity of vtkHapticProperty: default.
    * Created on first Get; nullptr restores the default.
    */
   void SetCuttingForce(vtkPiecewiseFunction* force);
@@ -88,7 +88,7 @@ public:
    * The track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
    * needle: a polyline of the places at which the point came into other tissue, and of the deepest
    * one. Point arrays: Depth (world units), the way along the needle; cell arrays, for each stretch
-   * of it: Label, and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
+   * of it: Label and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
    * (degrees), between the track and the normal of the surface at the entry, or -1 without one.
    * Returns false, with an error and an empty track, if the trace has no needle.
    */

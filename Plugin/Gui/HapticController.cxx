@@ -336,7 +336,7 @@ void HapticController::loadPreset(const QString& file)
     Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
     return;
   }
-  // The client reads it, and the filter gets functions, which go to any server and into state files.
+  // The client reads it; the filter gets functions, which go to any server and into state files.
   vtkNew<vtkHapticProperty> read;
   const HapticErrorText error(read);
   if (!read->ReadPreset(file.toLocal8Bit().data()))

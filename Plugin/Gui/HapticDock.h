@@ -4,8 +4,9 @@
  * @class   HapticDock
  * @brief   the dock window "Volume Haptics"
  *
- * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and record;
- * the preset and the method of what is felt, and how it is seen; and figures for the felt forces. Like every dock window, it is in ParaView's menu View.
+ * Buttons to choose the device, attach it to the active view and volume, arm, stop, home and
+ * record; the preset and the method of what is felt, and how it is seen; and figures for the felt
+ * forces. Like every dock window, it is in ParaView's menu View.
  */
 #ifndef HapticDock_h
 #define HapticDock_h

@@ -5,7 +5,7 @@
  * The tool in the hand, baked for the servo tick.
  *
  * Without one, the hand feels with a point. A kind of tool has a value of ToolKind, its description
- * in ToolDescription, and its code in Core/Tools. What it passes from tick to tick is in ServoState.
+ * in ToolDescription, and its code in Core/Tools. What passes from tick to tick is in ServoState.
  */
 #ifndef BakedTool_h
 #define BakedTool_h

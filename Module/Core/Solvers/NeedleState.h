@@ -25,7 +25,7 @@ struct NeedleStretch
 };
 
 /**
- * The tissue along the inserted shaft, from the entry to the tip. Its size is fixed: if more tissues
+ * The tissue along the inserted shaft, from entry to tip. Its size is fixed: if more tissues
  * follow one another, the two neighbours that differ least become one with the same friction.
  */
 class NeedleTrack

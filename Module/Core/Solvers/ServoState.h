@@ -36,7 +36,7 @@ struct ServoState
   /** The data time of the tick: the caller advances it, if the volume moves. */
   double DataTime = 0.0;
   ///@{
-  /** Of the stylus in this tick, for tools: the caller sets it. A unit quaternion if it is valid. */
+  /** Of the stylus in this tick, for tools; the caller sets it. A unit quaternion if valid. */
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}

@@ -10,7 +10,7 @@
  * **Free**, the method's own law applies. A surface is punctured when the spring breaks through it
  * along the axis. Tissue without a surface that holds is entered where something resists: R or tau.
  *
- * **Inserted**, with the spring k that held before the puncture, x the proxy and y the device's tip:
+ * **Inserted**, with the spring k that held before the puncture, x the proxy, y the device's tip:
  *
  *   PLANE  a, T        a boundary in front of the tip, until it is punctured
  *   POINT  R           along a: the tissue that the tip cuts, only forwards
@@ -18,8 +18,8 @@
  *   LINE   a, s_l      the tissue holds the needle across its axis
  *
  * All have one anchor, and their directions are parallel or at right angles: their composition is
- * the exact minimiser. So the force along the axis is -(T + R + F_s) inserting, F_s withdrawing, and
- * anything between at rest; and the one across it is k times the lag, up to s_l. The tip moves in
+ * the exact minimiser. So the force along the axis is -(T + R + F_s) inserting, F_s withdrawing,
+ * anything between at rest; the one across it is k times the lag, up to s_l. The tip moves in
  * steps of a quarter voxel at most, which end at boundaries between labels, to the balance.
  *
  * Each puncture loses T^2/(2(k + tau)), and a fall of R by dR loses dR^2/(2(k + tau)). Nothing

@@ -22,7 +22,7 @@ std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
  * Such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The tissue may
- * be empty. Of a needle that is inserted, such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N";
+ * be empty. Of an inserted needle, such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N";
  * its depth is in world units. Where modes are felt, none of which is a surface, nothing is rested
  * on: "Held, 0.62 N".
  */

@@ -165,8 +165,8 @@ INSTANTIATE_TEST_SUITE_P(All, AllocationFreeLabels,
     testing::Values(SurfaceGeometry::Scalars, SurfaceGeometry::Labels, SurfaceGeometry::Both),
     testing::Bool()));
 
-/// A needle that is pushed in and out, turned, and pushed aside, through more tissues than its track
-/// holds.
+/// A needle that is pushed in and out, turned, and pushed aside, through more tissues than its
+/// track holds.
 TEST(AllocationFreeNeedle, NoTickAllocates)
 {
   const TestVolume volume = MakeRamp(40);

@@ -41,7 +41,7 @@ struct Volume
   bool IsGrid = false;          // resampled from cells
   bool IsField = false; // its values are those of a grid or the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
-  // Of a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this is.
+  // Of a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which this is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // its values look like the numbers of labels
