@@ -90,7 +90,7 @@ public:
    * one. Point arrays: Depth (world units), the way along the needle; cell arrays, for each stretch
    * of it: Label and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
    * (degrees), between the track and the normal of the surface at the entry, or -1 without one.
-   * Returns false, with an error and an empty track, if the trace has no needle.
+   * Returns false if the trace has no needle; the error is that of the track, which is then empty.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 

@@ -92,7 +92,7 @@ feels()
   says '(0[.][1-9][0-9]*|[1-9][.][0-9]+) N of at most'
 }
 expect "says which force is felt" feels
-says '(Resting on|Sliding over|Pushed through) [a-z]+' || fail "it does not say what is touched"
+says '(Resting on|Sliding over|Pushed through|Pushed by) [a-z]+' || fail "it does not say what is touched"
 
 slides()
 {

@@ -42,7 +42,7 @@ int HapticTissues::Add(const NamedTissue& tissue, std::string& error)
 {
   if (tissue.Name.empty())
   {
-    error = "A tissue needs a name.";
+    error = "A tissue needs a name, but its text is empty.";
     return -1;
   }
   if (!std::isfinite(tissue.Low) || !std::isfinite(tissue.High) || tissue.Low > tissue.High)

@@ -30,8 +30,8 @@ namespace VolumeHaptics
 class HapticRecording
 {
 public:
-  /** Ticks that may wait for the disk: 16 s at 1 kHz, 6 MB. */
-  static constexpr std::size_t MostWaiting = 1 << 14;
+  /** Ticks that may wait for the disk: 15 s at 1 kHz, 6.4 MB. */
+  static constexpr std::size_t MostWaiting = 15000;
 
   HapticRecording();
   /** Stops writing; the journal stays, unless Finish made the file. */

@@ -26,6 +26,8 @@ namespace
 {
 
 constexpr double DegreesPerRadian = 57.295779513082320876798;
+/** Normals are the axis up to this angle (degrees). */
+constexpr double LeastAngle = 1e-4;
 
 /** Degrees between an axis and the normal at the entry; -1 without one. Both are unit vectors. */
 double FindAngle(const Vector3& axis, const Vector3& normal)
@@ -133,10 +135,16 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
   writer.WriteTo(track);
-  // The tick before still felt the surface.
-  const bool wasHeld =
-    first > 0 && ticks.Strengths && ticks.Strengths->GetComponent(first - 1, 0) > 0.0;
-  const Vector3 normal = wasHeld ? ReadVector(ticks.Normals, first - 1) : Vector3{};
+  // The last tick before whose normal is not yet the axis felt the surface. If there is none, the
+  // needle met it at a right angle.
+  const auto isHeld = [&ticks](vtkIdType tick)
+  { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
+  vtkIdType before = first - 1;
+  while (isHeld(before - 1) && FindAngle(axis, ReadVector(ticks.Normals, before)) < LeastAngle)
+  {
+    --before;
+  }
+  const Vector3 normal = isHeld(before) ? ReadVector(ticks.Normals, before) : Vector3{};
   TrackWriter::AddNumber(track, "Depth", ticks.DepthAt(deepest));
   TrackWriter::AddNumber(track, "Angle", FindAngle(axis, normal));
 }

@@ -14,7 +14,6 @@
 #include <vtkHapticVectorFrontMode.h>
 #include <vtkHapticVortexMode.h>
 #include <vtkMath.h>
-#include <vtkMatrix3x3.h>
 #include <vtkPiecewiseFunction.h>
 
 #include <algorithm>
@@ -233,8 +232,6 @@ TEST_F(FilterModeForms, TurnWithVolumeAndPath)
   std::vector<Point> turnedTips(tips.size());
   std::transform(tips.begin(), tips.end(), turnedTips.begin(), turned);
   const auto modes = this->UseSwirl();
-  vtkNew<vtkMatrix3x3> direction;
-  direction->DeepCopy(&rows[0][0]);
   Point origin;
   this->Image->GetOrigin(origin.data());
   const Point turnedOrigin = turned(origin);
@@ -247,7 +244,7 @@ TEST_F(FilterModeForms, TurnWithVolumeAndPath)
     this->Image->SetOrigin(origin.data());
     this->Follow(tips);
     const auto here = (this->Run(2001), Keep(this->Filter));
-    this->Image->SetDirectionMatrix(direction);
+    this->Image->SetDirectionMatrix(&rows[0][0]);
     this->Image->SetOrigin(turnedOrigin.data());
     this->Follow(turnedTips);
     vtkPolyData* const there = this->Run(2001);

@@ -245,7 +245,7 @@ TEST_F(FilterNeedle, FollowsTheOrientationOfThePath)
 TEST_F(FilterNeedle, TellsWhatItHasPassed)
 {
   this->Table->SetSurfaceStrength(1, 0.5);
-  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 41 }, { 7, 7, 30 } });
+  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 44 }, { 7, 7, 30 } });
   vtkNew<vtkPolyData> track;
   ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
   ASSERT_EQ(track->GetNumberOfCells(), 4);

@@ -85,6 +85,7 @@ TEST_F(NeedleRecording, TheToolMayChangeUnderForce)
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
   this->Filter->SetTool(this->Needle);
   ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0)); // it goes in from where nothing holds it
   ASSERT_TRUE(this->Lead(7.0, 7.0, 11.0));
   ASSERT_TRUE(this->Wait([this] { return this->FindDepth() > 0.5; }));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
