@@ -92,7 +92,8 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
                                     : settings.Method;
   if (method == "primitives")
   {
-    AddModes(settings.Modes, volume.Flow, volume.Image, filter);
+    AddModes(isFlow ? std::vector<std::string>{ "vector-follow:" + volume.Flow } : settings.Modes,
+      volume.Image, filter);
   }
   filter->SetMethodByName(method.c_str());
   result.Method = filter->GetMethodText();

@@ -86,32 +86,27 @@ private:
     this->Mode.Field.Read(this->Index, v, j);
     const Vector3 curl{ j.Row[2].Y - j.Row[1].Z, j.Row[0].Z - j.Row[2].X, j.Row[1].X - j.Row[0].Y };
     const double magnitude = Norm(curl);
-    const auto strengths = this->StrengthsAt(magnitude);
+    const double strength = this->StrengthAt(0, magnitude);
     Vector3 toCore;
     const double atCore = this->FindCore(v, j, (1.0 / magnitude) * curl, toCore);
-    const Vector3 core = atCore > 0.0 ? this->Place + this->ToDevice(toCore) : this->Place;
-    this->Add(PrimitiveKind::Plane, Cross(curl, v), (1.0 - atCore) * strengths[0]);
-    this->Add(PrimitiveKind::Line, curl, atCore * strengths[0], core);
-    this->Add(PrimitiveKind::Line, curl, strengths[1]);
+    const Vector3 core = this->Place + this->ToDevice(toCore);
+    this->Add(PrimitiveKind::Plane, Cross(curl, v), (1.0 - atCore) * strength);
+    this->Add(PrimitiveKind::Line, curl, atCore > 0.0 ? atCore * strength : 0.0, core);
+    this->Add(PrimitiveKind::Line, curl, this->StrengthAt(1, magnitude));
   }
 
   /** The displacement (world) to the core, and the share in which it holds: 0 if it is far. */
   double FindCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
-    // The core is no nearer than |v'|/|J|. Also false for NaN.
-    const Vector3 aside = v - Dot(v, axis) * axis;
-    const double square =
-      Dot(j.Row[0], j.Row[0]) + Dot(j.Row[1], j.Row[1]) + Dot(j.Row[2], j.Row[2]);
-    const double farthest = 2.0 * ModeField::CoreReach * this->Modes.LargestSpacing;
-    if (!(Dot(aside, aside) <= farthest * farthest * square) || !IsFinite(axis))
+    if (!IsFinite(axis))
     {
       return 0.0;
     }
     const Vector3 most =
       std::abs(axis.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
-    const Vector3 across = Cross(axis, most);
-    const Vector3 a = (1.0 / Norm(across)) * across;
+    const Vector3 aside = Cross(axis, most);
+    const Vector3 a = (1.0 / Norm(aside)) * aside;
     const Vector3 b = Cross(axis, a);
     const Vector3 ja = j * a;
     const Vector3 jb = j * b;
@@ -338,8 +333,7 @@ int CountPrimitives(ModeKind kind) noexcept
 }
 
 ModeField::ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept
-  : LargestSpacing(LargestColumn(indexToWorld.Linear))
-  , DeviceToIndex(Compose(Inverse(indexToWorld), deviceToWorld))
+  : DeviceToIndex(Compose(Inverse(indexToWorld), deviceToWorld))
   , DeviceToWorld(deviceToWorld)
   , WorldToDevice(Inverse(deviceToWorld))
   , Turn(Transpose(RotationOf(deviceToWorld)))
@@ -348,9 +342,7 @@ ModeField::ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) 
 
 ModeField::ModeField(
   const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept
-  : LargestSpacing(model.WorldUnitsPerMeter /
-      std::min({ model.VoxelsPerMeter.X, model.VoxelsPerMeter.Y, model.VoxelsPerMeter.Z }))
-  , DeviceToIndex(model.DeviceToIndex)
+  : DeviceToIndex(model.DeviceToIndex)
   , DeviceToWorld(model.DeviceToWorld)
   , WorldToDevice(model.WorldToDevice)
   , Turn(Transpose(model.DeviceToWorldRotation))

@@ -97,7 +97,6 @@ private:
   const BakedMode* Modes[Most] = {};
   int First[Most + 1] = {}; ///< the number of the first primitive of a mode
   int Count = 0;
-  double LargestSpacing; ///< of samples, in the world
   Affine3 DeviceToIndex;
   Affine3 DeviceToWorld;
   Affine3 WorldToDevice;

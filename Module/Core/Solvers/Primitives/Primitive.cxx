@@ -60,11 +60,9 @@ bool PrimitiveSet::Add(const Primitive& primitive) noexcept
   Primitive& added = this->Items[this->Size++];
   added = primitive;
   added.Strength = UsableStrength(primitive);
-  if (added.Strength == 0.0)
-  {
-    return true;
-  }
-  const bool hasDirection = primitive.Kind == PrimitiveKind::Point || Normalise(added.Direction);
+  const bool isIdle = primitive.Kind == PrimitiveKind::Force && added.Strength == 0.0;
+  const bool hasDirection =
+    primitive.Kind == PrimitiveKind::Point || isIdle || Normalise(added.Direction);
   const bool hasAnchor = primitive.Kind == PrimitiveKind::Force || IsNearEnough(primitive.Anchor);
   if (!hasDirection || !hasAnchor)
   {

@@ -99,10 +99,10 @@ private:
   /** @param towards where what is left is expected to point */
   Vector3 FindRest(const Vector3& place, const Vector3& towards) noexcept
   {
-    this->Set.Clear();
-    this->Field.Find(this->Field.Context, place, this->Set);
-    this->Balance = Minimise(this->Set, this->Stiffness, this->Tip, this->Memory.Forces,
-      std::max(this->SweepsLeft, 1), towards);
+    PrimitiveSet set;
+    this->Field.Find(this->Field.Context, place, set);
+    this->Balance = Minimise(
+      set, this->Stiffness, this->Tip, this->Memory.Forces, std::max(this->SweepsLeft, 1), towards);
     this->SweepsLeft -= this->Balance.Sweeps;
     return this->Balance.Proxy - place;
   }
@@ -118,7 +118,6 @@ private:
   const double Stiffness;
   const Vector3& Tip;
   PrimitiveMemory& Memory;
-  PrimitiveSet Set; ///< at the place that was read last
   Vector3 Place;
   Vector3 Rest;
   double Length = 0.0;
@@ -142,18 +141,17 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedShare * longestStep;
-  double enough = finished;
-  while (way.GetLength() > enough && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())
+  while (
+    way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())
   {
     memory.Rate = way.Step(memory.Rate, longestStep);
     ++motion.Steps;
-    enough = PrimitiveFollower::NearShare * longestStep;
   }
+  const bool isThere = way.GetLength() <= finished;
   motion.Proxy = way.GetPlace();
   motion.Force = way.GetBalance().Force;
-  // Also true for NaN.
-  motion.IsUnfinished = !(way.GetLength() <= enough) || way.GetBalance().IsUnfinished;
-  if (way.GetLength() <= finished)
+  motion.IsUnfinished = !isThere || way.GetBalance().IsUnfinished;
+  if (isThere)
   {
     motion.Proxy += (1.0 / std::max(memory.Rate, 1.0)) * way.GetRest();
   }

@@ -20,10 +20,9 @@
  * lines bend around the tip, or strengths change. r is learned from step to step; a step that the
  * middle shows to be too long begins again, since a strength that rises would hold the proxy where
  * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
- * that one step a tick is mostly enough. A tick makes no step if D is less than FinishedShare of a
- * step, and no other one after it is less than NearShare: the next tick goes on. It does so, too,
- * after MostSteps, or if the sweeps of a tick are spent. The force is that of the balance at the
- * place that is reached, so it is never more than the strengths.
+ * that one step a tick is mostly enough. Steps end when D is less than FinishedShare of a step.
+ * After MostSteps, or if the sweeps of a tick are spent, the next tick goes on; the force is then
+ * that of the balance at the place that is reached, so it is never more than the strengths.
  */
 #ifndef PrimitiveFollower_h
 #define PrimitiveFollower_h
@@ -55,8 +54,6 @@ namespace PrimitiveFollower
 constexpr int MostSteps = 32;
 /** A last step this short, as a share of the longest one, needs no stages. */
 constexpr double FinishedShare = 1e-3;
-/** After a step, the next tick goes the rest of the way if it is this short. */
-constexpr double NearShare = 1e-2;
 } // namespace PrimitiveFollower
 
 /**
