@@ -5,9 +5,9 @@
 
 #include <string>
 
-/// Writes a DICOM file anew with compressed samples, by GDCM's own writer: "lossless" JPEG,
-/// JPEG-LS's "prediction", or the "wavelets" of JPEG 2000, none of which loses anything. False
-/// without GDCM.
+/// Writes a DICOM file anew with compressed samples, by GDCM's own writer: "lossless" JPEG, or
+/// JPEG-LS's "prediction", none of which loses anything. False without GDCM. Its JPEG 2000 can't
+/// write images of a few pixels.
 bool PackDicom(const std::string& plain, const std::string& packed, const std::string& how);
 
 #endif

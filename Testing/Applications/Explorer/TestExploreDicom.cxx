@@ -315,7 +315,7 @@ void ExpectUnpacked(SliceFile slice)
     return;
   }
   ExpectSlices("runs", Explore::LoadVolumes({ folder + "/runs" }), 5, false);
-  for (const char* const name : { "lossless", "prediction", "wavelets" })
+  for (const char* const name : { "lossless", "prediction" })
   {
     for (slice.Slice = 0; slice.Slice < 5; ++slice.Slice)
     {
@@ -331,10 +331,10 @@ void ExpectUnpacked(SliceFile slice)
   slice.Slice = 0;
   slice.Frames = 6;
   slice.HasGroups = true;
-  vtksys::SystemTools::MakeDirectory(folder + "/wavelet-frames");
-  Expect(PackDicom(WriteDicom("plain", Encode(slice)), folder + "/wavelet-frames/all", "wavelets"),
+  vtksys::SystemTools::MakeDirectory(folder + "/packed-frames");
+  Expect(PackDicom(WriteDicom("plain", Encode(slice)), folder + "/packed-frames/all", "prediction"),
     "compressed frames are not written");
-  ExpectSlices("compressed frames", Explore::LoadVolumes({ folder + "/wavelet-frames" }), 6, false);
+  ExpectSlices("compressed frames", Explore::LoadVolumes({ folder + "/packed-frames" }), 6, false);
   slice.HasGroups = false;
   slice.Frames = 1;
   slice.Syntax = JPEG_LOSSLESS; // and it is not
