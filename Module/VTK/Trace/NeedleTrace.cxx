@@ -125,12 +125,13 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   {
     if (ticks.DepthAt(i) > ticks.DepthAt(deepest))
     {
-      deepest = i;
       if (ticks.LabelAt(i) != label)
       {
+        // The boundary held the point until then; where less resists behind it, the point leaps.
         label = ticks.LabelAt(i);
-        writer.Begin(ticks.PlaceAt(i), ticks.DepthAt(i), label);
+        writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
       }
+      deepest = i;
     }
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);

@@ -27,7 +27,6 @@ constexpr int DICOM_COLUMNS = 7, DICOM_ROWS = 5;
 constexpr double COLUMN_STEP = 0.75, ROW_STEP = 0.5, SLICE_STEP = 2.5; // mm
 const char* const IMPLICIT = "1.2.840.10008.1.2";
 const char* const EXPLICIT = "1.2.840.10008.1.2.1";
-const char* const JPEG_LOSSLESS = "1.2.840.10008.1.2.4.70";
 const char* const RUN_LENGTH = "1.2.840.10008.1.2.5";
 
 /// A slice of a series: number k along the normal.
@@ -327,19 +326,6 @@ void ExpectUnpacked(SliceFile slice)
     ExpectSlices(name, Explore::LoadVolumes({ folder + "/" + name }), 5, false);
     ExpectFault(folder + "/" + name, 2, "has no series 2");
   }
-  // Frames, and what is broken.
-  slice.Slice = 0;
-  slice.Frames = 6;
-  slice.HasGroups = true;
-  vtksys::SystemTools::MakeDirectory(folder + "/packed-frames");
-  Expect(PackDicom(WriteDicom("plain", Encode(slice)), folder + "/packed-frames/all", "prediction"),
-    "compressed frames are not written");
-  ExpectSlices("compressed frames", Explore::LoadVolumes({ folder + "/packed-frames" }), 6, false);
-  slice.HasGroups = false;
-  slice.Frames = 1;
-  slice.Syntax = JPEG_LOSSLESS; // and it is not
-  WriteSlices("packed", slice, 5);
-  ExpectFault(folder + "/packed", 0, "cannot be unpacked");
 }
 
 /// One file with all slices.
