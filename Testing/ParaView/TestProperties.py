@@ -12,7 +12,8 @@ import rig  # noqa: E402
 
 # Setters that a property of the filter replaces, or that only C++ asks for.
 ELSEWHERE = {
-    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth"}
+    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth",
+    "Tool"}  # tools are not in ParaView
 FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
 
 classes = rig.classes()

@@ -95,7 +95,9 @@ def describe_classes():
             presets[name][function] = nodes
     fresh = {"Algorithm": vtkVolumeHapticsFilter(), "Property": vtkHapticProperty()}
     algorithm = setters(vtkVolumeHapticsAlgorithm, vtkVolumeHapticsAlgorithm.__bases__[0])
-    material = setters(vtkHapticProperty, vtkHapticProperty.__bases__[0])
+    # Those of a tissue have its number, too: tissues come with presets and their files.
+    material = [
+        name for name in setters(vtkHapticProperty, vtkHapticProperty.__bases__[0]) if not name.startswith("Tissue")]
     defaults = {}
     for names, made in ((algorithm, fresh["Algorithm"]), (material, fresh["Property"])):
         for name in names:
