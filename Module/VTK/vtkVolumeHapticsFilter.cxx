@@ -27,6 +27,7 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticTool.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
