@@ -18,7 +18,8 @@ folder=$(realpath -m "${1:-$root/build/deb}")
 # shellcheck source=../install-packages.sh
 source "$root/CMake/install-packages.sh"
 require_packages dpkg-dev debhelper dh-python fakeroot cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-dev \
-  python3-numpy zlib1g-dev pkg-config libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev git
+  python3-numpy zlib1g-dev pkg-config libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev \
+  libgdcm-dev git
 
 version=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt" | head -n 1)
 source_dir=$folder/vtk-volume-haptics-$version

@@ -267,7 +267,7 @@ double vtkHapticDevice::GetSlack()
 {
   const DeviceSession& session = this->Internals->Session;
   const bool isHeld = session.GetState().Record.Contact != ContactState::Free;
-  // Of the tick before, a millisecond ago; 1 with other solvers.
+  // With which the last tick began; solvers other than PRECISE leave it at 1.
   const double tension = session.GetState().Before.Precise.Spring.Tension;
   return isHeld ? std::clamp(1.0 - tension, 0.0, 1.0) *
       std::sqrt(vtkMath::Distance2BetweenPoints(session.Tip, session.Proxy))

@@ -332,7 +332,7 @@ bool vtkHapticFunctionEditor::HasProposal()
 bool vtkHapticFunctionEditor::TakeProposal()
 {
   auto& d = *this->Internals;
-  d.History.Begin(d.Pages.GetEdited());
+  d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
   const bool isTaken = d.Pages.Proposed.Take();
   d.History.End(d.Pages.GetEdited());
   if (isTaken)
@@ -407,7 +407,7 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
   this->UpdatePage();
   if (starts)
   {
-    d.History.Begin(d.Pages.GetEdited());
+    d.History.Begin(d.Pages.GetEditable());
   }
   const vtkMTimeType before = d.Pages.GetEditTime();
   d.Dock.ToViewport(x, y);
@@ -440,7 +440,7 @@ bool vtkHapticFunctionEditor::TurnWheel(double steps, int x, int y)
   {
     return true;
   }
-  d.History.Begin(d.Pages.GetEdited());
+  d.History.Begin(d.Pages.GetEditable());
   const vtkMTimeType before = d.Pages.GetEditTime();
   d.Pages.Turn(x, y, steps);
   d.History.End(d.Pages.GetEdited());

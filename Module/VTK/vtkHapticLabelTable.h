@@ -95,7 +95,9 @@ public:
    */
   void RemoveMaterial(int label);
 
-  /** Whether any of these is set of a label. */
+  /**
+   * Whether a label has any of stiffness, friction, viscosity, surface strength and shaft friction.
+   */
   bool HasMaterial(int label);
 
   ///@{

@@ -2,24 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticMode.h"
 
+#include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/ModeProposal.h"
 
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
-
-namespace
-{
-vtkPiecewiseFunction* Provide(vtkSmartPointer<vtkPiecewiseFunction>& function)
-{
-  if (!function)
-  {
-    function = vtkSmartPointer<vtkPiecewiseFunction>::New();
-  }
-  return function;
-}
-} // namespace
 
 //------------------------------------------------------------------------------
 vtkHapticMode::vtkHapticMode() = default;
@@ -43,35 +32,21 @@ std::string vtkHapticMode::GetArrayName()
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticMode::SetStrength(vtkPiecewiseFunction* strength)
-{
-  if (this->Strength != strength)
-  {
-    this->Strength = strength;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHapticMode, Strength, vtkPiecewiseFunction);
 
 //------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkHapticMode::GetStrength()
 {
-  return Provide(this->Strength);
+  return VolumeHaptics::ProvideFunction(this->Strength);
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticMode::SetSecondStrength(vtkPiecewiseFunction* strength)
-{
-  if (this->SecondStrength != strength)
-  {
-    this->SecondStrength = strength;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkHapticMode, SecondStrength, vtkPiecewiseFunction);
 
 //------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkHapticMode::GetSecondStrength()
 {
-  return Provide(this->SecondStrength);
+  return VolumeHaptics::ProvideFunction(this->SecondStrength);
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticNeedle.h"
 
+#include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Trace/NeedleTrace.h"
 
@@ -18,26 +19,20 @@ vtkHapticNeedle::vtkHapticNeedle() = default;
 vtkHapticNeedle::~vtkHapticNeedle() = default;
 
 //------------------------------------------------------------------------------
-#define vtkHapticNeedleFunctionMacro(name)                        \
-  void vtkHapticNeedle::Set##name(vtkPiecewiseFunction* function) \
-  {                                                               \
-    if (this->name != function)                                   \
-    {                                                             \
-      this->name = function;                                      \
-      this->Modified();                                           \
-    }                                                             \
-  }                                                               \
-  vtkPiecewiseFunction* vtkHapticNeedle::Get##name()              \
-  {                                                               \
-    if (!this->name)                                              \
-    {                                                             \
-      this->name = vtkSmartPointer<vtkPiecewiseFunction>::New();  \
-    }                                                             \
-    return this->name;                                            \
-  }
+vtkCxxSetSmartPointerMacro(vtkHapticNeedle, ShaftFriction, vtkPiecewiseFunction);
+vtkCxxSetSmartPointerMacro(vtkHapticNeedle, CuttingForce, vtkPiecewiseFunction);
 
-vtkHapticNeedleFunctionMacro(ShaftFriction);
-vtkHapticNeedleFunctionMacro(CuttingForce);
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkHapticNeedle::GetShaftFriction()
+{
+  return VolumeHaptics::ProvideFunction(this->ShaftFriction);
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkHapticNeedle::GetCuttingForce()
+{
+  return VolumeHaptics::ProvideFunction(this->CuttingForce);
+}
 
 //------------------------------------------------------------------------------
 bool vtkHapticNeedle::MakeTrack(vtkPolyData* trace, vtkPolyData* track)

@@ -36,22 +36,11 @@ double GetDefault(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
 } // namespace
 
 //------------------------------------------------------------------------------
-#define vtkHapticPropertyFunctionMacro(name)                        \
-  void vtkHapticProperty::Set##name(vtkPiecewiseFunction* function) \
-  {                                                                 \
-    if (this->name != function)                                     \
-    {                                                               \
-      this->name = function;                                        \
-      this->Modified();                                             \
-    }                                                               \
-  }                                                                 \
-  vtkPiecewiseFunction* vtkHapticProperty::Get##name()              \
-  {                                                                 \
-    if (!this->name)                                                \
-    {                                                               \
-      this->name = vtkSmartPointer<vtkPiecewiseFunction>::New();    \
-    }                                                               \
-    return this->name;                                              \
+#define vtkHapticPropertyFunctionMacro(name)                                 \
+  vtkCxxSetSmartPointerMacro(vtkHapticProperty, name, vtkPiecewiseFunction); \
+  vtkPiecewiseFunction* vtkHapticProperty::Get##name()                       \
+  {                                                                          \
+    return VolumeHaptics::ProvideFunction(this->name);                       \
   }
 
 vtkHapticPropertyFunctionMacro(Stiffness);

@@ -237,11 +237,7 @@ void vtkHapticRepresentation::UpdateMarkers()
   d.Source->Update();
   vtkPolyData* const state = d.Source->GetOutput();
   d.HasState = state->GetNumberOfPoints() > 0;
-  const auto at = [&](vtkIdType point)
-  {
-    const double* const x = state->GetPoint(point);
-    return Vector3{ x[0], x[1], x[2] };
-  };
+  const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
   // A hand that has let go feels nothing, though the tip may still be in a surface. It leaves
   // nothing behind, unless the application moves the tip.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
@@ -276,8 +272,12 @@ void vtkHapticRepresentation::UpdateMarkers()
     {
       d.Spheres[i].PlaceSphere(at(i), radii[i] * this->Radius);
     }
-    d.Spring.Show(isFelt && this->SpringVisibility);
-    d.Spring.Place(at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetSlack(), this->Radius);
+    if (isFelt && this->SpringVisibility)
+    {
+      d.Spring.Show(true);
+      d.Spring.Place(
+        at(Source::PROXY), at(Source::TIP), this->GetDevice()->GetSlack(), this->Radius);
+    }
     const bool shown[3] = { isFelt && this->ForceVisibility, isFelt && this->NormalForceVisibility,
       isFelt && this->FrictionForceVisibility };
     const double longest =
@@ -318,17 +318,14 @@ void vtkHapticRepresentation::UpdateStylus()
     return;
   }
   vtkPolyData* const state = d.Source->GetOutput();
-  double q[4];
-  state->GetFieldData()->GetArray("Orientation")->GetTuple(0, q);
-  const Quaternion measured{ q[0], q[1], q[2], q[3] };
+  const Quaternion measured = ReadQuaternion(state->GetFieldData()->GetArray("Orientation"), 0);
   const bool isMeasured = SquaredNorm(measured) > 0.0;
   const Quaternion orientation = isMeasured || !IsFelt(this->GetDevice()) ? measured : d.Leaning;
-  const double automatic =
-    isMeasured ? StylusRadii * this->Radius : std::min(StylusRadii * this->Radius, d.MostLength);
-  const double* const proxy = state->GetPoint(vtkHapticStateSource::PROXY);
+  const bool isFitted = !isMeasured && !(this->StylusLength > 0.0);
+  const double whole = this->FindStylusLength();
   d.Stylus.Show(SquaredNorm(orientation) > 0.0);
-  d.Stylus.PlaceTurned({ proxy[0], proxy[1], proxy[2] }, orientation,
-    this->StylusLength > 0.0 ? this->StylusLength : automatic);
+  d.Stylus.PlaceTurned(FromArray(state->GetPoint(vtkHapticStateSource::PROXY)), orientation,
+    isFitted ? std::min(whole, d.MostLength) : whole);
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
 
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
-#include "VTK/Files/JsonText.h"
 #include "VTK/Setup/HapticSetupSettings.h"
+#include "VTK/Setup/SetupFile.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticLabelTable.h"
@@ -23,9 +23,9 @@ namespace
 
 using namespace VolumeHaptics;
 
-constexpr const char* Format = "VTK Volume Haptics setup";
+constexpr SetupFileKind SetupKind{ "VTK Volume Haptics setup", 1, "setup",
+  "that vtkHapticSetup saved", "save the setup again" };
 constexpr std::size_t LargestFile = 16 << 20; // bytes; without labels, thousands
-constexpr int Version = 1;                    // written by Save; Load reads this and earlier ones
 
 /** One pass over everything that a setup has. */
 void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
@@ -54,35 +54,6 @@ std::string DescribeTooLarge(const char* file)
   return "The setup is not saved to " + Printable(file) +
     ": it would be larger than 16 MiB, and could not be loaded again. Save the many labels with "
     "vtkHapticLabelTable::WriteFile(), and the setup without them in the filter.";
-}
-
-/** Parses the text as JSON; false, with an error, if it is not. */
-bool Parse(const std::string& text, Json::Value& root, std::string& error)
-{
-  if (!ParseJson(text, root, error))
-  {
-    error += " Correct it there, or save the setup again.";
-    return false;
-  }
-  if (!root.isObject() || !root["Format"].isString() || root["Format"].asString() != Format)
-  {
-    error = std::string("it is not a setup, which has \"Format\": \"") + Format +
-      "\". Choose a file that vtkHapticSetup saved.";
-    return false;
-  }
-  if (!root["Version"].isInt() || root["Version"].asInt() < 1)
-  {
-    error = "its Version is not a whole number of 1 or more. Save the setup again.";
-    return false;
-  }
-  if (root["Version"].asInt() > Version)
-  {
-    error = "its Version is " + std::to_string(root["Version"].asInt()) +
-      ", which is newer than this software's " + std::to_string(Version) +
-      ". Update VTK Volume Haptics.";
-    return false;
-  }
-  return true;
 }
 
 } // namespace
@@ -127,9 +98,7 @@ bool vtkHapticSetup::Save(const char* file)
     vtkErrorMacro(<< DescribeTooLarge(file));
     return false;
   }
-  Json::Value root(Json::objectValue);
-  root["Format"] = Format;
-  root["Version"] = Version;
+  Json::Value root = NewSetupFile(SetupKind);
   SetupPass writing;
   writing.Writing = true;
   PassSetup(this, writing, root);
@@ -182,7 +151,7 @@ bool vtkHapticSetup::Load(const char* file)
     return false;
   }
   Json::Value root;
-  if (!Parse(text, root, error))
+  if (!ParseSetupFile(text, SetupKind, root, error))
   {
     vtkErrorMacro("The setup " << name << " can't be loaded: " << Printable(error));
     return false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticController.h"
 
+#include "HapticErrorCatcher.h"
 #include "HapticPipeline.h"
 #include "HapticVolumeLook.h"
 #include "vtkHapticDevice.h"
@@ -16,7 +17,6 @@
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
-#include "vtkCallbackCommand.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkSMHapticDeviceProxy.h"
@@ -38,39 +38,6 @@
 
 namespace
 {
-
-/** The first error of an object, while this lives, in place of VTK's output window. */
-class HapticErrorText
-{
-public:
-  explicit HapticErrorText(vtkObject* object)
-    : Object(object)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* message)
-      {
-        QString& text = static_cast<HapticErrorText*>(self)->Text;
-        if (text.isEmpty())
-        {
-          // After VTK's source position, and the object's address.
-          text = QString::fromUtf8(static_cast<const char*>(message)).trimmed();
-          text = text.mid(text.indexOf("): ") + 3);
-        }
-      });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
-  }
-  ~HapticErrorText() { this->Object->RemoveObserver(this->Command); }
-  HapticErrorText(const HapticErrorText&) = delete;
-  HapticErrorText& operator=(const HapticErrorText&) = delete;
-
-  const QString& Get() const { return this->Text; }
-
-private:
-  vtkObject* const Object;
-  vtkNew<vtkCallbackCommand> Command;
-  QString Text;
-};
 
 /** Sets a property of a filter, as its panel would: it can be undone, and is traced. */
 template <typename ValueType>
@@ -293,9 +260,8 @@ pqPipelineSource* HapticController::findTouch() const
   return HapticPipeline::FindTouch(pqActiveObjects::instance().activeSource());
 }
 
-pqPipelineSource* HapticController::findVolume() const
+pqPipelineSource* HapticController::findVolume(pqPipelineSource* touch) const
 {
-  pqPipelineSource* const touch = this->findTouch();
   pqPipelineSource* const active = pqActiveObjects::instance().activeSource();
   return touch                         ? HapticPipeline::GetVolume(touch)
     : HapticPipeline::IsVolume(active) ? active
@@ -338,10 +304,11 @@ void HapticController::loadPreset(const QString& file)
   }
   // The client reads it; the filter gets functions, which go to any server and into state files.
   vtkNew<vtkHapticProperty> read;
-  const HapticErrorText error(read);
+  VolumeHapticsLive::HapticErrorCatcher errors;
+  errors.Catch(read);
   if (!read->ReadPreset(file.toLocal8Bit().data()))
   {
-    Q_EMIT this->told(error.Get());
+    Q_EMIT this->told(QString::fromStdString(errors.Take()));
     return;
   }
   SetOfFilter(touch, "Preset", file.toLocal8Bit().data());
@@ -361,17 +328,18 @@ void HapticController::savePreset(const QString& file)
     Q_EMIT this->told(tr("There is nothing felt to be saved: attach first."));
     return;
   }
-  const HapticErrorText error(felt->GetProperty());
+  VolumeHapticsLive::HapticErrorCatcher errors;
+  errors.Catch(felt->GetProperty());
   const bool isWritten = felt->GetProperty()->WritePreset(file.toLocal8Bit().data());
-  Q_EMIT this->told(isWritten ? tr("Saved: %1").arg(file) : error.Get());
+  Q_EMIT this->told(isWritten ? tr("Saved: %1").arg(file) : QString::fromStdString(errors.Take()));
 }
 
 //------------------------------------------------------------------------------
 void HapticController::showAsCT()
 {
-  pqPipelineSource* const volume = this->findVolume();
-  pqView* const view = this->findView();
   pqPipelineSource* const touch = this->findTouch();
+  pqPipelineSource* const volume = this->findVolume(touch);
+  pqView* const view = this->findView();
   const QString array = touch
     ? QString(vtkSMPropertyHelper(touch->getProxy(), "Scalars").GetInputArrayNameToProcess())
     : QString();
@@ -448,9 +416,10 @@ HapticController::Figures HapticController::look()
     figures.Preset = vtkSMPropertyHelper(chosen->getProxy(), "Preset").GetAsString();
     figures.Method = vtkSMPropertyHelper(chosen->getProxy(), "Method").GetAsInt();
   }
-  pqPipelineSource* const shown = this->findVolume();
-  figures.CanShow = shown && this->findView();
-  figures.IsVolume = figures.CanShow && HapticVolumeLook::IsShown(shown, this->findView());
+  pqPipelineSource* const shown = this->findVolume(chosen);
+  pqView* const view = this->findView();
+  figures.CanShow = shown && view;
+  figures.IsVolume = figures.CanShow && HapticVolumeLook::IsShown(shown, view);
   if (this->View && !this->View->GetLink()->IsAttached())
   {
     Q_EMIT this->told(QString::fromStdString(this->View->GetLink()->GetReason()));

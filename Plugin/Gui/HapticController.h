@@ -111,7 +111,7 @@ private:
   void change(const char* property, int value);
   void set(const char* property, const QString& value);
   pqPipelineSource* findTouch() const;
-  pqPipelineSource* findVolume() const;
+  pqPipelineSource* findVolume(pqPipelineSource* touch) const;
   pqView* findView() const;
   void followRecording(bool isRecording);
 

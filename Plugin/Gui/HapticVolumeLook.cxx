@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticVolumeLook.h"
 
+#include "VTK/Scene/CTLook.h"
+
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
@@ -25,27 +27,6 @@
 
 namespace
 {
-
-struct LookStop
-{
-  double Value; ///< HU
-  double Opacity;
-  double Color[3];
-};
-
-// Air is clear, skin is half, bone is whole.
-constexpr LookStop Stops[] = {
-  { -1024.0, 0.00, { 0.85, 0.60, 0.47 } },
-  { -600.0, 0.00, { 0.85, 0.60, 0.47 } },
-  { -400.0, 0.35, { 0.93, 0.69, 0.56 } },
-  { -100.0, 0.35, { 0.93, 0.69, 0.56 } },
-  { 0.0, 0.16, { 0.86, 0.52, 0.44 } },
-  { 130.0, 0.14, { 0.90, 0.66, 0.56 } },
-  { 260.0, 0.50, { 0.95, 0.90, 0.80 } },
-  { 500.0, 0.98, { 0.98, 0.95, 0.88 } },
-  { 3000.0, 1.00, { 1.00, 1.00, 0.98 } },
-};
-constexpr double OpacityLength = 4.0; ///< world units (mm) of the opacities
 
 pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
 {
@@ -114,7 +95,7 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
   {
     std::vector<double> colors;
     std::vector<double> opacities;
-    for (const LookStop& stop : Stops)
+    for (const VolumeHaptics::LookStop& stop : VolumeHaptics::CTLook)
     {
       colors.insert(colors.end(), { stop.Value, stop.Color[0], stop.Color[1], stop.Color[2] });
       opacities.insert(opacities.end(), { stop.Value, stop.Opacity, 0.5, 0.0 });
@@ -125,7 +106,8 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
     SetTraced(table, "RGBPoints", colors);
     SetTraced(
       vtkSMPropertyHelper(shown, "ScalarOpacityFunction").GetAsProxy(), "Points", opacities);
-    SetTraced(shown, "ScalarOpacityUnitDistance", std::vector<double>{ OpacityLength });
+    SetTraced(
+      shown, "ScalarOpacityUnitDistance", std::vector<double>{ VolumeHaptics::CTLookThickness });
     SetTraced(shown, "Shade", std::vector<int>{ 1 });
   }
   END_UNDO_SET();

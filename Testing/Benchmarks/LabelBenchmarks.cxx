@@ -6,7 +6,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <vector>
 
 using namespace VolumeHaptics;
@@ -57,13 +56,6 @@ BakedLabels MakeBall(const BallVolume& volume, ScalarType type)
   labels.View = LabelView(view);
   labels.Samples = samples;
   return labels;
-}
-
-/** ns */
-double ReadClock()
-{
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::nano>(now).count();
 }
 
 void MeasureSlide(benchmark::State& bench, const BallVolume& volume, const ModelChoice& choice)

@@ -3,11 +3,18 @@
 #include "Medians.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
 namespace benchmarks
 {
+
+double ReadClock()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::nano>(now).count();
+}
 
 IterationTime Summarize(std::vector<double>& times)
 {

@@ -26,6 +26,9 @@ struct IterationTime
 /** Of times of at least one iteration (ns), which it sorts. */
 IterationTime Summarize(std::vector<double>& times);
 
+/** Of the clock that never goes back (ns). */
+double ReadClock();
+
 /** Prints a line for each benchmark, and keeps its times for the ratios that follow. */
 class Medians : public benchmark::BenchmarkReporter
 {

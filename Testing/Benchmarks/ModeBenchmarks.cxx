@@ -8,7 +8,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -63,12 +62,6 @@ std::vector<ModeDescription> MakeOblique()
     MakeFlow(ModeKind::VectorFront, unit({ -0.5, 0.4, 0.8 }), 0.3) };
 }
 
-double ReadNanoseconds()
-{
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::nano>(now).count();
-}
-
 HapticModelDescription Describe(const std::vector<ModeDescription>& modes)
 {
   HapticModelDescription d;
@@ -113,11 +106,11 @@ void MeasureModes(benchmark::State& bench, const std::vector<ModeDescription>& m
   double force = 0.0;
   for (const Vector3& tip : tips)
   {
-    const double begin = ReadNanoseconds();
+    const double begin = ReadClock();
     Tick(model, state, tip, record);
-    const double end = ReadNanoseconds();
+    const double end = ReadClock();
     times.push_back(end - begin);
-    clocks.push_back(ReadNanoseconds() - end);
+    clocks.push_back(ReadClock() - end);
     force = std::max(force, Norm(record.Force));
   }
   bench.counters["p50"] = Summarize(times).Median - Summarize(clocks).Median;

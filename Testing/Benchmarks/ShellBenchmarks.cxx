@@ -8,7 +8,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -21,8 +20,8 @@ namespace
 
 constexpr int ShellPoints = 10000;
 /**
- * Pressed 4 mm deep by the hand, half a radius of the tool is in the ball: half of 4 mm (the
- * springs share them), a quarter of the area.
+ * The hand is 4 mm deep in the ball, and the tool 2 mm, since both springs share the way. So a
+ * quarter of the sphere's area is inside.
  */
 constexpr double ToolRadius = 4.0;
 
@@ -92,12 +91,6 @@ struct ShellSlide
   std::size_t Step = 0;
   double Angle = 0.0;
 };
-
-double ReadClock()
-{
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double, std::nano>(now).count();
-}
 
 void MeasureShell(benchmark::State& bench, const BallVolume* volume)
 {

@@ -104,7 +104,7 @@ allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# a header whether OpenGL runs on the processor, and reads the heads of files and places grids as the library does.
+# a header whether OpenGL runs on the processor, shows a CT as the plugin does, and reads the heads of files and places grids as the library does.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
@@ -112,9 +112,10 @@ set(chart VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
 set(writer VTK/Trace/TraceWriter.h)
 set(ring Core/Servo/TraceRing.h)
 set(software VTK/Scene/SoftwareOpenGL.h)
+set(look VTK/Scene/CTLook.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${header} ${parts})
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${look} ${header} ${parts})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts})
@@ -126,7 +127,7 @@ set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${exp
 list(APPEND exploration ${explorer}/Sound)
 allow(${explorer}/Exploration ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
-allow(${explorer}/Scene ${exploration} ${software})
+allow(${explorer}/Scene ${exploration} ${software} ${look})
 allow(${explorer}/Report ${exploration} ${chart} ${writer})
 allow(${explorer}/Live ${exploration} ${explorer}/Record ${explorer}/Report ${explorer}/Scene ${writer})
 

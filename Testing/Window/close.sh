@@ -107,11 +107,8 @@ run_once()
   echo "round $round, closed by $way, touched: $touched: ended as it should"
 }
 
-# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
-# handles requests.
 round=0 way=none touched=no
-openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
-wait_for "a window manager" test -e "$folder/managed"
+start_window_manager
 closes=0
 for ((round = 1; round <= rounds; ++round))
 do

@@ -69,8 +69,7 @@ press()
 }
 
 said=""
-openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
-wait_for "a window manager" test -e "$folder/managed"
+start_window_manager
 "$program" "$volume" --size 700 > "$folder/program.log" 2>&1 &
 child=$!
 wait_for_window "VTK Volume Haptics"

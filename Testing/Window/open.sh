@@ -32,20 +32,6 @@ python=$4
 take_own_home
 cd "$folder"
 
-fail()
-{
-  echo "FAILED: $*" >&2
-  cat "$folder"/*.log >&2
-  exit 1
-}
-
-# The window of a volume, which listens and has the keyboard's focus.
-is_ready()
-{
-  window=$(xdotool search --onlyvisible --name "^VTK Volume Haptics" | head -n 1)
-  [[ -n "$window" ]] && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW && wmctrl -i -a "$window" &&
-    [[ "$(xdotool getwindowfocus)" == "$window" ]]
-}
 # usage: has_read NAME TIMES: the program has told so often that it reads this file.
 has_read()
 {
@@ -80,12 +66,11 @@ writer.SetInputData(image)
 writer.Write()
 END
 
-openbox --startup "touch $folder/managed" > openbox.log 2>&1 &
-wait_for "a window manager" test -e managed
+start_window_manager
 "$explorer" data/first.vti --size 300 > program.log 2>&1 &
 child=$!
 wait_for "the first volume" has_read first.vti 1
-wait_for "its window" is_ready
+wait_for_window "VTK Volume Haptics"
 
 # The list has this folder, its parent, deeper/, and then the files; the present one is marked.
 sleep 0.5
@@ -93,27 +78,27 @@ xdotool key F2
 take_picture list
 xdotool key Down Return
 wait_for "the second volume" has_read second.vti 1
-wait_for "its window" is_ready
+wait_for_window "VTK Volume Haptics"
 sleep 0.5
 xdotool key F2 Down Return
 wait_for "the broken volume" has_read zebra.vti 1
 wait_for "the second volume again" has_read second.vti 2
-wait_for "its window" is_ready
+wait_for_window "VTK Volume Haptics"
 take_picture broken
 grep -q "Cure: " program.log || fail "nobody tells what is wrong with the broken volume"
 
 "$drop" "$window" "$folder/data/deeper/third.vti" || fail "the window takes no file that is dropped"
 wait_for "the dropped volume" has_read third.vti 1
-wait_for "its window" is_ready
+wait_for_window "VTK Volume Haptics"
 sleep 0.5
 # From the folder deeper, over this folder and its parent, to the label map.
 xdotool key F2 Up Return
 wait_for "the label map" has_read labels.vti 1
-wait_for "its window" is_ready
+wait_for_window "VTK Volume Haptics"
 take_picture values
 xdotool key F4
 wait_for "the labels" has_read labels.vti 2
-wait_for "their window" is_ready
+wait_for_window "VTK Volume Haptics"
 take_picture labels
 grep -q "its values are taken as labels: 2" program.log || fail "the labels are not counted"
 

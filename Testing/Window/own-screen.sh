@@ -10,7 +10,14 @@
 #   child=$!
 #   wait_for "a window" xdotool search --onlyvisible --name "$title"
 #
-# Such a script defines fail(), which tells a text and ends it.
+# A script may define a fail() of its own afterwards, which tells a text and ends it.
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2
+  exit 1
+}
 
 # Ends with 77, which CTest takes as skipped, if a program is not installed.
 require_programs()
@@ -78,6 +85,14 @@ wait_for()
   fail "$what did not come about within a minute"
 }
 
+# A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it
+# handles requests.
+start_window_manager()
+{
+  openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
+  wait_for "a window manager" test -e "$folder/managed"
+}
+
 # Under a window manager: waits until the window whose title begins like this listens and has the keyboard's focus, and
 # sets $window.
 wait_for_window()
@@ -95,12 +110,12 @@ is_there()
 # Interactors ask for WM_DELETE_WINDOW when they begin to listen.
 listens()
 {
-  xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
+  is_there && xprop -id "$window" WM_PROTOCOLS | grep -q WM_DELETE_WINDOW
 }
 
 has_focus()
 {
-  wmctrl -i -a "$window"
+  is_there && wmctrl -i -a "$window"
   [[ "$(xdotool getwindowfocus)" == "$window" ]]
 }
 

@@ -29,15 +29,7 @@ title=$1
 shift
 take_own_home
 
-fail()
-{
-  echo "FAILED: $*" >&2
-  cat "$folder"/*.log >&2
-  exit 1
-}
-
-openbox --startup "touch $folder/managed" > "$folder/openbox.log" 2>&1 &
-wait_for "a window manager" test -e "$folder/managed"
+start_window_manager
 "$@" > "$folder/program.log" 2>&1 &
 child=$!
 wait_for_window "$title"

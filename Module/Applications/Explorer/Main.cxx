@@ -105,7 +105,7 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   return window;
 }
 
-/// What to open next; an empty path for nothing.
+/// Returns the file to open next; its path is empty if there is none.
 Explore::FileChoice Touch(
   vtkRenderWindow* window, const Explore::Exploration& exploration, const Explore::Options& options)
 {
@@ -230,7 +230,7 @@ int RunAll(Explore::Options options)
   while (!next.Path.empty())
   {
     const Explore::Options before = options;
-    // What was said of the first volume is not said of another one.
+    // Options that were given for the first volume do not hold for another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;

@@ -83,6 +83,18 @@ inline Vector3 Most(const Vector3& a, const Vector3& b) noexcept
   return { std::fmax(a.X, b.X), std::fmax(a.Y, b.Y), std::fmax(a.Z, b.Z) };
 }
 ///@}
+/** Whether all components are below a limit; also false for NaN. */
+inline bool IsNear(const Vector3& a, double most) noexcept
+{
+  return std::abs(a.X) < most && std::abs(a.Y) < most && std::abs(a.Z) < most;
+}
+/** A unit vector at a right angle to a unit vector. */
+inline Vector3 UnitAcross(const Vector3& unit) noexcept
+{
+  const Vector3 axis = std::abs(unit.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
+  const Vector3 across = Cross(unit, axis);
+  return (1.0 / Norm(across)) * across;
+}
 inline bool IsFinite(const Vector3& a) noexcept
 {
   return std::isfinite(a.X) && std::isfinite(a.Y) && std::isfinite(a.Z);

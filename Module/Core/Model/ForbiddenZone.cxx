@@ -174,9 +174,7 @@ double FindCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& 
   constexpr double h = 3.0;
   constexpr double most = 0.5;
   // Along the boundary only: behind a thin part there is another one.
-  const Vector3 axis = std::abs(normal.X) < 0.6 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 1, 0 };
-  const Vector3 across = Cross(normal, axis);
-  const Vector3 u = (1.0 / Norm(across)) * across;
+  const Vector3 u = UnitAcross(normal);
   const Vector3 v = Cross(normal, u);
   double divergence = 0.0;
   for (const Vector3& tangent : { u, v })

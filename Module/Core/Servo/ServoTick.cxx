@@ -73,10 +73,7 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
   const LocalSurfaceResult& result, TapMemory* memory) noexcept
 {
-  // Also false for NaN.
-  const bool isSomewhere =
-    std::abs(tip.X) < FarthestTip && std::abs(tip.Y) < FarthestTip && std::abs(tip.Z) < FarthestTip;
-  if (!isSomewhere)
+  if (!IsNear(tip, FarthestTip))
   {
     record = TickRecord{};
     record.Tip = tip;

@@ -81,14 +81,6 @@ void NeedleTrack::MergeTwo(double end) noexcept
   --this->Size;
 }
 
-void NeedleTrack::CutAt(double depth) noexcept
-{
-  while (this->Size > 1 && this->Last().Begin >= depth)
-  {
-    --this->Size;
-  }
-}
-
 double NeedleTrack::Sum(double depth) const noexcept
 {
   double sum = 0.0;

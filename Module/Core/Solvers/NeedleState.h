@@ -42,13 +42,10 @@ public:
 
   /** The tissue from this depth (m) on, deeper than all before; ignored if it goes on. */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
-  /** Forgets what is deeper, but for the first stretch. */
-  void CutAt(double depth) noexcept;
   /** The integral (N) of the friction from the entry to a depth in the last stretch. */
   double Sum(double depth) const noexcept;
   /** Of the last stretch. */
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
-  void Clear() noexcept { this->Size = 0; }
   /** Of a file: whether depths ascend and friction is possible. */
   bool IsPossible() const noexcept;
   void SetSize(int size) noexcept { this->Size = size < 0 ? 0 : (size > Most ? Most : size); }

@@ -194,11 +194,6 @@ constexpr double MostOfDirection = 10.0;
 /** The prediction that a solver learns stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
 
-bool IsNear(const Vector3& v, double most)
-{
-  return std::abs(v.X) < most && std::abs(v.Y) < most && std::abs(v.Z) < most;
-}
-
 /** Whether a vector is of unit length; or 0, for an unknown direction. */
 bool IsDirection(const Vector3& v)
 {

@@ -29,7 +29,7 @@ struct TickRecord : MaterialPoint
   Vector3 Tip;
   Vector3 Proxy;              ///< after the tick
   Vector3 Force;              ///< N, on the hand
-  Vector3 Torque;             ///< N m, on the hand about the tip; of tools that turn
+  Vector3 Torque;             ///< N m, on the hand about the tip; no tool gives one yet
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back

@@ -74,7 +74,7 @@ struct HeldAt
 {
   Vector3 Normal;        ///< unit, into the structure; 0: none holds
   double Push = 0.0;     ///< N, of the spring against it
-  NeedleTissue Behind;   ///< the tissue that it belongs to
+  NeedleTissue Behind;   ///< the tissue that it belongs to; not read without a push
   double Strength = 0.0; ///< T W_d, N
   bool IsWhole() const noexcept
   {
@@ -90,7 +90,10 @@ HeldAt FindHeld(const HapticModel& model, const NeedleTissueReader& reader,
   // PRECISE is through within a tick, and free after it.
   held.Normal = record.NormalForce > Law::ForceEpsilon ? record.Normal : needle.Normal;
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
-  held.Behind = reader.At(before.Proxy + model.KernelLength * held.Normal);
+  if (held.Push > 0.0)
+  {
+    held.Behind = reader.At(before.Proxy + model.KernelLength * held.Normal);
+  }
   held.Strength = std::max(before.SurfaceStrength, record.SurfaceStrength);
   return held;
 }
@@ -189,15 +192,19 @@ void EnterNeedle(
     StepNeedle(model, state, record);
     return;
   }
-  const NeedleTissue there = reader.At(record.Proxy);
   const bool isFree = !isHeld && record.SurfaceStrength <= Law::ForceEpsilon &&
-    before.SurfaceStrength <= Law::ForceEpsilon && there.Resists() &&
+    before.SurfaceStrength <= Law::ForceEpsilon &&
     Dot(record.Tip - before.Proxy, axis) > SmallestLag;
+  if (!isFree)
+  {
+    return;
+  }
+  const NeedleTissue there = reader.At(record.Proxy);
   // A label with a strength has a surface, if it has one at all, within a kernel length.
   const Vector3 behind = record.Proxy - model.KernelLength * axis;
   const bool hasSurface = there.Puncture > 0.0 && reader.At(behind).Label != there.Label;
-  const double stiffness = isFree ? reader.Stiffness(record.Proxy) : 0.0;
-  if (!isFree || hasSurface || !(stiffness > HapticModel::MinimumStiffness))
+  const double stiffness = there.Resists() ? reader.Stiffness(record.Proxy) : 0.0;
+  if (hasSurface || !(stiffness > HapticModel::MinimumStiffness))
   {
     return;
   }

@@ -51,16 +51,13 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
   tissue.Shaft = own[0];
   tissue.Cutting =
     baked.Tool->HasCuttingForce ? own[1] : material[DragChannel] * material[VisibilityChannel];
-  if (this->Labels)
+  tissue.Label = this->Model.LabelAtDevice(place);
+  if (const LabelMaterial* const label = this->FindLabel(tissue.Label))
   {
-    tissue.Label = this->Labels->View.Nearest(this->Model.DeviceToLabel(place));
-    if (const LabelMaterial* const label = this->FindLabel(tissue.Label))
-    {
-      tissue.Cutting = label->IsSet[DragChannel] ? label->Value[DragChannel] : tissue.Cutting;
-      tissue.Shaft = label->HasShaftFriction ? label->ShaftFriction : tissue.Shaft;
-      tissue.HasPuncture = label->IsSet[StrengthChannel];
-      tissue.Puncture = tissue.HasPuncture ? label->Value[StrengthChannel] : 0.0;
-    }
+    tissue.Cutting = label->IsSet[DragChannel] ? label->Value[DragChannel] : tissue.Cutting;
+    tissue.Shaft = label->HasShaftFriction ? label->ShaftFriction : tissue.Shaft;
+    tissue.HasPuncture = label->IsSet[StrengthChannel];
+    tissue.Puncture = tissue.HasPuncture ? label->Value[StrengthChannel] : 0.0;
   }
   // Also false for NaN: the sample of a volume may be.
   tissue.Cutting = tissue.Cutting > 0.0 ? kept * tissue.Cutting : 0.0;
@@ -100,13 +97,9 @@ double NeedleTissueReader::Stiffness(const Vector3& place) const noexcept
 {
   const double value = this->Field.Value(this->Model.DeviceToIndex(place));
   double stiffness = this->Model.Baked->Materials(value)[StiffnessChannel];
-  if (this->Labels)
-  {
-    const std::int64_t label = this->Labels->View.Nearest(this->Model.DeviceToLabel(place));
-    const LabelMaterial* const material = this->FindLabel(label);
-    const bool isOfLabel = material && material->IsSet[StiffnessChannel];
-    stiffness = isOfLabel ? material->Value[StiffnessChannel] : stiffness;
-  }
+  const LabelMaterial* const material = this->FindLabel(this->Model.LabelAtDevice(place));
+  const bool isOfLabel = material && material->IsSet[StiffnessChannel];
+  stiffness = isOfLabel ? material->Value[StiffnessChannel] : stiffness;
   return Law::Capped(stiffness, this->Model.Caps.Stiffness);
 }
 

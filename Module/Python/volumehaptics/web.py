@@ -86,7 +86,7 @@ async def show(haptics: Haptics, height: int = 600) -> Frame:
 
 
 def show_plotter(plotter: Any, **_: Any) -> Any:
-    """plotter.show(jupyter_backend="haptics"), as add_haptics() registers it."""
+    """plotter.show(jupyter_backend="haptics"), as importing volumehaptics.pyvista registers it."""
     import asyncio
 
     from ._plotting import _touchable

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace VolumeHaptics
@@ -115,6 +116,34 @@ bool AreSame(const Node& a, const Node& b)
 
 } // namespace
 
+std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
+  const std::string& allowed, const std::string& getter)
+{
+  for (const Vertex& vertex : line)
+  {
+    // Also false for NaN.
+    if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
+          std::isfinite(vertex.X)))
+    {
+      std::ostringstream message;
+      message << "The function " << what << " has the value " << vertex.Y << " at " << vertex.X
+              << ": it must be finite and " << allowed << ". Correct this point of " << getter
+              << ".";
+      return message.str();
+    }
+  }
+  return {};
+}
+
+vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned)
+{
+  if (!owned)
+  {
+    owned = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  }
+  return owned;
+}
+
 void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target)
 {
   const std::vector<Node> nodes = GetNodes(source);
@@ -135,24 +164,19 @@ void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target)
 
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
 {
-  const int size = function ? function->GetSize() : 0;
-  if (size == 0)
+  if (!function || function->GetSize() == 0)
   {
     return ConstantPolyline(emptyValue);
   }
   Polyline line;
-  Node previous{};
-  for (int i = 0; i < size; ++i)
+  const std::vector<Node> nodes = GetNodes(function);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    double values[4];
-    function->GetNodeValue(i, values);
-    const Node node{ values[0], values[1], values[2], values[3] };
     if (i > 0)
     {
-      AddPiece(function, previous, node, line);
+      AddPiece(function, nodes[i - 1], nodes[i], line);
     }
-    line.push_back({ node.X, node.Y });
-    previous = node;
+    line.push_back({ nodes[i].X, nodes[i].Y });
   }
   if (!function->GetClamping())
   {

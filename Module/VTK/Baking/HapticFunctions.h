@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From vtkPiecewiseFunction to the polylines that the core bakes.
+ * The functions that properties, modes and tools own, and the polylines that the core bakes.
  */
 #ifndef HapticFunctions_h
 #define HapticFunctions_h
 
 #include "Core/Math/PiecewiseTable.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
 
 class vtkPiecewiseFunction;
 
@@ -25,6 +29,20 @@ constexpr double CurveValueTolerance = 1e-3;
  * pieces. A function without points gives the constant `emptyValue`.
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
+
+/**
+ * An error that names the first point of a function whose value is negative, above a maximum or not
+ * finite, and the cure; empty if there is none.
+ *
+ * @param what such as "Strength of a vtkHapticVortexMode"
+ * @param allowed such as "0 N or more"
+ * @param getter such as "vtkHapticVortexMode::GetStrength()"
+ */
+std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
+  const std::string& allowed, const std::string& getter);
+
+/** The function that an object owns, which is made when it is first asked for. */
+vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned);
 
 /**
  * Makes a function the same as another one, in place, with all of its nodes: vtkPiecewiseFunction's

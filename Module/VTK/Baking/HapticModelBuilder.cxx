@@ -42,20 +42,12 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
   {
     Polyline& line = material.*rule.Baked;
     line = ToPolyline((property->*rule.Get)(), rule.Default);
-    for (const Vertex& vertex : line)
+    error =
+      FindFunctionFault(line, rule.Maximum, std::string(rule.Name) + " of the haptic property",
+        DescribeRange(rule), std::string("vtkHapticProperty::Get") + rule.Name + "()");
+    if (!error.empty())
     {
-      // Also false for NaN.
-      if (!(vertex.Y >= 0.0 && vertex.Y <= rule.Maximum && std::isfinite(vertex.Y) &&
-            std::isfinite(vertex.X)))
-      {
-        std::ostringstream message;
-        message << "The function " << rule.Name << " of the haptic property has the value "
-                << vertex.Y << " at " << vertex.X << ": it must be finite and "
-                << DescribeRange(rule) << ". Correct this point of vtkHapticProperty::Get"
-                << rule.Name << "().";
-        error = message.str();
-        return false;
-      }
+      return false;
     }
   }
   return true;

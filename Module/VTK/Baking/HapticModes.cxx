@@ -137,19 +137,11 @@ private:
     vtkHapticMode* mode, const ModeKindRow& kind, const ModeFunction& function, Polyline& line)
   {
     line = ToPolyline(function.Get(mode), function.Default);
-    for (const Vertex& vertex : line)
-    {
-      // Also false for NaN.
-      if (!(vertex.Y >= 0.0 && std::isfinite(vertex.Y) && std::isfinite(vertex.X)))
-      {
-        this->Message << "The function " << function.Name << " of a " << ClassOf(kind)
-                      << " has the value " << vertex.Y << " at " << vertex.X
-                      << ": it must be finite and 0 N or more. Correct this point of "
-                      << ClassOf(kind) << "::Get" << function.Name << "().";
-        return false;
-      }
-    }
-    return true;
+    const std::string fault =
+      FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of a " + ClassOf(kind),
+        "0 N or more", ClassOf(kind) + "::Get" + function.Name + "()");
+    this->Message << fault;
+    return fault.empty();
   }
 
   bool ReadArray(vtkHapticMode* mode, const ModeKindRow& kind, ModeDescription& d)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticTissues.h"
 
+#include "vtkHapticProperty.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
@@ -100,6 +101,35 @@ void HapticTissues::SetValue(
   }
   function->AddPoint(here.Low, value);
   function->AddPoint(here.High, value);
+}
+
+//------------------------------------------------------------------------------
+HapticTissues GetTissues(vtkHapticProperty* property)
+{
+  HapticTissues tissues;
+  std::string error; // there is none: the property has taken them
+  for (int i = 0; i < property->GetNumberOfTissues(); ++i)
+  {
+    double range[2];
+    property->GetTissueRange(i, range);
+    tissues.Add({ property->GetTissueName(i), range[0], range[1] }, error);
+  }
+  return tissues;
+}
+
+//------------------------------------------------------------------------------
+void SetTissues(vtkHapticProperty* property, const HapticTissues& tissues)
+{
+  if (GetTissues(property) == tissues)
+  {
+    return;
+  }
+  property->RemoveAllTissues();
+  for (int i = 0; i < tissues.GetSize(); ++i)
+  {
+    const NamedTissue& tissue = tissues.Get(i);
+    property->AddTissue(tissue.Name.c_str(), tissue.Low, tissue.High);
+  }
 }
 
 } // namespace VolumeHaptics

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+class vtkHapticProperty;
 class vtkPiecewiseFunction;
 
 namespace VolumeHaptics
@@ -52,6 +53,12 @@ public:
 private:
   std::vector<NamedTissue> All;
 };
+
+///@{
+/** The tissues of a property. Those that it has already do not modify it. */
+HapticTissues GetTissues(vtkHapticProperty* property);
+void SetTissues(vtkHapticProperty* property, const HapticTissues& tissues);
+///@}
 
 } // namespace VolumeHaptics
 

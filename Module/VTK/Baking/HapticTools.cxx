@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
 
 namespace VolumeHaptics
 {
@@ -27,21 +27,10 @@ bool ReadToolFunction(const ToolKindRow& kind, const ToolFunction& function, vtk
   Polyline& line, std::string& error)
 {
   line = ToPolyline(function.Get(tool), 0.0);
-  for (const Vertex& vertex : line)
-  {
-    // Also false for NaN.
-    if (!(vertex.Y >= 0.0 && std::isfinite(vertex.Y) && std::isfinite(vertex.X)))
-    {
-      std::ostringstream message;
-      message << "The function " << function.Name << " of the vtkHaptic" << kind.Name
-              << " has the value " << vertex.Y << " at " << vertex.X << ": it must be finite and 0 "
-              << function.Unit << " or more. Correct this point of vtkHaptic" << kind.Name
-              << "::Get" << function.Name << "().";
-      error = message.str();
-      return false;
-    }
-  }
-  return true;
+  const std::string name = std::string("vtkHaptic") + kind.Name;
+  error = FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of the " + name,
+    std::string("0 ") + function.Unit + " or more", name + "::Get" + function.Name + "()");
+  return error.empty();
 }
 
 bool DescribeNeedle(vtkHapticNeedle* needle, HapticModelDescription& d, std::string& error)

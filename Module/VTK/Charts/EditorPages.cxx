@@ -90,6 +90,14 @@ EditedObjects EditorPages::GetEdited() const
     this->LabelList.Table };
 }
 
+//------------------------------------------------------------------------------
+EditedObjects EditorPages::GetEditable() const
+{
+  const EditedObjects all = this->GetEdited();
+  return this->Page == Editor::LABELS ? EditedObjects{ nullptr, nullptr, all.Labels }
+                                      : EditedObjects{ all.Property, all.Opacity, nullptr };
+}
+
 vtkMTimeType EditorPages::GetEditTime() const
 {
   const EditedObjects objects = this->GetEdited();

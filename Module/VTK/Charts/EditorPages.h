@@ -23,8 +23,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Of a wide editor, the page of a function has the tissues beside the chart. Positions are pixels
- * of the viewport.
+ * What an editor edits, and the charts and lists that show it: one page at a time, and in a wide
+ * editor the tissues beside the chart of a function. Positions are pixels of the viewport.
  */
 class EditorPages
 {
@@ -44,6 +44,8 @@ public:
   /** The function of the page, or none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
+  /** Those of them that can be edited on the page. */
+  EditedObjects GetEditable() const;
   /** When something was last edited. */
   vtkMTimeType GetEditTime() const;
 

@@ -49,6 +49,7 @@ public:
   int GetKey(vtkIdType row) const override;
   vtkObject* GetEdited() const override;
   std::string GetTitle() const override;
+  const char* GetHint() const override { return "Click on a label to edit its material"; }
   /** Such as "5 liver". */
   std::string Describe(int label) const override;
   std::array<double, 3> GetColor(int label) const override;

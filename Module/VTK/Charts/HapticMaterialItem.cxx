@@ -227,9 +227,7 @@ void HapticMaterialItem::PaintMaterial(vtkContext2D* painter, const HapticMateri
     const float right = layout.GetByFunctions().GetRight();
     PaintText(painter,
       { name.GetLeft(), name.GetBottom(), right - name.GetLeft(), name.GetHeight() },
-      this->List->HasBoxes() ? "Click on a label to edit its material"
-                             : "Click on a tissue to edit its material",
-      Side::Left, layout.GetFontSize(), FaintInk);
+      this->List->GetHint(), Side::Left, layout.GetFontSize(), FaintInk);
     return;
   }
   PaintText(painter, layout.GetSelectedName(), this->List->Describe(*selected), Side::Left,

@@ -52,6 +52,8 @@ public:
   ///@{
   /** What is painted: the title, or why there are no rows; and for a row its text and colour. */
   virtual std::string GetTitle() const = 0;
+  /** What a person does to select a row. */
+  virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;
   ///@}

@@ -26,7 +26,7 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
-    // Of several side by side, the one below the middle.
+    // Of several of layer 0 side by side, the one behind the middle of this one.
     double mine[4]; // left, bottom, right, top
     renderer->GetViewport(mine);
     const double middle[2] = { 0.5 * (mine[0] + mine[2]), 0.5 * (mine[1] + mine[3]) };

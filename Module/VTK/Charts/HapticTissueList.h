@@ -31,6 +31,7 @@ public:
   int GetKey(vtkIdType row) const override { return static_cast<int>(row); }
   vtkObject* GetEdited() const override { return this->Property; }
   std::string GetTitle() const override;
+  const char* GetHint() const override { return "Click on a tissue to edit its material"; }
   std::string Describe(int tissue) const override;
   std::array<double, 3> GetColor(int tissue) const override { return GetTissueColor(tissue); }
 

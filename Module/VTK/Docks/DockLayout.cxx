@@ -79,12 +79,11 @@ DockLayout::Viewport DockLayout::ViewportOf(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 DockLayout::Viewport DockLayout::Take(const Strip& strip, Viewport& left)
 {
-  const bool isColumn = strip.Edge == DockEdge::Left || strip.Edge == DockEdge::Right;
-  const int low = isColumn ? 0 : 1; // left or bottom; the other end is two behind
+  const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is two behind
   const int high = low + 2;
   const double size = std::min(strip.Share, MostOfRest * (left[high] - left[low]));
   Viewport taken = left;
-  if (strip.Edge == DockEdge::Left || strip.Edge == DockEdge::Bottom)
+  if (IsLow(strip.Edge))
   {
     taken[high] = left[low] + size;
     left[low] = taken[high];
@@ -119,13 +118,12 @@ void DockLayout::Arrange()
   for (const Strip& strip : this->Strips)
   {
     const Viewport taken = Take(strip, left);
-    const bool isColumn = strip.Edge == DockEdge::Left || strip.Edge == DockEdge::Right;
     const auto parts = static_cast<double>(strip.Renderers.size());
     for (std::size_t i = 0; i < strip.Renderers.size(); ++i)
     {
       const auto at = static_cast<double>(i);
       Viewport wanted = taken;
-      if (isColumn)
+      if (IsColumn(strip.Edge))
       {
         wanted[1] = taken[1] + (parts - 1.0 - at) / parts * (taken[3] - taken[1]);
         wanted[3] = taken[1] + (parts - at) / parts * (taken[3] - taken[1]);

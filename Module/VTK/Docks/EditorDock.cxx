@@ -140,17 +140,11 @@ void EditorDock::SetWindow(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 DockEdge EditorDock::GetEdge() const
 {
-  switch (this->Editor->GetDockEdge())
-  {
-    case vtkHapticFunctionEditor::LEFT_EDGE:
-      return DockEdge::Left;
-    case vtkHapticFunctionEditor::RIGHT_EDGE:
-      return DockEdge::Right;
-    case vtkHapticFunctionEditor::TOP_EDGE:
-      return DockEdge::Top;
-    default:
-      return DockEdge::Bottom;
-  }
+  static_assert(static_cast<int>(DockEdge::Left) == vtkHapticFunctionEditor::LEFT_EDGE &&
+    static_cast<int>(DockEdge::Right) == vtkHapticFunctionEditor::RIGHT_EDGE &&
+    static_cast<int>(DockEdge::Bottom) == vtkHapticFunctionEditor::BOTTOM_EDGE &&
+    static_cast<int>(DockEdge::Top) == vtkHapticFunctionEditor::TOP_EDGE);
+  return static_cast<DockEdge>(this->Editor->GetDockEdge());
 }
 
 //------------------------------------------------------------------------------
@@ -198,19 +192,11 @@ bool EditorDock::IsOnBorder(int x, int y)
   }
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();
-  const int right = x - origin[0];
-  const int up = y - origin[1];
-  switch (this->GetEdge())
-  {
-    case DockEdge::Left:
-      return std::abs(right - size[0]) <= BorderReach && up >= 0 && up < size[1];
-    case DockEdge::Right:
-      return std::abs(right) <= BorderReach && up >= 0 && up < size[1];
-    case DockEdge::Top:
-      return std::abs(up) <= BorderReach && right >= 0 && right < size[0];
-    default:
-      return std::abs(up - size[1]) <= BorderReach && right >= 0 && right < size[0];
-  }
+  const int at[2] = { x - origin[0], y - origin[1] };
+  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis that the border crosses
+  const int along = 1 - across;
+  const int border = IsLow(this->GetEdge()) ? size[across] : 0;
+  return std::abs(at[across] - border) <= BorderReach && at[along] >= 0 && at[along] < size[along];
 }
 
 //------------------------------------------------------------------------------
@@ -243,22 +229,10 @@ void EditorDock::Drag(int x, int y)
   }
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();
-  const double width = window[0];
-  const double height = window[1];
-  switch (this->GetEdge())
-  {
-    case DockEdge::Left:
-      this->Editor->SetDockShare((x - origin[0]) / width);
-      break;
-    case DockEdge::Right:
-      this->Editor->SetDockShare((origin[0] + size[0] - x) / width);
-      break;
-    case DockEdge::Top:
-      this->Editor->SetDockShare((origin[1] + size[1] - y) / height);
-      break;
-    default:
-      this->Editor->SetDockShare((y - origin[1]) / height);
-  }
+  const int at[2] = { x - origin[0], y - origin[1] };
+  const int across = IsColumn(this->GetEdge()) ? 0 : 1;
+  const int thickness = IsLow(this->GetEdge()) ? at[across] : size[across] - at[across];
+  this->Editor->SetDockShare(static_cast<double>(thickness) / window[across]);
 }
 
 //------------------------------------------------------------------------------
@@ -269,9 +243,8 @@ void EditorDock::ShowCursor(bool isOnBorder)
     return;
   }
   this->HasCursor = isOnBorder;
-  const bool isColumn = this->GetEdge() == DockEdge::Left || this->GetEdge() == DockEdge::Right;
   this->Window->SetCurrentCursor(!isOnBorder ? VTK_CURSOR_DEFAULT
-      : isColumn                             ? VTK_CURSOR_SIZEWE
+      : IsColumn(this->GetEdge())            ? VTK_CURSOR_SIZEWE
                                              : VTK_CURSOR_SIZENS);
 }
 

@@ -35,7 +35,7 @@ public:
   EditorDock(const EditorDock&) = delete;
   EditorDock& operator=(const EditorDock&) = delete;
 
-  /** That the editor was added to, in whose window it is; neither is kept alive. */
+  /** The renderer that the editor was added to; it docks in that window. Not kept alive. */
   void SetHost(vtkRenderer* host);
   /** Takes the room, or gives it back, as the editor says; before each frame of the window. */
   void Follow();

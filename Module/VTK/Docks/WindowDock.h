@@ -18,6 +18,7 @@ namespace VolumeHaptics
 
 class DockLayout;
 
+/** As vtkHapticFunctionEditor::DockEdgeType. */
 enum class DockEdge
 {
   Left,
@@ -25,6 +26,17 @@ enum class DockEdge
   Bottom,
   Top
 };
+
+/** Whether a strip at an edge is as high as the window. */
+constexpr bool IsColumn(DockEdge edge)
+{
+  return edge == DockEdge::Left || edge == DockEdge::Right;
+}
+/** Whether an edge has the lower coordinate. */
+constexpr bool IsLow(DockEdge edge)
+{
+  return edge == DockEdge::Left || edge == DockEdge::Bottom;
+}
 
 /**
  * A strip along an edge. Several of a window share its room: the first one that was placed has the

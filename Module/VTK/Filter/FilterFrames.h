@@ -40,7 +40,10 @@ bool CollectComponents(
 bool CollectFramesOfPaths(
   vtkVolumeHapticsFilter* filter, const TipPaths& paths, HapticFrames& frames, std::string& error);
 
-/** Looks at the frames of a series as they come, until a blend of two of them is no motion. */
+/**
+ * Warns once for a series of frames if edges move too far between two of them for a blend to show
+ * the motion.
+ */
 class FastMotionWarning
 {
 public:

@@ -6,6 +6,7 @@
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Baking/HapticTissues.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/SampleRange.h"
 #include "VTK/Proposal/EdgeSearch.h"
@@ -242,13 +243,7 @@ void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
     CopyFunction((proposed->*function.Get)(), (property->*function.Get)());
   }
   property->SetSurfaceSide(proposed->GetSurfaceSide());
-  property->RemoveAllTissues();
-  for (int i = 0; i < proposed->GetNumberOfTissues(); ++i)
-  {
-    double range[2];
-    proposed->GetTissueRange(i, range);
-    property->AddTissue(proposed->GetTissueName(i), range[0], range[1]);
-  }
+  SetTissues(property, GetTissues(proposed));
   property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());
 }
 

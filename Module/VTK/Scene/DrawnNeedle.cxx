@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/DrawnNeedle.h"
 
-#include "Core/Math/Vector3.h"
-#include "VTK/Scene/SceneMarker.h"
+#include "VTK/Baking/HapticTuples.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,7 +11,6 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
 namespace VolumeHaptics
@@ -40,39 +37,17 @@ void AddColor(vtkUnsignedCharArray* colors, const double* rgb)
   colors->InsertNextTuple3(255.0 * rgb[0], 255.0 * rgb[1], 255.0 * rgb[2]);
 }
 
-Vector3 PointOf(vtkPolyData* data, vtkIdType i)
-{
-  const double* const x = data->GetPoint(i);
-  return { x[0], x[1], x[2] };
-}
-
 } // namespace
 
 DrawnNeedle::DrawnNeedle()
 {
-  this->Tubes->SetInputData(this->Lines);
-  this->Tubes->SetNumberOfSides(12);
-  this->Tubes->CappingOn();
   this->Hub->SetInputData(this->HubLine);
   this->Hub->SetNumberOfSides(16);
   this->Hub->CappingOn();
-  this->LineMapper->SetInputConnection(this->Tubes->GetOutputPort());
-  this->LineMapper->SetScalarModeToUseCellData();
-  this->LineMapper->SetColorModeToDirectScalars();
   this->HubMapper->SetInputConnection(this->Hub->GetOutputPort());
-  this->Solid->SetMapper(this->LineMapper);
-  this->Solid->GetProperty()->SetAmbient(0.3);
-  this->Solid->GetProperty()->SetDiffuse(0.7);
   this->HubActor->SetMapper(this->HubMapper);
   this->HubActor->GetProperty()->SetColor(0.25, 0.55, 0.85);
-  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
-  this->Ghost->SetMapper(this->LineMapper);
-  this->Ghost->GetProperty()->LightingOff();
-  this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  this->Ghost->ForceOpaqueOn();
 }
-
-DrawnNeedle::~DrawnNeedle() = default;
 
 void DrawnNeedle::Update(vtkHapticDevice* device, double radius, double length)
 {
@@ -88,16 +63,19 @@ void DrawnNeedle::Update(vtkHapticDevice* device, double radius, double length)
     }
     this->Draw(device, length);
   }
-  this->Tubes->SetRadius(ShaftRadii * radius);
+  this->Lines.SetRadius(ShaftRadii * radius);
   this->Hub->SetRadius(HubRadii * radius);
 }
 
 void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
 {
-  this->Lines->Initialize();
+  vtkPolyData* const drawn = this->Lines.GetLines();
+  drawn->Initialize();
   this->HubLine->Initialize();
   const vtkIdType last = this->Track->GetNumberOfPoints() - 1;
-  const Vector3 whole = last > 0 ? PointOf(this->Track, last) - PointOf(this->Track, 0) : Vector3{};
+  const Vector3 whole = last > 0
+    ? FromArray(this->Track->GetPoint(last)) - FromArray(this->Track->GetPoint(0))
+    : Vector3{};
   const double depth = Norm(whole);
   if (!(depth > 0.0))
   {
@@ -108,22 +86,21 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
   vtkDataArray* const labels = this->Track->GetCellData()->GetArray("Label");
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("Colors");
-  colors->SetNumberOfComponents(3);
+  const auto colors = ColoredTubes::NewColors();
   for (vtkIdType i = 0; i < last; ++i)
   {
-    AddLine(points, lines, PointOf(this->Track, i), PointOf(this->Track, i + 1));
+    AddLine(
+      points, lines, FromArray(this->Track->GetPoint(i)), FromArray(this->Track->GetPoint(i + 1)));
     const auto label = static_cast<int>(labels->GetComponent(i, 0));
     AddColor(colors, table && table->HasColor(label) ? table->GetColor(label) : Steel);
   }
-  const Vector3 entry = PointOf(this->Track, 0);
+  const Vector3 entry = FromArray(this->Track->GetPoint(0));
   const Vector3 back = (-length / depth) * whole;
   AddLine(points, lines, entry, entry + back);
   AddColor(colors, Steel);
-  this->Lines->SetPoints(points);
-  this->Lines->SetLines(lines);
-  this->Lines->GetCellData()->SetScalars(colors);
+  drawn->SetPoints(points);
+  drawn->SetLines(lines);
+  drawn->GetCellData()->SetScalars(colors);
   vtkNew<vtkPoints> hubPoints;
   vtkNew<vtkCellArray> hubLines;
   AddLine(hubPoints, hubLines, entry + HubShare * back, entry + back);
@@ -133,34 +110,17 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length)
 
 void DrawnNeedle::RenderOpaque(vtkViewport* viewport)
 {
+  this->Lines.RenderOpaque(viewport);
   if (this->IsShown())
   {
-    this->Solid->RenderOpaqueGeometry(viewport);
     this->HubActor->RenderOpaqueGeometry(viewport);
-  }
-}
-
-void DrawnNeedle::RenderHidden(vtkViewport* viewport)
-{
-  if (this->IsShown())
-  {
-    this->Ghost->RenderOpaqueGeometry(viewport);
   }
 }
 
 void DrawnNeedle::Release(vtkWindow* window)
 {
-  this->Solid->ReleaseGraphicsResources(window);
-  this->Ghost->ReleaseGraphicsResources(window);
+  this->Lines.Release(window);
   this->HubActor->ReleaseGraphicsResources(window);
-}
-
-void DrawnNeedle::AddTo(vtkBoundingBox& box)
-{
-  if (this->IsShown())
-  {
-    box.AddBounds(this->Lines->GetBounds());
-  }
 }
 
 } // namespace VolumeHaptics

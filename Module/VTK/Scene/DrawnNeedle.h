@@ -7,6 +7,8 @@
 #ifndef DrawnNeedle_h
 #define DrawnNeedle_h
 
+#include "VTK/Scene/ColoredTubes.h"
+
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -25,31 +27,26 @@ class DrawnNeedle
 {
 public:
   DrawnNeedle();
-  ~DrawnNeedle();
 
   /** Shows the latest state; nothing without a device. Lengths are in world units. */
   void Update(vtkHapticDevice* device, double radius, double length);
 
   /** Whether a needle is in tissue. */
-  bool IsShown() const { return this->Lines->GetNumberOfLines() > 0; }
+  bool IsShown() const { return this->Lines.AreShown(); }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */
-  void RenderHidden(vtkViewport* viewport);
+  void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
   void Release(vtkWindow* window);
-  void AddTo(vtkBoundingBox& box);
+  void AddTo(vtkBoundingBox& box) { this->Lines.AddTo(box); }
 
 private:
   void Draw(vtkHapticDevice* device, double length);
 
   vtkNew<vtkPolyData> Track;
-  vtkNew<vtkPolyData> Lines; ///< the stretches of the track, then the shaft outside
+  ColoredTubes Lines{ 12 }; ///< the stretches of the track, then the shaft outside
   vtkNew<vtkPolyData> HubLine;
-  vtkNew<vtkTubeFilter> Tubes;
   vtkNew<vtkTubeFilter> Hub;
-  vtkNew<vtkPolyDataMapper> LineMapper;
   vtkNew<vtkPolyDataMapper> HubMapper;
-  vtkNew<vtkActor> Solid;
-  vtkNew<vtkActor> Ghost;
   vtkNew<vtkActor> HubActor;
   double Time = -1.0; ///< of the lines, with the next one
   double Length = 0.0;

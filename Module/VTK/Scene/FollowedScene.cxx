@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/FollowedScene.h"
 
-#include "VTK/Scene/SceneMarker.h"
-
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,7 +13,6 @@
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -30,38 +27,17 @@ constexpr double TensorOpacity = 0.75;
 constexpr double LineRadii = 0.22;
 constexpr double TensorRadii = 10.0;
 
-vtkSmartPointer<vtkUnsignedCharArray> NewColors()
-{
-  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  colors->SetName("Colors");
-  colors->SetNumberOfComponents(3);
-  return colors;
-}
-
 } // namespace
 
 FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   : Colors(colors)
   , ColorCount(count)
 {
-  this->Tubes->SetInputData(this->Lines);
-  this->Tubes->SetNumberOfSides(10);
-  this->Tubes->CappingOn();
-  this->LineMapper->SetInputConnection(this->Tubes->GetOutputPort());
   this->DiscMapper->SetInputData(this->Discs);
-  this->LineMapper->SetScalarModeToUseCellData();
-  this->LineMapper->SetColorModeToDirectScalars();
   // VTK 9.1 loses cell colours of polygons with many corners.
   this->DiscMapper->SetScalarModeToUsePointData();
   this->DiscMapper->SetColorModeToDirectScalars();
-  this->Solid->SetMapper(this->LineMapper);
-  this->Solid->GetProperty()->SetAmbient(0.3);
-  this->Solid->GetProperty()->SetDiffuse(0.7);
-  this->Ghost->SetMapper(this->LineMapper);
-  this->Ghost->GetProperty()->LightingOff();
-  this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
-  // vtkHapticRepresentation draws these in the overlay pass, which does not sort.
-  this->Ghost->ForceOpaqueOn();
+  // vtkHapticRepresentation draws them in the overlay pass, which does not sort.
   this->Fronts->ForceOpaqueOn();
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();
@@ -104,7 +80,7 @@ void FollowedScene::Update(vtkHapticDevice* device, double reach, double radius)
     }
     this->Draw();
   }
-  this->Tubes->SetRadius(LineRadii * radius);
+  this->Lines.SetRadius(LineRadii * radius);
   this->ScaleTensors(radius);
 }
 
@@ -126,8 +102,8 @@ void FollowedScene::ScaleTensors(double radius)
 void FollowedScene::Draw()
 {
   vtkDataArray* const modes = this->Shapes->GetCellData()->GetArray("Mode");
-  const auto lineColors = NewColors();
-  const auto discColors = NewColors(); // of points
+  const auto lineColors = ColoredTubes::NewColors();
+  const auto discColors = ColoredTubes::NewColors(); // of points
   discColors->SetNumberOfTuples(this->Shapes->GetNumberOfPoints());
   discColors->Fill(0.0);
   vtkNew<vtkCellArray> lines;
@@ -150,10 +126,11 @@ void FollowedScene::Draw()
     lines->InsertNextCell(points);
     lineColors->InsertNextTypedTuple(this->Colors[mode]);
   }
-  this->Lines->Initialize();
-  this->Lines->SetPoints(this->Shapes->GetPoints());
-  this->Lines->SetLines(lines);
-  this->Lines->GetCellData()->SetScalars(lineColors);
+  vtkPolyData* const drawn = this->Lines.GetLines();
+  drawn->Initialize();
+  drawn->SetPoints(this->Shapes->GetPoints());
+  drawn->SetLines(lines);
+  drawn->GetCellData()->SetScalars(lineColors);
   this->Discs->Initialize();
   this->Discs->SetPoints(this->Shapes->GetPoints());
   this->Discs->SetPolys(this->Shapes->GetPolys());
@@ -184,14 +161,6 @@ void FollowedScene::DrawTensors()
   this->Tensors->GetPointData()->SetTensors(tensors);
 }
 
-void FollowedScene::RenderOpaque(vtkViewport* viewport)
-{
-  if (this->Lines->GetNumberOfLines() > 0)
-  {
-    this->Solid->RenderOpaqueGeometry(viewport);
-  }
-}
-
 void FollowedScene::RenderFronts(vtkViewport* viewport)
 {
   // First, so that a front through the middle of it hides no half.
@@ -205,28 +174,16 @@ void FollowedScene::RenderFronts(vtkViewport* viewport)
   }
 }
 
-void FollowedScene::RenderHidden(vtkViewport* viewport)
-{
-  if (this->Lines->GetNumberOfLines() > 0)
-  {
-    this->Ghost->RenderOpaqueGeometry(viewport);
-  }
-}
-
 void FollowedScene::Release(vtkWindow* window)
 {
-  this->Solid->ReleaseGraphicsResources(window);
-  this->Ghost->ReleaseGraphicsResources(window);
+  this->Lines.Release(window);
   this->Fronts->ReleaseGraphicsResources(window);
   this->EllipsoidActor->ReleaseGraphicsResources(window);
 }
 
 void FollowedScene::AddTo(vtkBoundingBox& box)
 {
-  if (this->Lines->GetNumberOfLines() > 0)
-  {
-    box.AddBounds(this->Lines->GetBounds());
-  }
+  this->Lines.AddTo(box);
   if (this->Tensors->GetNumberOfPoints() > 0)
   {
     box.AddBounds(this->EllipsoidMapper->GetBounds());

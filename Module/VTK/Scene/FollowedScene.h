@@ -8,13 +8,14 @@
 #ifndef FollowedScene_h
 #define FollowedScene_h
 
+#include "VTK/Scene/ColoredTubes.h"
+
 #include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkTensorGlyph.h"
-#include "vtkTubeFilter.h"
 
 #include <cstddef>
 
@@ -35,7 +36,7 @@ public:
   /** Shows the latest state; nothing without a device. The proxy's radius is in world units. */
   void Update(vtkHapticDevice* device, double reach, double radius);
 
-  void RenderOpaque(vtkViewport* viewport);
+  void RenderOpaque(vtkViewport* viewport) { this->Lines.RenderOpaque(viewport); }
   bool HasFronts() const
   {
     return this->Shapes->GetNumberOfPolys() > 0 || this->Tensors->GetNumberOfPoints() > 0;
@@ -46,7 +47,7 @@ public:
    */
   void RenderFronts(vtkViewport* viewport);
   /** Draws the faint copy of the lines. */
-  void RenderHidden(vtkViewport* viewport);
+  void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
   void Release(vtkWindow* window);
   void AddTo(vtkBoundingBox& box);
 
@@ -57,16 +58,12 @@ private:
   void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;
-  vtkNew<vtkPolyData> Lines; ///< with the rims of fronts
+  ColoredTubes Lines{ 10 }; ///< with the rims of fronts
   vtkNew<vtkPolyData> Discs;
-  vtkNew<vtkTubeFilter> Tubes;
   vtkNew<vtkPolyData> Tensors;
   vtkNew<vtkTensorGlyph> Ellipsoids;
   vtkNew<vtkPolyDataNormals> Outward;
-  vtkNew<vtkPolyDataMapper> LineMapper;
   vtkNew<vtkPolyDataMapper> DiscMapper;
-  vtkNew<vtkActor> Solid;
-  vtkNew<vtkActor> Ghost;
   vtkNew<vtkActor> Fronts;
   vtkNew<vtkPolyDataMapper> EllipsoidMapper;
   vtkNew<vtkActor> EllipsoidActor;

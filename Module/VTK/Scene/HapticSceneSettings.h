@@ -195,8 +195,7 @@ inline constexpr StyleSetting All[] = {
   HapticChoiceMacro(FeltVolume, Owner::NEAREST, NotBaked,
     "Which one of several volumes is felt: NEAREST (default), whose surface comes first along the "
     "line of sight, or STRONGEST, whose surface along that line pushes back with the largest "
-    "force, "
-    "if it is pressed by four of the smallest voxels; of equal ones the nearest."),
+    "force, if it is pressed by four of the smallest voxels; of equal ones the nearest."),
   HapticFlagMacro(TipFollowsSurface, true, NotBaked,
     "Whether the mouse moves the tip along the first surface under it, at the depth to which the "
     "wheel has brought it, so that a stroke goes on around a head. If not, or if there is no "

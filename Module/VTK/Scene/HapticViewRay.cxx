@@ -32,7 +32,7 @@ namespace
 struct Felt
 {
   Vector3 Normal;                ///< outwards, unit; zero if it is not known
-  double Force = VTK_DOUBLE_MAX; ///< N; of a mesh that is not made yet the largest one
+  double Force = VTK_DOUBLE_MAX; ///< N; the largest number while the mesh is not made yet
 };
 
 /**

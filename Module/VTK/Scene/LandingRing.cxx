@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/LandingRing.h"
 
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Scene/HapticViewRay.h"
 
 #include "vtkHapticDevice.h"
@@ -22,11 +23,6 @@ namespace
 constexpr double FarAway = 20.0;
 constexpr double Above = 0.1;
 constexpr double Gap = 8.0; ///< pixels between the ring and the text
-
-Vector3 Position3(const double* v)
-{
-  return { v[0], v[1], v[2] };
-}
 
 std::string DescribeDistance(double distance, const std::string& unit)
 {
@@ -59,11 +55,11 @@ void LandingRing::Update(
   }
   if (device->GetContact() != 0)
   {
-    const Vector3 normal = Position3(device->GetNormal());
+    const Vector3 normal = FromArray(device->GetNormal());
     if (Norm(normal) > 0.0)
     {
-      const Vector3 proxy = Position3(device->GetProxyPosition());
-      const double depth = Dot(Position3(device->GetTipPosition()) - proxy, normal);
+      const Vector3 proxy = FromArray(device->GetProxyPosition());
+      const double depth = Dot(FromArray(device->GetTipPosition()) - proxy, normal);
       const double patch = FindPatchRadius(depth, radius);
       this->Ring.Show(true);
       this->Ring.PlaceRing(proxy, normal, patch);
@@ -72,7 +68,7 @@ void LandingRing::Update(
     }
     return;
   }
-  const Vector3 tip = Position3(device->GetTipPosition());
+  const Vector3 tip = FromArray(device->GetTipPosition());
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   Vector3 contact;
   Vector3 normal;

@@ -42,10 +42,17 @@ void SpringCoil::Place(const Vector3& proxy, const Vector3& tip, double slack, d
     this->Marker.Show(false);
     return;
   }
+  if (IsIdentical(proxy, this->Proxy) && IsIdentical(tip, this->Tip) && slack == this->Slack &&
+    radius == this->Radius)
+  {
+    return;
+  }
+  this->Proxy = proxy;
+  this->Tip = tip;
+  this->Slack = slack;
+  this->Radius = radius;
   const Vector3 along = (1.0 / length) * way;
-  const Vector3 any = std::abs(along.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
-  const Vector3 across = Cross(along, any);
-  const Vector3 side = (1.0 / Norm(across)) * across;
+  const Vector3 side = UnitAcross(along);
   const Vector3 up = Cross(along, side);
 
   const double straight = std::clamp(slack, 0.0, length);

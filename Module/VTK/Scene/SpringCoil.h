@@ -42,6 +42,13 @@ private:
   vtkNew<vtkPolyData> Wire;
   vtkNew<vtkTubeFilter> Tube;
   SceneMarker Marker;
+  ///@{
+  /** Of the wire. */
+  Vector3 Proxy;
+  Vector3 Tip;
+  double Slack = 0.0;
+  double Radius = 0.0;
+  ///@}
 };
 
 } // namespace VolumeHaptics

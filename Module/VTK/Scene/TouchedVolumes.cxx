@@ -168,6 +168,10 @@ void TouchedVolumes::Feel(vtkVolumeHapticsFilter* filter)
 
 Press TouchedVolumes::FindPress() const
 {
+  if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
+  {
+    return {}; // the nearest one is found without a press
+  }
   constexpr double voxels = 4.0;
   double least = HUGE_VAL;
   for (const Entry& entry : this->All)
@@ -185,18 +189,20 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
   {
     return;
   }
+  const int choice = this->Scene.Style->GetFeltVolume();
+  const Press wanted = this->FindPress();
   vtkVolumeHapticsFilter* chosen = nullptr;
   SurfaceAhead best;
   for (const Entry& entry : this->All)
   {
     Vector3 landing;
-    Press press = this->FindPress();
+    Press press = wanted;
     if (entry.Volume->Get()->GetVisibility() &&
       FindFirstContact(renderer, through, entry.Filter, landing, &press))
     {
       const SurfaceAhead ahead{ Dot(landing - through, LineOfSight(renderer, through)),
         press.Force };
-      if (!chosen || IsBetter(ahead, best, this->Scene.Style->GetFeltVolume()))
+      if (IsBetter(ahead, best, choice))
       {
         chosen = entry.Filter;
         best = ahead;
@@ -227,6 +233,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   this->ChosenTip = tip;
   this->ChosenTime = now;
   const int choice = this->Scene.Style->GetFeltVolume();
+  const Press wanted = this->FindPress();
   vtkVolumeHapticsFilter* chosen = nullptr;
   SurfaceAhead best;
   SurfaceAhead own;
@@ -235,7 +242,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
   {
     Vector3 contact;
     Vector3 normal;
-    Press press = this->FindPress();
+    Press press = wanted;
     if (!entry.Volume->Get()->GetVisibility() ||
       !FindContactAhead(renderer, tip, entry.Filter, contact, normal, &press))
     {
@@ -244,7 +251,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
     const SurfaceAhead ahead{ Norm(contact - tip), press.Force };
     own = entry.Filter == felt ? ahead : own;
     least = std::fmin(ahead.Distance, least);
-    if (!chosen || IsBetter(ahead, best, choice))
+    if (IsBetter(ahead, best, choice))
     {
       chosen = entry.Filter;
       best = ahead;

@@ -66,9 +66,7 @@ public:
   void AddFront(const FollowedShape& shape, double radius)
   {
     const Vector3& n = shape.Normal;
-    const Vector3 aside =
-      Cross(n, std::abs(n.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 });
-    const Vector3 a = (1.0 / Norm(aside)) * aside;
+    const Vector3 a = UnitAcross(n);
     const Vector3 b = Cross(n, a);
     constexpr double turn = 6.283185307179586 / FrontCorners;
     this->Fronts->InsertNextCell(FrontCorners);

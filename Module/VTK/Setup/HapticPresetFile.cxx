@@ -5,51 +5,40 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
-#include "VTK/Files/JsonText.h"
 #include "VTK/Setup/HapticSetupMaterials.h"
+#include "VTK/Setup/SetupFile.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkNew.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <utility>
 
 namespace VolumeHaptics
 {
 namespace
 {
 
-constexpr const char* PresetFormat = "VTK Volume Haptics preset";
-constexpr int PresetVersion = 1;               // written; this and earlier ones are read
+constexpr SetupFileKind PresetKind{ "VTK Volume Haptics preset", 1, "preset",
+  "that vtkHapticProperty::WritePreset() wrote", "write the preset again" };
 constexpr std::size_t LargestPreset = 1 << 20; // bytes; usually thousands
 
 /** A preset is for any component. */
 constexpr const char* ComponentKey = "Component";
 
-/** Empty, or why a text is no preset, and the cure. */
-std::string FindFault(const Json::Value& root)
+/** False, with the fault and the cure, if a text is no preset. */
+bool ParsePreset(const std::string& text, Json::Value& root, std::string& error)
 {
-  if (!root.isObject() || !root["Format"].isString() || root["Format"].asString() != PresetFormat)
+  if (!ParseSetupFile(text, PresetKind, root, error))
   {
-    return std::string("it is not a preset, which has \"Format\": \"") + PresetFormat +
-      "\". Choose a file that vtkHapticProperty::WritePreset() wrote.";
-  }
-  if (!root["Version"].isInt() || root["Version"].asInt() < 1)
-  {
-    return "its Version is not a whole number of 1 or more. Write the preset again.";
-  }
-  if (root["Version"].asInt() > PresetVersion)
-  {
-    return "its Version is " + std::to_string(root["Version"].asInt()) +
-      ", which is newer than this software's " + std::to_string(PresetVersion) +
-      ". Update VTK Volume Haptics.";
+    return false;
   }
   const bool hasFunction = std::any_of(std::begin(PropertyFunctions), std::end(PropertyFunctions),
     [&root](const PropertyFunction& function) { return root.isMember(function.Name); });
-  return hasFunction ? std::string()
-                     : "it has none of the functions of a preset, such as Stiffness. Write the "
-                       "preset again.";
+  error = hasFunction ? std::string()
+                      : "it has none of the functions of a preset, such as Stiffness. Write the "
+                        "preset again.";
+  return hasFunction;
 }
 
 } // namespace
@@ -70,9 +59,7 @@ bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::
     return false;
   }
   const std::string name = Printable(file);
-  Json::Value root(Json::objectValue);
-  root["Format"] = PresetFormat;
-  root["Version"] = PresetVersion;
+  Json::Value root = NewSetupFile(PresetKind);
   SetupPass writing;
   writing.Writing = true;
   PassMaterials(SetupNode(writing, &root, {}), [property] { return property; });
@@ -119,15 +106,7 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
   }
   Json::Value root;
   std::string fault;
-  if (ParseJson(text, root, fault))
-  {
-    fault = FindFault(root);
-  }
-  else
-  {
-    fault += " Correct it there, or write the preset again.";
-  }
-  if (!fault.empty())
+  if (!ParsePreset(text, root, fault))
   {
     error = "The preset " + name + " can't be read: " + Printable(fault);
     return false;

@@ -9,8 +9,6 @@
 
 #include "vtkHapticProperty.h"
 
-#include <algorithm>
-
 namespace VolumeHaptics
 {
 namespace
@@ -54,31 +52,7 @@ void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>
     node.Require(name.c_str(), tissues.Add({ name, range[0], range[1] }, error) >= 0,
       "a range of values, the lower one first, that no other tissue has values of");
   }
-  // At once, so that tissues that are the same already are not modified.
-  node.Then(
-    [get, tissues]
-    {
-      vtkHapticProperty* const property = get();
-      bool isSame = property->GetNumberOfTissues() == tissues.GetSize();
-      for (int i = 0; isSame && i < tissues.GetSize(); ++i)
-      {
-        double range[2];
-        property->GetTissueRange(i, range);
-        const NamedTissue& tissue = tissues.Get(i);
-        isSame = tissue.Name == property->GetTissueName(i) && tissue.Low == range[0] &&
-          tissue.High == range[1];
-      }
-      if (isSame)
-      {
-        return;
-      }
-      property->RemoveAllTissues();
-      for (int i = 0; i < tissues.GetSize(); ++i)
-      {
-        const NamedTissue& tissue = tissues.Get(i);
-        property->AddTissue(tissue.Name.c_str(), tissue.Low, tissue.High);
-      }
-    });
+  node.Then([get, tissues] { SetTissues(get(), tissues); });
 }
 
 } // namespace

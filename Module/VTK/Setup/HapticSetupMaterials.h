@@ -16,7 +16,10 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** Functions, settings and tissues; the getter is called for each change again. */
+/**
+ * Functions, settings and tissues. The getter is called again for each change of functions and
+ * tissues.
+ */
 void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get);
 
 } // namespace VolumeHaptics

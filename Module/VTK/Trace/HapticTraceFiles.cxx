@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceFiles.h"
 
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Trace/PolyDataReading.h"
 #include "VTK/Trace/RecordingNames.h"
@@ -112,8 +113,7 @@ std::vector<Quaternion> ReadQuaternions(vtkDataArray* array)
   for (vtkIdType i = 0;
        array && array->GetNumberOfComponents() == 4 && i < array->GetNumberOfTuples(); ++i)
   {
-    quaternions.push_back({ array->GetComponent(i, 0), array->GetComponent(i, 1),
-      array->GetComponent(i, 2), array->GetComponent(i, 3) });
+    quaternions.push_back(ReadQuaternion(array, i));
   }
   return quaternions;
 }

@@ -201,8 +201,7 @@ void RecordedPathReader::ReadOrientations()
   bool isTurned = false;
   for (vtkIdType i = 0; this->Flaw.empty() && i < this->Ticks; ++i)
   {
-    Quaternion q{ array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2),
-      array->GetComponent(i, 3) };
+    Quaternion q = ReadQuaternion(array, i);
     const bool isNone = IsIdentical(q, NoOrientation);
     this->Require(isNone || MakeUnit(q), RecordingNames::DeviceOrientation, i,
       "a unit quaternion, or four zeros");

@@ -84,9 +84,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   }
   if (!recording.Orientations.empty())
   {
-    const Quaternion& q = recording.Orientations[i];
-    this->State.HasOrientation = !IsIdentical(q, NoOrientation);
-    this->State.Orientation = this->State.HasOrientation ? q : Quaternion{};
+    this->SetOrientation(recording.Orientations[i]);
   }
   // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
@@ -102,15 +100,19 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
 
 void TipPathWalk::TakeOrientation(const HapticModel& model)
 {
-  if (!model.Baked->Tool)
+  if (model.Baked->Tool)
   {
-    return;
+    const Quaternion world = this->Tips->GetOrientation();
+    this->SetOrientation(IsIdentical(world, NoOrientation)
+        ? world
+        : Conjugate(ToQuaternion(model.DeviceToWorldRotation)) * world);
   }
-  const Quaternion world = this->Tips->GetOrientation();
-  this->State.HasOrientation = !IsIdentical(world, NoOrientation);
-  this->State.Orientation = this->State.HasOrientation
-    ? Conjugate(ToQuaternion(model.DeviceToWorldRotation)) * world
-    : Quaternion{};
+}
+
+void TipPathWalk::SetOrientation(const Quaternion& orientation)
+{
+  this->State.HasOrientation = !IsIdentical(orientation, NoOrientation);
+  this->State.Orientation = this->State.HasOrientation ? orientation : Quaternion{};
 }
 
 Quaternion TipPathWalk::GetOrientation(const HapticModel& model) const

@@ -56,6 +56,8 @@ public:
 private:
   /** Of a path, to the state: turned to the device's axes. */
   void TakeOrientation(const HapticModel& model);
+  /** To the state: an orientation on the device's axes, or NoOrientation. */
+  void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TipPaths.h"
 
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Trace/RecordedPathReader.h"
 #include "VTK/Trace/RecordingNames.h"
 
@@ -232,8 +233,7 @@ bool TipPaths::ReadOrientations(vtkPolyData* path, std::string& error)
   for (vtkIdType i = 0; i < n; ++i)
   {
     Quaternion& q = this->Orientations[i];
-    q = { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2),
-      array->GetComponent(i, 3) };
+    q = ReadQuaternion(array, i);
     if (!IsIdentical(q, NoOrientation) && !MakeUnit(q))
     {
       message << "is (" << q.W << ", " << q.X << ", " << q.Y << ", " << q.Z << ") at point " << i

@@ -3,6 +3,7 @@
 #include "VTK/Trace/TipPathsWalk.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/HapticTuples.h"
 #include "VTK/Trace/TracePart.h"
 #include "VTK/Trace/TracePipe.h"
 
@@ -276,12 +277,8 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     }
     if (double* const orientations = this->Trace.GetOrientations())
     {
-      const Quaternion q = runner.Walk.GetOrientation(*runner.Model);
-      double* const to = orientations + 4 * (rows.First + rows.Count + i);
-      to[0] = q.W;
-      to[1] = q.X;
-      to[2] = q.Y;
-      to[3] = q.Z;
+      ToArray(runner.Walk.GetOrientation(*runner.Model),
+        orientations + 4 * (rows.First + rows.Count + i));
     }
     if (hasModes)
     {

@@ -26,15 +26,19 @@ Vector3 TipReader::FindPoint()
   {
     ++this->Before;
   }
+  const Vector3 a = this->PointAt(this->Before);
+  const double share = this->FindShare();
+  return share == 0.0 ? a : a + share * (this->PointAt(this->Before + 1) - a);
+}
+
+double TipReader::FindShare() const
+{
   const vtkIdType before = this->Before;
-  const Vector3 a = this->PointAt(before);
-  if (before == last || std::abs(time - this->TimeAt(before)) <= snap)
-  {
-    return a;
-  }
-  const double share =
-    (time - this->TimeAt(before)) / (this->TimeAt(before + 1) - this->TimeAt(before));
-  return a + share * (this->PointAt(before + 1) - a);
+  const double since = this->GetTime() - this->TimeAt(before);
+  const double snap = TipPaths::SnapShare * this->Paths.GetPeriod();
+  return before == this->Members.GetSize() - 1 || std::abs(since) <= snap
+    ? 0.0
+    : since / (this->TimeAt(before + 1) - this->TimeAt(before));
 }
 
 Quaternion TipReader::FindOrientation() const
@@ -45,21 +49,18 @@ Quaternion TipReader::FindOrientation() const
   {
     return at(this->Tick);
   }
-  const vtkIdType before = this->Before;
-  const vtkIdType last = this->Members.GetSize() - 1;
-  const Quaternion& a = at(before);
-  const double since = this->GetTime() - this->TimeAt(before);
-  if (before == last || std::abs(since) <= TipPaths::SnapShare * this->Paths.GetPeriod())
+  const Quaternion& a = at(this->Before);
+  const double share = this->FindShare();
+  if (share == 0.0)
   {
     return a;
   }
-  const Quaternion& b = at(before + 1);
+  const Quaternion& b = at(this->Before + 1);
   if (IsIdentical(a, NoOrientation) || IsIdentical(b, NoOrientation))
   {
     return NoOrientation;
   }
   // The shorter way round: q and -q are the same.
-  const double share = since / (this->TimeAt(before + 1) - this->TimeAt(before));
   const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -share : share;
   const double rest = 1.0 - share;
   const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,

@@ -40,6 +40,8 @@ public:
 private:
   /** The point at the time of the tick. */
   Vector3 FindPoint();
+  /** The share of the way from the point before the tick to the next one; 0 at the point before. */
+  double FindShare() const;
   /** Between the points before and after the tick. */
   Quaternion FindOrientation() const;
   double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }

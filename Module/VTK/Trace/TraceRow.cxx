@@ -3,26 +3,12 @@
 #include "VTK/Trace/TraceRow.h"
 
 #include "Core/Servo/ServoLoop.h"
+#include "VTK/Baking/HapticTuples.h"
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-void Copy(const Vector3& from, double to[3])
-{
-  to[0] = from.X;
-  to[1] = from.Y;
-  to[2] = from.Z;
-}
-
-void Copy(const Quaternion& from, double to[4])
-{
-  to[0] = from.W;
-  to[1] = from.X;
-  to[2] = from.Y;
-  to[3] = from.Z;
-}
 
 /** Writes a row. */
 struct RowFiller
@@ -33,12 +19,12 @@ struct RowFiller
 
   void Point(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
-    Copy(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
+    ToArray(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
   }
   // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
-    Copy(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);
+    ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);
   }
   void Number(double TraceRow::*to, double TickRecord::*from) const
   {
@@ -92,11 +78,11 @@ RecordingRow MakeRecordingRow(
 {
   RecordingRow row;
   FillTraceRow(model, snapshot.Time, snapshot.Record, work, row.Trace);
-  Copy(snapshot.Record.Tip, row.DeviceTip);
-  Copy(model.DeviceToWorldRotation * snapshot.Command, row.Command);
-  Copy(model.DeviceToWorldRotation * snapshot.Torque, row.Torque);
-  Copy(snapshot.HasOrientation ? snapshot.Orientation : NoOrientation, row.DeviceOrientation);
-  Copy(TurnedBy(model.DeviceToWorldRotation, snapshot.Orientation, snapshot.HasOrientation),
+  ToArray(snapshot.Record.Tip, row.DeviceTip);
+  ToArray(model.DeviceToWorldRotation * snapshot.Command, row.Command);
+  ToArray(model.DeviceToWorldRotation * snapshot.Torque, row.Torque);
+  ToArray(snapshot.HasOrientation ? snapshot.Orientation : NoOrientation, row.DeviceOrientation);
+  ToArray(TurnedBy(model.DeviceToWorldRotation, snapshot.Orientation, snapshot.HasOrientation),
     row.Orientation);
   row.Tick = static_cast<std::int64_t>(snapshot.Tick);
   row.Placement = placement;

@@ -9,11 +9,8 @@
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
-
-#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <limits>
@@ -142,29 +139,13 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
     HistogramMaterials(analysis, filter->GetProperty());
     return name;
   }
-  if (vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) ==
-    ".json")
+  const MessageCapture capture;
+  if (!filter->GetProperty()->ApplyPreset(name.c_str()))
   {
-    const MessageCapture capture;
-    if (!filter->GetProperty()->ReadPreset(name.c_str()))
-    {
-      throw InputError("--preset " + name, capture.FirstError(),
-        "take a file that the key F8 of the window saved, or another preset");
-    }
-    return name;
+    throw InputError("--preset " + name, capture.FirstError(),
+      "take auto, propose, histogram, one of the presets, or a file that ends in .json, such as "
+      "key F8 of the window saves");
   }
-  vtkStringArray* known = vtkHapticProperty::GetPresetNames();
-  if (known->LookupValue(name) < 0)
-  {
-    std::string list = "auto, propose, histogram";
-    for (vtkIdType i = 0; i < known->GetNumberOfValues(); ++i)
-    {
-      list += ", " + known->GetValue(i);
-    }
-    throw InputError("--preset '" + name + "'", "there is no such preset",
-      "take one of: " + list + ", or a file that ends in .json");
-  }
-  filter->GetProperty()->ApplyPreset(name.c_str());
   return name;
 }
 

@@ -15,10 +15,10 @@
 
 namespace Explore
 {
-/// What the hand in a window holds: key N changes between a point and a needle, and T writes the
-/// needle's track, while it is in tissue, to the first free of track-001.vtp ...
+/// Gives the hand in a window a needle (key N; again: a point), and writes the track of a needle in
+/// tissue to a file (key T): track-001.vtp, or the next number that is not taken.
 ///
-/// Where labels do not say how they rub along the needle, everything in the body does.
+/// Values above the outer surface rub along the needle where the labels have no shaft friction.
 class HandTool
 {
 public:

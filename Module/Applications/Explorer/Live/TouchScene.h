@@ -53,7 +53,7 @@ struct TouchScene
 void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const SceneOptions& options,
   const DeviceChoice& device);
 
-/// What the window shows.
+/// The file that a window shows.
 struct FileChoice
 {
   std::string Path;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Live/WindowFiles.h"
 
+#include "Applications/Explorer/Volume/GridLoader.h"
+
 #include "vtkStringArray.h"
 
 #include <vtksys/Directory.hxx>
@@ -14,25 +16,17 @@ namespace
 using Files = vtksys::SystemTools;
 
 const char* const FILE_ENDINGS[] = { ".vti", ".mhd", ".mha", ".nii", ".nii.gz", ".nrrd", ".nhdr",
-  ".vtkhdf", ".pvd", ".vtu", ".vtr", ".vts", ".vtm", ".vtmb", ".vtk", ".foam", ".case", ".dcm",
-  ".ima" };
+  ".vtkhdf", ".pvd", ".dcm", ".ima" };
 
 bool IsForTouch(const std::string& name)
 {
   const std::string lower = Files::LowerCase(name);
-  return lower == "dicomdir" ||
+  return lower == "dicomdir" || Explore::IsGrid(name) ||
     std::any_of(std::begin(FILE_ENDINGS), std::end(FILE_ENDINGS),
       [&](const char* ending) { return Files::StringEndsWith(lower, ending); });
 }
 
-constexpr unsigned long FILE_EVENTS[] = { vtkCommand::KeyPressEvent, vtkCommand::CharEvent,
-  vtkCommand::LeftButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
-  vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent };
-constexpr float FILES_PRIORITY = 10.0f;
-} // namespace
-
-namespace Explore
-{
+/// The lines and paths of a folder: itself, its parent, its folders, and its volumes.
 void ListFolderForTouch(
   const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths)
 {
@@ -68,6 +62,14 @@ void ListFolderForTouch(
   }
 }
 
+constexpr unsigned long FILE_EVENTS[] = { vtkCommand::KeyPressEvent, vtkCommand::CharEvent,
+  vtkCommand::LeftButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
+  vtkCommand::MouseWheelBackwardEvent, vtkCommand::DropFilesEvent };
+constexpr float FILES_PRIORITY = 10.0f;
+} // namespace
+
+namespace Explore
+{
 WindowFiles::WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interactor,
   const Volume& volume, const FileChoice& now, FileChoice& choice)
   : Touch(touch)
@@ -188,26 +190,29 @@ bool WindowFiles::PressKey(const std::string& key)
 
 void WindowFiles::ListFolder(const std::string folder, const std::string marked)
 {
-  // Who looks at a list does not look at the hand.
-  this->Touch.Style->SetTouchMode(false);
-  this->Touch.Device->Disarm();
   std::vector<std::string> lines;
   this->Folder = folder;
   ListFolderForTouch(folder, lines, this->Paths);
   const auto found = std::find(this->Paths.begin(), this->Paths.end(), marked);
   const bool isListed = found != this->Paths.end();
-  this->List.Show(
+  this->ShowList(
     "Open: " + folder, lines, isListed ? static_cast<int>(found - this->Paths.begin()) : 0);
-  this->Interactor->Render();
 }
 
 void WindowFiles::ListSeries()
 {
+  this->Folder.clear();
+  this->ShowList("Series of " + Files::GetFilenameName(this->Now.Path), this->Series,
+    std::max(0, this->Now.Series - 1));
+}
+
+void WindowFiles::ShowList(
+  const std::string& title, const std::vector<std::string>& lines, int marked)
+{
+  // Who looks at a list does not look at the hand.
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
-  this->Folder.clear();
-  this->List.Show("Series of " + Files::GetFilenameName(this->Now.Path), this->Series,
-    std::max(0, this->Now.Series - 1));
+  this->List.Show(title, lines, marked);
   this->Interactor->Render();
 }
 

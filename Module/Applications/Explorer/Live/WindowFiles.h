@@ -38,6 +38,7 @@ private:
   /// By value: these may be the members that it sets.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
+  void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
   void Accept(int line);
   void Choose(const FileChoice& choice);
 
@@ -52,10 +53,6 @@ private:
   std::vector<std::string> Paths; ///< of the listed lines
   vtkNew<vtkCallbackCommand> Observer;
 };
-
-/// The lines and paths of a folder: itself, its parent, its folders, and its volumes.
-void ListFolderForTouch(
-  const std::string& folder, std::vector<std::string>& lines, std::vector<std::string>& paths);
 } // namespace Explore
 
 #endif

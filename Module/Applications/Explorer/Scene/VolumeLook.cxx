@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Scene/VolumeLook.h"
 
+#include "VTK/Scene/CTLook.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkNew.h"
@@ -14,44 +16,22 @@
 namespace
 {
 using Explore::Analysis;
+using VolumeHaptics::LookStop;
 
 using Colour = std::array<double, 3>;
 
-struct Stop
-{
-  double Value;
-  double Opacity; // of 4 mm of it
-  Colour Seen;
-};
-
 template <std::size_t N>
-void Apply(const Stop (&stops)[N], vtkVolumeProperty* property)
+void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
 {
   vtkNew<vtkColorTransferFunction> colour;
   vtkNew<vtkPiecewiseFunction> opacity;
-  for (const Stop& stop : stops)
+  for (const LookStop& stop : stops)
   {
-    colour->AddRGBPoint(stop.Value, stop.Seen[0], stop.Seen[1], stop.Seen[2]);
+    colour->AddRGBPoint(stop.Value, stop.Color[0], stop.Color[1], stop.Color[2]);
     opacity->AddPoint(stop.Value, stop.Opacity);
   }
   property->SetColor(colour);
   property->SetScalarOpacity(opacity);
-}
-
-void LookLikeCT(vtkVolumeProperty* property)
-{
-  const Stop stops[] = {
-    { -1024, 0.00, { 0.85, 0.60, 0.47 } },
-    { -600, 0.00, { 0.85, 0.60, 0.47 } },
-    { -400, 0.35, { 0.93, 0.69, 0.56 } },
-    { -100, 0.35, { 0.93, 0.69, 0.56 } },
-    { 0, 0.16, { 0.86, 0.52, 0.44 } },
-    { 130, 0.14, { 0.90, 0.66, 0.56 } },
-    { 260, 0.50, { 0.95, 0.90, 0.80 } },
-    { 500, 0.98, { 0.98, 0.95, 0.88 } },
-    { 3000, 1.00, { 1.00, 1.00, 0.98 } },
-  };
-  Apply(stops, property);
 }
 
 void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
@@ -66,7 +46,7 @@ void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
       { 0.98, 0.91, 0.36 } },
   };
   const auto& of = colours[analysis.Kind == Explore::VolumeKind::Field];
-  const Stop stops[] = {
+  const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
     { outer - edge, 0.00, of[0] },
     { outer + edge, 0.30, of[1] },
@@ -111,13 +91,14 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
 {
   if (analysis.Kind == VolumeKind::CT)
   {
-    LookLikeCT(property);
+    Apply(VolumeHaptics::CTLook, property);
   }
   else
   {
     LookByThresholds(analysis, property);
   }
-  property->SetScalarOpacityUnitDistance(0.004 / analysis.MetersPerWorldUnit);
+  property->SetScalarOpacityUnitDistance(
+    1e-3 * VolumeHaptics::CTLookThickness / analysis.MetersPerWorldUnit);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
   property->SetAmbient(0.2);

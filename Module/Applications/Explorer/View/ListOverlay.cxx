@@ -13,7 +13,7 @@ constexpr int MOST_LINES = 16;          // that are seen
 constexpr std::size_t WIDEST_LINE = 68; // characters of a line
 constexpr int LINES_BEFORE = 2;         // the title, and an empty one
 constexpr int LINES_AFTER = 2;          // an empty one, and the keys
-constexpr double LIST_OPACITY = 0.85;   // opacity
+constexpr double LIST_OPACITY = 0.85;   // of the ground behind the text
 
 /// The end of a name tells more than its middle.
 std::string Shorten(const std::string& line)
@@ -95,7 +95,6 @@ void ListOverlay::Write()
   const int count = static_cast<int>(this->Lines.size());
   this->Seen = std::min(count, MOST_LINES);
   this->First = std::clamp(this->First, this->Marked - this->Seen + 1, this->Marked);
-  this->First = std::max(0, this->First);
   std::string text = Shorten(this->Title) + "\n";
   for (int i = this->First; i < this->First + this->Seen; ++i)
   {

@@ -27,7 +27,8 @@ constexpr std::uint32_t ITEM_END = 0xfffee00d;
 constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
-constexpr int DEEPEST = 16; // sequences in sequences
+constexpr int DEEPEST = 16;                   // sequences in sequences
+constexpr std::uint32_t LONGEST_VALUE = 1024; // of those that are wanted
 constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
@@ -153,7 +154,7 @@ private:
   std::uint64_t Length;
 };
 
-/// What a file with several frames tells about their places.
+/// The places of the frames of a file with several ones.
 struct FramePlaces
 {
   std::vector<DicomHeader> Groups; // of each frame: what differs from the file's header
@@ -295,13 +296,27 @@ bool IsGroup(std::uint32_t tag)
   return tag == 0x00289110 || tag == 0x00209113 || tag == 0x00209116 || tag == 0x00289145;
 }
 
+/// Calls with the value of an element, unless that is longer, and goes on behind it. False if the
+/// file ends too early.
+template <typename Take>
+bool TakeAndSkip(
+  DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
+{
+  const std::uint64_t begin = stream.Place();
+  if (element.Length <= longest && element.Length <= stream.Left())
+  {
+    take(stream.Read(element.Length));
+    stream.GoTo(begin);
+  }
+  return stream.Skip(element);
+}
+
 /// Calls for each value in a sequence, with the number of its item in the outermost one; groups are
 /// entered, other sequences are not. False if the file ends too early.
 template <typename Take>
 bool WalkItems(
   DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
 {
-  constexpr std::uint32_t longest = 1024;
   const bool isBounded = sequence.Length != UNKNOWN_LENGTH;
   const std::uint64_t end = stream.Place() + (isBounded ? sequence.Length : 0);
   DicomStream::Element element;
@@ -328,13 +343,8 @@ bool WalkItems(
       }
       continue;
     }
-    const std::uint64_t begin = stream.Place();
-    if (element.Length <= longest && element.Length <= stream.Left())
-    {
-      take(number, element.Tag, stream.Read(element.Length));
-      stream.GoTo(begin);
-    }
-    if (!stream.Skip(element))
+    const auto takeOfItem = [&](const std::string& value) { take(number, element.Tag, value); };
+    if (!TakeAndSkip(stream, element, LONGEST_VALUE, takeOfItem))
     {
       return false;
     }
@@ -419,12 +429,10 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
     places.Groups[index].HasPlaces = places.Groups[index].HasPlaces || tag == 0x00200032;
     TakeValue(stream, tag, value, places.Groups[index], orientations[index].data());
   };
-  constexpr std::uint32_t longest = 1024; // of the values that are wanted
   constexpr std::uint32_t longestOffsets = 65536;
   DicomStream::Element element;
   while (stream.Next(element) && element.Tag != PIXELS)
   {
-    const std::uint64_t begin = stream.Place();
     if (element.Tag == SHARED_GROUPS || element.Tag == FRAME_GROUPS)
     {
       const bool isShared = element.Tag == SHARED_GROUPS;
@@ -437,16 +445,13 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
       }
       continue;
     }
-    const bool areOffsets = element.Tag == 0x3004000c;
-    if (element.Length <= (areOffsets ? longestOffsets : longest) &&
-      element.Length <= stream.Left())
+    const auto takeOfFile = [&](const std::string& value)
     {
-      const std::string value = stream.Read(element.Length);
       TakeValue(stream, element.Tag, value, header, orientation);
       TakePlaces(element.Tag, value, places);
-      stream.GoTo(begin);
-    }
-    if (!stream.Skip(element))
+    };
+    const bool areOffsets = element.Tag == 0x3004000c;
+    if (!TakeAndSkip(stream, element, areOffsets ? longestOffsets : LONGEST_VALUE, takeOfFile))
     {
       return false;
     }

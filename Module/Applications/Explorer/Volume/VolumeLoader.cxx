@@ -264,7 +264,11 @@ double FindNiftiSpacing(const std::string& path, double unknown)
   return isKnown && std::isfinite(spacing) ? spacing : unknown;
 }
 
-Volume LoadVolume(const std::string& path, int series, const std::string& array)
+namespace
+{
+/// `judge` looks at the values, along the axes of the file.
+template <typename Judge>
+Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
 {
   Volume volume = ReadVolume(path, false, series);
   VolumeFields fields;
@@ -281,9 +285,22 @@ Volume LoadVolume(const std::string& path, int series, const std::string& array)
     volume.Notes.emplace_back("no scalars: the magnitude of the first field is shown");
   }
   CheckVolume(path, volume);
-  volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image);
+  judge(volume);
   volume.Image = AlignToAxes(volume.Image);
   fields.GiveTo(volume.Image);
   return volume;
+}
+} // namespace
+
+Volume LoadVolume(const std::string& path, int series, const std::string& array)
+{
+  return LoadAligned(path, series, array,
+    [](Volume& volume)
+    { volume.MayBeLabels = !volume.IsGrid && !volume.IsField && LooksLikeLabels(volume.Image); });
+}
+
+vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array)
+{
+  return LoadAligned(path, 0, array, [](Volume&) {}).Image;
 }
 } // namespace Explore

@@ -62,6 +62,9 @@ double FindNiftiSpacing(const std::string& path, double unknown);
 /// of them. Of several arrays, the values of one, or the magnitude of its vectors, are shown and
 /// felt if it is named. Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
+
+/// The image alone, of a further frame of a volume that moves.
+vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array);
 } // namespace Explore
 
 #endif

@@ -251,8 +251,7 @@ Volume LoadFrames(
   AddFrame(volume, frames.front().Path, volume.Image, frames.front().Time);
   for (std::size_t i = 1; i < frames.size(); ++i)
   {
-    AddFrame(
-      volume, frames[i].Path, Explore::LoadVolume(frames[i].Path, 0, array).Image, frames[i].Time);
+    AddFrame(volume, frames[i].Path, Explore::LoadFrame(frames[i].Path, array), frames[i].Time);
   }
   Finish(volume);
   return volume;

@@ -62,6 +62,7 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, TapMe
 void StepPaper(
   const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
 {
+  // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     Step(model, state, record, memory, nullptr);

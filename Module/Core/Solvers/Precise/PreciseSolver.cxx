@@ -28,6 +28,7 @@ void StepPrecise(
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }
+  // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);

@@ -103,10 +103,7 @@ private:
     {
       return 0.0;
     }
-    const Vector3 most =
-      std::abs(axis.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
-    const Vector3 aside = Cross(axis, most);
-    const Vector3 a = (1.0 / Norm(aside)) * aside;
+    const Vector3 a = UnitAcross(axis);
     const Vector3 b = Cross(axis, a);
     const Vector3 ja = j * a;
     const Vector3 jb = j * b;

@@ -125,9 +125,7 @@ private:
       }
       else
       {
-        const bool isX = std::abs(q.X) < 0.6;
-        const Vector3 aside = Cross(q, isX ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 });
-        const Vector3 first = (1.0 / Norm(aside)) * aside;
+        const Vector3 first = UnitAcross(q);
         this->AddCondition(first, b);
         this->AddCondition(Cross(q, first), b);
       }

@@ -31,20 +31,32 @@ std::uint64_t PlaceOnCurve(const Vector3& position, const Vector3& low, double s
     SpreadBits(static_cast<std::uint64_t>(at.Z)) << 2;
 }
 
+struct ShellBox
+{
+  Vector3 Low;
+  Vector3 High;
+};
+
+/** Of at least one point. */
+ShellBox FindBox(const ShellPoint* begin, const ShellPoint* end)
+{
+  ShellBox box{ begin->Position, begin->Position };
+  for (const ShellPoint* point = begin; point != end; ++point)
+  {
+    box.Low = Least(box.Low, point->Position);
+    box.High = Most(box.High, point->Position);
+  }
+  return box;
+}
+
 void SortAlongCurve(std::vector<ShellPoint>& points)
 {
   if (points.empty())
   {
     return;
   }
-  Vector3 low = points.front().Position;
-  Vector3 high = low;
-  for (const ShellPoint& point : points)
-  {
-    low = Least(low, point.Position);
-    high = Most(high, point.Position);
-  }
-  const Vector3 size = high - low;
+  const ShellBox box = FindBox(points.data(), points.data() + points.size());
+  const Vector3 size = box.High - box.Low;
   const double largest = std::max(std::max(size.X, size.Y), size.Z);
   constexpr double cells = 0xfffff;
   const double scale = largest > 0.0 ? cells / largest : 0.0;
@@ -52,7 +64,7 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
   order.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    order.emplace_back(PlaceOnCurve(points[i].Position, low, scale), i);
+    order.emplace_back(PlaceOnCurve(points[i].Position, box.Low, scale), i);
   }
   std::sort(order.begin(), order.end());
   std::vector<ShellPoint> sorted;
@@ -67,15 +79,9 @@ void SortAlongCurve(std::vector<ShellPoint>& points)
 /** A sphere around some points, from their box. */
 ShellBlock MakeBlock(const ShellPoint* begin, const ShellPoint* end)
 {
-  Vector3 low = begin->Position;
-  Vector3 high = low;
-  for (const ShellPoint* point = begin; point != end; ++point)
-  {
-    low = Least(low, point->Position);
-    high = Most(high, point->Position);
-  }
+  const ShellBox box = FindBox(begin, end);
   ShellBlock block;
-  block.Centre = 0.5 * (low + high);
+  block.Centre = 0.5 * (box.Low + box.High);
   for (const ShellPoint* point = begin; point != end; ++point)
   {
     block.Radius = std::max(block.Radius, Norm(point->Position - block.Centre));

@@ -271,7 +271,8 @@ void ShellContactFinder::Append(
     contact.Stretch = stretch;
     contact.Stiffness = law.Stiffness;
     contact.Strength = law.Strength;
-    to.Marks[contact.Point / 64] |= std::uint64_t{ 1 } << contact.Point % 64;
+    to.Marks[contact.Point / ShellBlock::Size] |= std::uint64_t{ 1 }
+      << contact.Point % ShellBlock::Size;
     if (stretch > 0.0)
     {
       const bool yields = law.Yields(stretch);

@@ -89,7 +89,7 @@ struct ShellContacts
 {
   explicit ShellContacts(std::size_t points)
     : List(points)
-    , Marks((points + 63) / 64)
+    , Marks((points + ShellBlock::Size - 1) / ShellBlock::Size)
   {
   }
 

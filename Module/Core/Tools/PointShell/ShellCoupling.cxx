@@ -102,11 +102,8 @@ ShellPose Moved(const ShellPose& pose, const Step& step, double share) noexcept
 
 bool IsPose(const ShellPose& pose) noexcept
 {
-  const Vector3& x = pose.Position;
   Quaternion q = pose.Orientation;
-  // Also false for NaN.
-  return std::abs(x.X) < FarthestHand && std::abs(x.Y) < FarthestHand &&
-    std::abs(x.Z) < FarthestHand && MakeUnit(q);
+  return IsNear(pose.Position, FarthestHand) && MakeUnit(q);
 }
 
 /** One tick of a tool that is enabled. */
@@ -153,9 +150,7 @@ public:
     this->IsUnfinished = true;
     while (this->Looks < this->Most && this->IsUnfinished)
     {
-      const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
-      const double farthest = this->Finder.GetFarthestStep();
-      const double share = way > farthest ? farthest / way : 1.0;
+      const double share = this->FindShare(step);
       const bool isFree = share == 1.0 && s.Sum.Contacts == 0;
       ShellPose next = isFree && this->IsNearlyTurned(hand) ? hand : Moved(s.Tool, step, share);
       const double before = pull.Energy + s.Sum.Energy;
@@ -215,13 +210,19 @@ private:
     return pull.Energy + this->Sum.Energy > (1.0 + EnergyTolerance) * before;
   }
 
+  /** The share of a step in which no point goes farther than feet are followed. */
+  double FindShare(const Step& step) const noexcept
+  {
+    const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
+    const double farthest = this->Finder.GetFarthestStep();
+    return way > farthest ? farthest / way : 1.0;
+  }
+
   /** A pose from the contacts at another one, no farther from the tool than feet are followed. */
   ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
   {
-    Step step = FindStep(this->Springs, pull, this->Sum);
-    const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
-    const double farthest = this->Finder.GetFarthestStep();
-    return Moved(from, step, way > farthest ? farthest / way : 1.0);
+    const Step step = FindStep(this->Springs, pull, this->Sum);
+    return Moved(from, step, this->FindShare(step));
   }
 
   /** Whether one step turns a tool that nothing holds to the hand's orientation. */

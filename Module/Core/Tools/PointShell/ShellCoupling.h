@@ -51,7 +51,6 @@ public:
   }
 
   ShellContacts& GetCurrent() noexcept { return this->Contacts[this->Current]; }
-  const ShellContacts& GetCurrent() const noexcept { return this->Contacts[this->Current]; }
   ShellContacts& GetNext() noexcept { return this->Contacts[1 - this->Current]; }
   /** The next ones are the current ones from now on. */
   void Swap() noexcept { this->Current = 1 - this->Current; }

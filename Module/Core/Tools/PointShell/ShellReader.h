@@ -138,7 +138,6 @@ public:
   {
     this->Functions.Values(this->Reading, positions, count, to);
   }
-  const ShellReading& GetReading() const noexcept { return this->Reading; }
 
 private:
   ShellReading Reading;

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Lines of several colours in the scene, as tubes, with a faint copy that is drawn over what hides
+ * them.
+ */
+#ifndef ColoredTubes_h
+#define ColoredTubes_h
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSmartPointer.h"
+#include "vtkTubeFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+class vtkBoundingBox;
+class vtkViewport;
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+
+class ColoredTubes
+{
+public:
+  explicit ColoredTubes(int sides);
+
+  /** Polylines, whose cell scalars are their colours: NewColors(). */
+  vtkPolyData* GetLines() const { return this->Lines; }
+  static vtkSmartPointer<vtkUnsignedCharArray> NewColors();
+  void SetRadius(double radius) { this->Tubes->SetRadius(radius); }
+  bool AreShown() const { return this->Lines->GetNumberOfLines() > 0; }
+
+  void RenderOpaque(vtkViewport* viewport);
+  /** Draws the faint copy. */
+  void RenderHidden(vtkViewport* viewport);
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box);
+
+private:
+  vtkNew<vtkPolyData> Lines;
+  vtkNew<vtkTubeFilter> Tubes;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Solid;
+  vtkNew<vtkActor> Ghost;
+};
+
+} // namespace VolumeHaptics
+
+#endif
