@@ -13,8 +13,8 @@
 # benchmarks print their ratios, and the evaluation its whole table.
 #
 # Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
-# clang-tidy, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then, it says
-# loudly that it leaves them out.
+# clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
+# it says loudly that it leaves them out.
 #
 # Tests of screens and packages wait, too: while they run, all that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -242,7 +242,11 @@ if [ $paraview = yes ] && ! fits 70 "ParaView's plugin"; then
   paraview=no
 fi
 [ $paraview = no ] || start paraview build_paraview
-start site "$root/Testing/lint.sh" site
+site=no
+if fits 12 "the documentation's site"; then
+  site=yes
+  start site "$root/Testing/lint.sh" site
+fi
 fuzz=no
 if fits 15 "the fuzzer"; then
   fuzz=yes
@@ -287,7 +291,7 @@ if [ $wheel = yes ]; then
   fi
 fi
 
-finish site || status=$?
+[ $site = no ] || finish site || status=$?
 if [ -n "${beside[tidy]:-}" ]; then
   finish tidy || status=$?
 fi

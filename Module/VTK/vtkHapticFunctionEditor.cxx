@@ -332,9 +332,18 @@ bool vtkHapticFunctionEditor::HasProposal()
 bool vtkHapticFunctionEditor::TakeProposal()
 {
   auto& d = *this->Internals;
+  const bool isDragging = d.Held != 0;
+  if (isDragging)
+  {
+    d.History.End(d.Pages.GetEdited()); // the drag up to now is a step of its own
+  }
   d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
   const bool isTaken = d.Pages.Proposed.Take();
   d.History.End(d.Pages.GetEdited());
+  if (isDragging)
+  {
+    d.History.Begin(d.Pages.GetEditable());
+  }
   if (isTaken)
   {
     this->Modified();

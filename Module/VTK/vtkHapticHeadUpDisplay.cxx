@@ -78,6 +78,18 @@ std::vector<std::string> NameModes(vtkHapticDevice* device)
   return names;
 }
 
+/** The same, empty for those that are not active. */
+std::vector<std::string> NameActiveModes(vtkHapticDevice* device)
+{
+  std::vector<std::string> names = NameModes(device);
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const bool isActive = FindModes(device)->GetMode(static_cast<int>(i))->GetActive();
+    names[i] = isActive ? names[i] : std::string();
+  }
+  return names;
+}
+
 /** A line for each mode, with its force. */
 std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
 {
@@ -512,7 +524,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const double span = GetShownSpan(self.TimeSpan);
   const std::vector<std::string> modes = NameModes(this->Device);
   this->History.SetModes(modes);
-  this->Chart.SetModes(modes);
+  this->Chart.SetModes(NameActiveModes(this->Device));
   const bool isStale = isDue &&
     this->Chart.Show(
       this->History.Plot(span), { -span, 0.0, self.GetForceRange() }, self.GetPlotTitle());

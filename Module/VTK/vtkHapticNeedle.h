@@ -91,6 +91,7 @@ public:
    * of it: Label and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
    * (degrees), between the track and the normal of the surface at the entry, or -1 without one.
    * Returns false if the trace has no needle; the error is that of the track, which is then empty.
+   * Both must be different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 

@@ -88,7 +88,6 @@ struct vtkHapticSliceView::vtkInternals
 //------------------------------------------------------------------------------
 void vtkHapticSliceView::vtkInternals::LeaveWindow()
 {
-  this->Dock.GiveBack();
   if (this->Window)
   {
     this->Window->RemoveObserver(this->StartObserver);
@@ -97,6 +96,7 @@ void vtkHapticSliceView::vtkInternals::LeaveWindow()
       this->Window->RemoveRenderer(renderer);
     }
   }
+  this->Dock.GiveBack();
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticModeRows.h"
 
+#include "HapticFunctionText.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -24,7 +26,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 
 namespace
 {
@@ -131,31 +132,6 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   guide->SetPath(isPath ? shape : nullptr);
   guide->SetSurface(isPath ? nullptr : shape);
   return {};
-}
-
-/** Newtons, or pairs with newtons; false if a text is something else. Empty: nothing changes. */
-bool ReadFunction(std::string text, vtkPiecewiseFunction* function)
-{
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream words(text);
-  std::vector<double> numbers;
-  for (double number; words >> number;)
-  {
-    numbers.push_back(number);
-  }
-  if (!words.eof() || (numbers.size() > 1 && numbers.size() % 2 != 0))
-  {
-    return false;
-  }
-  if (numbers.size() == 1)
-  {
-    numbers.insert(numbers.begin(), 0.0);
-  }
-  for (std::size_t i = 0; i < numbers.size(); i += 2)
-  {
-    function->AddPoint(numbers[i], numbers[i + 1]);
-  }
-  return true;
 }
 
 /** The first data set in what may be composite; null if there is none. */
@@ -334,8 +310,8 @@ void HapticModeRows::AddRow(
     {
       mode->SetArrayName(array.c_str());
     }
-    if (!ReadFunction(strength, mode->GetStrength()) ||
-      (found->GetSecond && !ReadFunction(second, found->GetSecond(mode))))
+    if (!ReadFunctionText(strength, mode->GetStrength()) ||
+      (found->GetSecond && !ReadFunctionText(second, found->GetSecond(mode))))
     {
       flaw = "has a strength that is no number of newtons. Give one, or pairs such as "
              "\"0 0, 0.5 2\"";

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVVolumeHapticsFilter.h"
 
+#include "HapticFunctionText.h"
+
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticNeedle.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkNew.h"
@@ -33,18 +36,14 @@ vtkPVVolumeHapticsFilter::~vtkPVVolumeHapticsFilter() = default;
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::Curve::CopyTo(vtkPiecewiseFunction* function) const
 {
-  if (!this->Shape)
+  // vtkPiecewiseFunction's DeepCopy() loses one of two nodes at one position.
+  function->SetAllowDuplicateScalars(1);
+  function->RemoveAllPoints();
+  for (int i = 0; this->Shape && i < this->Shape->GetSize(); ++i)
   {
-    function->RemoveAllPoints();
-    return;
-  }
-  function->DeepCopy(this->Shape);
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    double node[4];
-    function->GetNodeValue(i, node);
-    node[1] *= this->Scale;
-    function->SetNodeValue(i, node);
+    double node[4]; // position, value, midpoint, sharpness
+    this->Shape->GetNodeValue(i, node);
+    function->AddPoint(node[0], this->Scale * node[1], node[2], node[3]);
   }
 }
 
@@ -336,9 +335,82 @@ void vtkPVVolumeHapticsFilter::FillModes()
 }
 
 //------------------------------------------------------------------------------
+template <typename T>
+void vtkPVVolumeHapticsFilter::ChooseTool(T& setting, const T& value)
+{
+  if (!(setting == value))
+  {
+    setting = value;
+    this->IsToolDirty = true;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetToolKind(const char* kind)
+{
+  this->ChooseTool(this->ToolKind, std::string(kind && *kind ? kind : "None"));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetNeedleShaftFriction(const char* friction)
+{
+  this->ChooseTool(this->NeedleShaftFriction, std::string(friction ? friction : ""));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetNeedleCuttingForce(const char* force)
+{
+  this->ChooseTool(this->NeedleCuttingForce, std::string(force ? force : ""));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetNeedleLateralStrength(double strength)
+{
+  this->ChooseTool(this->NeedleLateralStrength, strength);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::FillTool()
+{
+  this->IsToolGood = true;
+  if (this->ToolKind != "Needle")
+  {
+    this->SetTool(nullptr);
+    this->IsToolGood = this->ToolKind == "None";
+    if (!this->IsToolGood)
+    {
+      vtkErrorMacro(<< "There is no tool \"" << this->ToolKind
+                    << "\". Use \"None\" or \"Needle\".");
+    }
+    return;
+  }
+  vtkNew<vtkHapticNeedle> needle;
+  needle->SetLateralStrength(this->NeedleLateralStrength);
+  const auto read = [this](
+                      const char* name, const std::string& text, vtkPiecewiseFunction* function)
+  {
+    if (!ReadFunctionText(text, function))
+    {
+      vtkErrorMacro(<< name << " is \"" << text << "\". Give a number, or pairs of a scalar and a "
+                    << "number, such as \"-100 0, 300 50\".");
+      this->IsToolGood = false;
+    }
+  };
+  read("Needle Shaft Friction", this->NeedleShaftFriction, needle->GetShaftFriction());
+  read("Needle Cutting Force", this->NeedleCuttingForce, needle->GetCuttingForce());
+  this->SetTool(needle);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 {
   this->FillModes();
+  if (this->IsToolDirty)
+  {
+    this->IsToolDirty = false; // what follows calls this again
+    this->FillTool();
+  }
   if (this->IsTableDirty)
   {
     this->IsTableDirty = false; // what follows calls this again
@@ -368,8 +440,8 @@ int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->FillModes(); // whether polygons or lines guide is known only now
-  // The property has reported the wrong name, table and modes what they can't read.
-  return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood()
+  // The property has reported the wrong name, table, modes and tool what they can't read.
+  return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->IsToolGood
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;
 }
@@ -394,4 +466,8 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StandOff: " << this->StandOff << "\n";
   os << indent << "ModePreset: " << this->Modes.GetPreset() << "\n";
   os << indent << "ModeRows: " << this->Modes.GetNumberOfRows() << "\n";
+  os << indent << "ToolKind: " << this->ToolKind << "\n";
+  os << indent << "NeedleShaftFriction: " << this->NeedleShaftFriction << "\n";
+  os << indent << "NeedleCuttingForce: " << this->NeedleCuttingForce << "\n";
+  os << indent << "NeedleLateralStrength: " << this->NeedleLateralStrength << " N\n";
 }

@@ -111,6 +111,19 @@ public:
    */
   void SetModePreset(const char* preset);
 
+  ///@{
+  /**
+   * What the hand holds: "None" (default), or "Needle", a vtkHapticNeedle. The functions of a
+   * needle are texts as in AddModeRow, against the scalar: N per metre of its shaft, empty for 0;
+   * and N to cut, empty for the viscosity of the material; then the newtons that hold it across its
+   * axis, default 1. What can't be read is an error, and the output is empty.
+   */
+  void SetToolKind(const char* kind);
+  void SetNeedleShaftFriction(const char* friction);
+  void SetNeedleCuttingForce(const char* force);
+  void SetNeedleLateralStrength(double strength);
+  ///@}
+
   using vtkVolumeHapticsFilter::SetInputConnection;
   /** A vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it shows. */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
@@ -150,6 +163,10 @@ private:
   void FillTable();
   /** Makes the modes. */
   void FillModes();
+  /** Makes the tool. */
+  void FillTool();
+  template <typename T>
+  void ChooseTool(T& setting, const T& value);
 
   std::string Preset = "Custom";
   Curve Stiffness;
@@ -169,6 +186,12 @@ private:
   bool IsTableDirty = false;
   bool IsTableGood = true;
   HapticModeRows Modes;
+  std::string ToolKind = "None";
+  std::string NeedleShaftFriction;
+  std::string NeedleCuttingForce;
+  double NeedleLateralStrength = 1.0;
+  bool IsToolDirty = false;
+  bool IsToolGood = true;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

@@ -7,7 +7,7 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 foreach (example IN ITEMS
     "Documentation/first-touch.md|Examples/Cxx/FirstTouch.cxx|{\n|"
     "Documentation/first-touch.md|Examples/Python/first_touch.py|import vtkLineSource\n|"
-    "Documentation/devices.md|Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
+    "Documentation/window.md|Examples/Cxx/DropIn.cxx|  vtkNew<vtkVolumeHapticsFilter>|\n\n  window->Render")
   string(REPLACE "|" ";" example "${example}")
   list(GET example 0 document)
   list(GET example 1 file)

@@ -12,8 +12,7 @@ import rig  # noqa: E402
 
 # Setters that a property of the filter replaces, or that only C++ asks for.
 ELSEWHERE = {
-    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth",
-    "Tool"}  # tools are not in ParaView
+    "Property", "MethodByName", "VisibilityFrom", "GeometryFromScalars", "GeometryFromLabels", "GeometryFromBoth"}
 FUNCTIONS = ("Stiffness", "Friction", "Viscosity", "SurfaceStrength", "Distinctness")
 
 classes = rig.classes()

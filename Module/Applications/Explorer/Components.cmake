@@ -80,6 +80,7 @@ set(Explore_SOURCES
   Volume/DicomHeader.cxx
   Volume/DicomPixels.cxx
   Volume/DicomSeries.cxx
+  Volume/DicomStream.cxx
   Volume/GridLoader.cxx
   Volume/GridOutline.cxx
   Volume/LabelLoader.cxx

@@ -175,7 +175,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   {
     Explore::TakeAsLabels(volume, options.VolumePath, options.Materials);
   }
-  else if (volume.MayBeLabels && options.Labels.empty())
+  else if (volume.MayBeLabels)
   {
     volume.Notes.emplace_back("looks like a label map: --as-labels shows it as labels");
   }
@@ -229,17 +229,18 @@ int RunAll(Explore::Options options)
   int code = Run(options, next);
   while (!next.Path.empty())
   {
+    // Done once, with the first volume.
+    options.Notice.clear();
+    options.Script.clear();
+    options.Movie.clear();
+    options.Measurements.clear();
+    options.Replay.clear();
     const Explore::Options before = options;
     // Options that were given for the first volume do not hold for another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;
     options.AsLabels = next.AsLabels;
-    options.Notice.clear();
-    options.Script.clear();
-    options.Movie.clear();
-    options.Measurements.clear();
-    options.Replay.clear();
     if (!isSame)
     {
       options.MorePaths.clear();
@@ -247,6 +248,7 @@ int RunAll(Explore::Options options)
       options.Setup.clear();
       options.Labels.clear();
       options.Materials.clear();
+      options.Displacements.clear();
       options.How.Method = "auto";
       options.How.Modes.clear();
     }

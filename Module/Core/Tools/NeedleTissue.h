@@ -46,6 +46,9 @@ public:
   /** The stiffness (N/m) of the tissue at a place. */
   double Stiffness(const Vector3& place) const noexcept;
 
+  /** Whether there are forbidden labels at all. */
+  bool HasForbidden() const noexcept { return this->Model.Baked->GetZone() != nullptr; }
+
   /** Whether a place is within the stand-off of a forbidden label. */
   bool IsForbidden(const Vector3& place) const noexcept;
 

@@ -15,6 +15,8 @@ namespace
 
 /** In a tick; one that needs more ends at the force of the tissue it has come to. */
 constexpr int MostNeedleSteps = 64;
+/** In a tick, beyond those: a thousand voxels, after which the next tick goes on. */
+constexpr int MostSkippedSteps = 4096;
 /** Boundaries are found to this share of a step: a millionth of a voxel. */
 constexpr double BoundaryShare = 4e-6;
 /** The lateral hold is whole from this depth on (m). */
@@ -208,10 +210,21 @@ private:
         return;
       }
     }
-    // No more than the tissue holds may be felt.
     this->IsUnfinished = true;
-    const double pull = k * this->FindRest();
-    this->MoveBy(std::max(0.0, (pull - held) / k), this->Here);
+    this->Skip(std::max(0.0, k * this->FindRest() - held) / k);
+  }
+
+  /** The rest of a leap: no more than the tissue holds may be felt. Forbidden labels stop it. */
+  void Skip(double length) noexcept
+  {
+    const double part = this->Reader.HasForbidden() ? this->Step : length;
+    for (int i = 0; i < MostSkippedSteps && length > 0.0 && !this->IsStopped; ++i)
+    {
+      const double wanted = std::min(part, length);
+      this->MoveBy(this->StopAtForbidden(wanted), this->Here);
+      length -= wanted;
+    }
+    this->NoteTouch();
   }
 
   void Withdraw() noexcept

@@ -154,7 +154,7 @@ class View:
                 with html.Div(style="width: 100%; height: 100%", mouseenter=focus, __events=["mouseenter"]):
                     RemoteControlledArea(name=self.name, send_mouse_move=True, event_throttle_ms=16,
                                          image_style=("{ width: '100%', height: '100%' }",))
-        style.AddObserver("ModifiedEvent", self._follow)
+        self._style_tag = style.AddObserver("ModifiedEvent", self._follow)
         return page
 
     def toggle_touch(self) -> None:
@@ -312,6 +312,7 @@ class View:
         self._leave()
         self.closed = True
         self.interactor.RemoveObserver(self._tag)
+        self.haptics.style.RemoveObserver(self._style_tag)
         self.server.controller.on_client_exited.discard(self._leave)
         self.server.controller.on_server_ready.discard(self._begin)
         if self._task is not None:

@@ -55,6 +55,7 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
     try:
         server.start(port=port, host=host, open_browser=open_browser, show_connection_info=False, timeout=0)
     finally:
+        server.controller.on_server_ready.discard(tell)
         view.close()
 
 

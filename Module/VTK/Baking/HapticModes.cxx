@@ -334,4 +334,14 @@ bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeVi
   return error.empty();
 }
 
+bool FitIntoATick(const HapticModes& modes)
+{
+  int primitives = 0;
+  for (vtkHapticMode* const mode : modes)
+  {
+    primitives += CountPrimitives(BakedKindOf(mode));
+  }
+  return static_cast<int>(modes.size()) <= ModeField::Most && primitives <= PrimitiveSet::Most;
+}
+
 } // namespace VolumeHaptics

@@ -34,6 +34,9 @@ vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
+/** Whether a tick has time for these modes at once, the active ones and the others. */
+bool FitIntoATick(const HapticModes& modes);
+
 } // namespace VolumeHaptics
 
 #endif

@@ -224,7 +224,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
   for (std::size_t mode = 0; mode < ModeColorCount; ++mode)
   {
     const int c = HapticForceTable::Curves + static_cast<int>(mode);
-    const bool isNamed = mode < names.size();
+    const bool isNamed = mode < names.size() && !names[mode].empty();
     if (isNamed)
     {
       vtkPlot* const line = this->Plots[c] ? this->Plots[c] : this->AddLine(c);

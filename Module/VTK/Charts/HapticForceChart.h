@@ -57,7 +57,7 @@ public:
   void Build();
   /**
    * Draws the curves of modes, too, which then stand for all parts of the force. Call it after
-   * Build, with the names of HapticForceTable::SetModes.
+   * Build, with the names of HapticForceTable::SetModes; one that is empty leaves its curve out.
    */
   void SetModes(const std::vector<std::string>& names);
   /** Fits the chart into a viewport of this size (pixels). */

@@ -176,11 +176,11 @@ void EditorDock::Leave()
   }
   this->IsDragged = false;
   this->ShowCursor(false);
-  this->Room.GiveBack();
   if (this->Window)
   {
     this->Window->RemoveRenderer(this->Renderer);
   }
+  this->Room.GiveBack();
 }
 
 //------------------------------------------------------------------------------

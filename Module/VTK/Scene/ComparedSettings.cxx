@@ -102,19 +102,36 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   if (!this->Other || this->Filter.GetPointer() != filter.GetPointer())
   {
     this->Filter = filter;
-    this->Other = std::make_unique<Settings>(filter);
+    this->Other = std::make_shared<const Settings>(filter);
     this->IsB = true;
     this->Tell();
     notify("These settings are A. Change the method or a material for B.");
     return true;
   }
-  auto before = std::make_unique<Settings>(filter);
-  const bool isFelt = this->Publisher.Try([&] { this->Other->Apply(filter); },
-    [&] { before->Apply(filter); }, this->IsB ? "A" : "B", notify);
+  const auto before = std::make_shared<const Settings>(filter);
+  const std::shared_ptr<const Settings> tried = this->Other;
+  const bool wasB = this->IsB;
+  // Also if it turns out later, when the other method was made ready in the background.
+  const auto undo = [this, before, tried, wasB]
+  {
+    const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->FindFilter();
+    if (felt && felt.GetPointer() == this->Filter.GetPointer())
+    {
+      before->Apply(felt);
+    }
+    if (this->Other)
+    {
+      this->Other = tried;
+      this->IsB = wasB;
+      this->Tell();
+    }
+  };
+  const bool isFelt =
+    this->Publisher.Try([&] { tried->Apply(filter); }, undo, wasB ? "A" : "B", notify);
   if (isFelt && this->Other)
   {
-    this->Other = std::move(before);
-    this->IsB = !this->IsB;
+    this->Other = before;
+    this->IsB = !wasB;
     this->Tell();
   }
   return isFelt;

@@ -51,7 +51,7 @@ private:
   TouchedScene& Scene;
   FilterPublisher& Publisher;
   vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< whose settings are compared
-  std::unique_ptr<Settings> Other;               ///< that is not felt
+  std::shared_ptr<const Settings> Other;         ///< that is not felt
   bool IsB = false;                              ///< whether B is felt
   bool IsTold = false;
 };

@@ -53,10 +53,10 @@ void FilterPublisher::Update(bool isPlaced)
 bool FilterPublisher::Try(const std::function<void()>& change, const std::function<void()>& undo,
   const std::string& name, const std::function<void(const std::string&)>& notify)
 {
-  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
-  MethodChange method{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {} };
+  MethodChange method{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {}, undo,
+    name };
   const bool wasPublished = this->Published == this->GetChangeTime();
   change();
   method.Wanted = filter->GetMethodText();
@@ -66,12 +66,7 @@ bool FilterPublisher::Try(const std::function<void()>& change, const std::functi
   const bool isOurs = this->Scene.Device == device;
   if (!isFelt)
   {
-    undo();
-    // The servo still has the model of before.
-    this->Published = isOurs && wasPublished ? this->GetChangeTime() : 0;
-    vtkErrorWithObjectMacro(
-      style, << "Settings " << name << " can't be felt here, for the reason given before.");
-    notify("Settings " + name + " can't be felt here: see the messages.");
+    this->TakeBack(undo, name, isOurs && wasPublished, notify);
     return false;
   }
   this->Published = isOurs ? this->GetChangeTime() : this->Published;
@@ -127,6 +122,18 @@ bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& 
   return false;
 }
 
+void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::string& name,
+  bool wasPublished, const Notify& notify)
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  undo();
+  // The servo still has the model of before.
+  this->Published = wasPublished ? this->GetChangeTime() : 0;
+  vtkErrorWithObjectMacro(
+    style, << "Settings " << name << " can't be felt here, for the reason given before.");
+  notify("Settings " + name + " can't be felt here: see the messages.");
+}
+
 void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter,
   bool wasPublished, const Notify& notify)
 {
@@ -157,7 +164,13 @@ void FilterPublisher::FollowAwaited()
   const bool isWanted = filter && filter->GetMethodText() == change.Wanted;
   if (isWanted && device->GetMethodText() != change.Wanted)
   {
-    this->GoBack(change, filter, this->Published == this->GetChangeTime(), notify);
+    const bool wasPublished = this->Published == this->GetChangeTime();
+    if (change.Undo)
+    {
+      this->TakeBack(change.Undo, change.Name, wasPublished, notify);
+      return;
+    }
+    this->GoBack(change, filter, wasPublished, notify);
     return;
   }
   notify("");

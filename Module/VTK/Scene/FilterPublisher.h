@@ -36,8 +36,8 @@ public:
   void Update(bool isPlaced);
 
   /**
-   * Changes the filter and publishes it; undoes the change, with an error, if it can't be felt.
-   * `name` is that of the settings that are tried.
+   * Changes the filter and publishes it; undoes the change, with an error, if it can't be felt,
+   * later if it is made ready in the background. `name` is that of the settings that are tried.
    */
   bool Try(const std::function<void()>& change, const std::function<void()>& undo,
     const std::string& name, const std::function<void(const std::string&)>& notify);
@@ -56,9 +56,15 @@ private:
     int Solver = 0;
     std::string Before;
     std::string Wanted; ///< the text of the new one
+    /** Of more than the method; with the name of the settings. */
+    std::function<void()> Undo = nullptr;
+    std::string Name = {};
   };
   using Notify = std::function<void(const std::string&)>;
 
+  /** Takes settings back that can't be felt. */
+  void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
+    const Notify& notify);
   /** Goes back to the method before, after an error. */
   void GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter, bool wasPublished,
     const Notify& notify);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/ModeKeys.h"
 
+#include "VTK/Baking/HapticModes.h"
+
 #include "vtkHapticMode.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -20,6 +22,16 @@ std::vector<bool> FindActive(vtkVolumeHapticsFilter* filter)
     active.push_back(filter->GetMode(i)->GetActive());
   }
   return active;
+}
+
+bool FitTogether(vtkVolumeHapticsFilter* filter)
+{
+  HapticModes modes;
+  for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+  {
+    modes.emplace_back(filter->GetMode(i));
+  }
+  return FitIntoATick(modes);
 }
 
 void Apply(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
@@ -77,7 +89,11 @@ bool ModeKeys::Next()
   std::vector<bool> active = FindActive(filter);
   const auto count = std::count(active.begin(), active.end(), true);
   const auto first = std::find(active.begin(), active.end(), true) - active.begin();
-  const auto next = static_cast<std::size_t>(count == 1 ? first + 1 : 0);
+  auto next = static_cast<std::size_t>(count == 1 ? first + 1 : 0);
+  if (next >= active.size() && !FitTogether(filter))
+  {
+    next = 0;
+  }
   const bool isPastLast = next >= active.size();
   std::fill(active.begin(), active.end(), isPastLast);
   if (!isPastLast)

@@ -22,7 +22,10 @@ public:
   {
   }
 
-  /** The next mode alone; after the last one all of them. False if PRIMITIVES is not felt. */
+  /**
+   * The next mode alone; after the last one all of them, unless those are too many for a tick.
+   * False if PRIMITIVES is not felt.
+   */
   bool Next();
   /** The mode in the list of the head-up display at a position, on or off. False if none is. */
   bool Click(int x, int y);

@@ -159,6 +159,11 @@ std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track)
     track->Initialize();
     return "MakeTrack() needs the trace of a needle, but got a null pointer.";
   }
+  if (trace == track)
+  {
+    return "MakeTrack() got one polydata for both trace and track. Give it another one for the "
+           "track.";
+  }
   vtkPointData* const data = trace->GetPointData();
   const NeedleTicks ticks{ trace, data->GetArray(ToolColumns[2]), data->GetArray("Normal"),
     data->GetArray(LabelColumn), data->GetArray("NormalForce") };

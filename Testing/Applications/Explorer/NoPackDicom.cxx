@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PackDicom.h"
 
-bool PackDicom(const std::string&, const std::string&, const std::string&)
+bool PackDicom(const std::string&, const std::string&, const std::string&, double)
 {
   return false;
 }

@@ -8,7 +8,8 @@
 #include <gdcmReader.h>
 #include <gdcmWriter.h>
 
-bool PackDicom(const std::string& plain, const std::string& packed, const std::string& how)
+bool PackDicom(
+  const std::string& plain, const std::string& packed, const std::string& how, double step)
 {
   // GDCM's writer can't write an icon without all its elements, as that of these tests.
   gdcm::Reader elements;
@@ -29,6 +30,7 @@ bool PackDicom(const std::string& plain, const std::string& packed, const std::s
   }
   gdcm::ImageChangeTransferSyntax change;
   change.SetTransferSyntax(how == "lossless" ? gdcm::TransferSyntax::JPEGLosslessProcess14_1
+      : how == "wavelets"                    ? gdcm::TransferSyntax::JPEG2000Lossless
                                              : gdcm::TransferSyntax::JPEGLSLossless);
   change.SetInput(reader.GetImage());
   if (!change.Change())
@@ -38,6 +40,11 @@ bool PackDicom(const std::string& plain, const std::string& packed, const std::s
   gdcm::ImageWriter writer;
   writer.SetFileName(packed.c_str());
   writer.SetFile(reader.GetFile());
-  writer.SetImage(change.GetOutput());
+  const gdcm::SmartPointer<gdcm::Image> image = new gdcm::Image(change.GetOutput());
+  if (image->GetNumberOfDimensions() == 3)
+  {
+    image->SetSpacing(2, step); // of frames, which GDCM does not know of a CT
+  }
+  writer.SetImage(*image);
   return writer.Write();
 }

@@ -5,9 +5,10 @@
 
 #include <string>
 
-/// Writes a DICOM file anew with compressed samples, by GDCM's own writer: "lossless" JPEG, or
-/// JPEG-LS's "prediction", none of which loses anything. False without GDCM. Its JPEG 2000 can't
-/// write images of a few pixels.
-bool PackDicom(const std::string& plain, const std::string& packed, const std::string& how);
+/// Writes a DICOM file anew with compressed samples, by GDCM's own writer: "lossless" JPEG,
+/// JPEG-LS's "prediction", or JPEG 2000's "wavelets", none of which loses anything. False without
+/// GDCM. Its JPEG 2000 can't write images of a few pixels. `step` is that between frames, in mm.
+bool PackDicom(
+  const std::string& plain, const std::string& packed, const std::string& how, double step);
 
 #endif

@@ -18,8 +18,10 @@
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace
 {
@@ -38,6 +40,8 @@ struct SliceFile
   int Slice = 0;
   bool IsSagittal = false;
   std::string Syntax = EXPLICIT;
+  int Columns = DICOM_COLUMNS;
+  int Rows = DICOM_ROWS;
   int Frames = 1;
   ///@{
   /// How a file with several frames tells where they are: frame f is slice Slice + f with a step or
@@ -97,9 +101,9 @@ std::string Encode(const SliceFile& slice)
   for (int frame = 0; frame < slice.Frames; ++frame)
   {
     const int k = slice.SliceOf(frame);
-    for (int j = 0; j < DICOM_ROWS; ++j)
+    for (int j = 0; j < slice.Rows; ++j)
     {
-      for (int i = 0; i < DICOM_COLUMNS; ++i)
+      for (int i = 0; i < slice.Columns; ++i)
       {
         const double stored = (UnitsAt(i, j, k) + 1024.0) / slopeOf(k);
         pixels += Bytes(static_cast<std::uint32_t>(stored), 2);
@@ -164,8 +168,8 @@ std::string Encode(const SliceFile& slice)
         : part(0x00200032, "DS", slice.IsSagittal ? along + "\\-20\\30" : "-10\\-20\\" + along) +
           part(0x00200037, "DS", slice.IsSagittal ? "0\\1\\0\\0\\0\\-1" : "1\\0\\0\\0\\1\\0")) +
     number(0x00280002, 1) + part(0x00280004, "CS", "MONOCHROME2") +
-    part(0x00280008, "IS", std::to_string(slice.Frames)) + number(0x00280010, DICOM_ROWS) +
-    number(0x00280011, DICOM_COLUMNS) +
+    part(0x00280008, "IS", std::to_string(slice.Frames)) + number(0x00280010, slice.Rows) +
+    number(0x00280011, slice.Columns) +
     (slice.HasGroups ? "" : part(0x00280030, "DS", "0.5\\0.75")) + number(0x00280100, 16) +
     number(0x00280101, 16) + number(0x00280102, 15) + number(0x00280103, 0) +
     (slice.HasGroups
@@ -196,11 +200,11 @@ void WriteSlices(const std::string& where, SliceFile slice, int count)
 }
 
 /// Every sample is where it was in the patient.
-void ExpectSlices(
-  const std::string& what, const Explore::Volume& volume, int count, bool isSagittal)
+void ExpectSlices(const std::string& what, const Explore::Volume& volume, int count,
+  bool isSagittal, const SliceFile& like = SliceFile())
 {
   vtkImageData* const image = volume.Image;
-  const vtkIdType points = static_cast<vtkIdType>(count) * DICOM_ROWS * DICOM_COLUMNS;
+  const vtkIdType points = static_cast<vtkIdType>(count) * like.Rows * like.Columns;
   Expect(image->GetNumberOfPoints() == points, what + " has another number of samples");
   int wrong = 0;
   for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
@@ -218,7 +222,8 @@ void ExpectSlices(
       isOnSample = isOnSample && std::abs(place[axis] - index[axis]) < 1e-4;
     }
     const double value = image->GetPointData()->GetScalars()->GetComponent(p, 0);
-    wrong += isOnSample && value == UnitsAt(index[0], index[1], index[2]) ? 0 : 1;
+    const double expected = UnitsAt(index[0], index[1], index[2]);
+    wrong += isOnSample && value == expected ? 0 : 1;
   }
   Expect(wrong == 0, what + " has " + std::to_string(wrong) + " samples elsewhere");
 }
@@ -321,11 +326,68 @@ void ExpectUnpacked(SliceFile slice)
       const std::string at = std::string(name) + "/I" + std::to_string(900 - slice.Slice);
       const std::string plain = WriteDicom("plain", Encode(slice));
       vtksys::SystemTools::MakeDirectory(folder + "/" + name);
-      Expect(PackDicom(plain, folder + "/" + at, name), at + " is not written");
+      Expect(PackDicom(plain, folder + "/" + at, name, 0.0), at + " is not written");
     }
     ExpectSlices(name, Explore::LoadVolumes({ folder + "/" + name }), 5, false);
     ExpectFault(folder + "/" + name, 2, "has no series 2");
   }
+}
+
+std::string ReadBytes(const std::string& path)
+{
+  vtksys::ifstream file(path.c_str(), std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+/// JPEG 2000, which has no images of a few pixels: slices, a file with several frames, and slices
+/// that end too early or are damaged.
+void ExpectWavelets(SliceFile slice)
+{
+  if (!Explore::CanUnpackDicom())
+  {
+    return;
+  }
+  slice.Columns = slice.Rows = 64;
+  const std::string where = folder + "/wavelets";
+  vtksys::SystemTools::MakeDirectory(where);
+  const auto pack = [&](const std::string& at)
+  {
+    const std::string plain = WriteDicom("plain", Encode(slice));
+    vtksys::SystemTools::MakeDirectory(vtksys::SystemTools::GetFilenamePath(at));
+    Expect(PackDicom(plain, at, "wavelets", SLICE_STEP), at + " is not written");
+  };
+  for (slice.Slice = 0; slice.Slice < 6; ++slice.Slice)
+  {
+    pack(where + "/I" + std::to_string(900 - slice.Slice));
+  }
+  ExpectSlices("wavelets", Explore::LoadVolumes({ where }), 6, false, slice);
+  const std::string last = where + "/I898";
+  const std::string whole = ReadBytes(last);
+  Expect(whole.size() < Encode(slice).size() / 2, "wavelets are not packed");
+  for (const std::size_t missing : { 10, 100, 200 })
+  {
+    WriteDicom("wavelets/I898", whole.substr(0, whole.size() - missing));
+    ExpectFault(where, 0, "I898");
+  }
+  std::string damaged = whole;
+  std::fill(damaged.end() - 100, damaged.end() - 60, '\0');
+  std::fill(damaged.end() - 50, damaged.end() - 20, '\xff');
+  WriteDicom("wavelets/I898", damaged);
+  try
+  {
+    Explore::LoadVolumes({ where }); // what is damaged only shows in the samples: some are wrong
+  }
+  catch (const Explore::InputError& error)
+  {
+    Expect(std::string(error.what()).find("Cure: ") != std::string::npos, error.what());
+  }
+
+  slice.Slice = 0;
+  slice.Frames = 6;
+  slice.HasStep = true;
+  pack(folder + "/wavelet-frames/all");
+  ExpectSlices(
+    "frames of wavelets", Explore::LoadVolumes({ folder + "/wavelet-frames" }), 6, false, slice);
 }
 
 /// One file with all slices.
@@ -433,6 +495,7 @@ int TestExploreDicom(int argc, char* argv[])
   ExpectSlices("a phase", Explore::LoadVolumes({ folder + "/beat" }, false, 2), 5, false);
 
   ExpectUnpacked(thorax);
+  ExpectWavelets(thorax);
   ExpectFrames(thorax);
   thorax.Frames = 3;
   WriteSlices("many", thorax, 2);

@@ -4,6 +4,7 @@
 // are linear, so that every way of resampling gives the same numbers as the formulas; and what a
 // hand feels of them is the flow, without being asked for it.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Volume/VolumeSeries.h"
@@ -193,9 +194,19 @@ int TestExploreGrids(int argc, char* argv[])
 
   const Explore::Exploration e =
     Explore::ExploreVolume(Explore::LoadVolumes({ cells }), Explore::Settings());
-  Expect(e.Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES &&
-      e.Filter->GetNumberOfModes() == 1 && e.Filter->GetMode(0)->GetArrayName() == std::string("U"),
-    "the flow is followed");
+  Expect(e.Filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES, "modes are felt");
+  std::string modes;
+  for (int i = 0; i < e.Filter->GetNumberOfModes(); ++i)
+  {
+    vtkHapticMode* const mode = e.Filter->GetMode(i);
+    modes += std::string(mode->GetActive() ? "+" : " -") + mode->GetText();
+  }
+  Expect(modes.rfind("+vector follow, U -vector front, U -vortex, U", 0) == 0,
+    "the flow is followed, and other modes are offered: " + modes);
+  const std::vector<std::string> named = Explore::NameModes(e.Filter);
+  Expect(
+    named.size() > 2 && named[0] == "1 vector follow, U" && named[1].empty() && named[2].empty(),
+    "the picture names those that are felt");
   vtkDataArray* const force = e.Trace->GetPointData()->GetArray("ModeForce_0");
   Expect(force && force->GetMaxNorm() > 0.01, "the flow is felt");
   Expect(e.Values.Kind == Explore::VolumeKind::Field && Explore::MakeTissueTable(e.Values).empty(),

@@ -117,27 +117,51 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
   }
 }
 
-// A stop before a forbidden label, 2 mm in front of it, counts once as long as it lasts.
-TEST(NeedleTissue, StopsBeforeForbiddenLabels)
+namespace
 {
-  NeedleScene scene(LayersOfN1());
+// The layers of N1, of which one is forbidden, with a stand-off of 2 mm.
+void Forbid(NeedleScene& scene, std::int64_t label)
+{
   auto labels = std::make_shared<BakedLabels>(*scene.Description.Labels);
   std::vector<LabelledMaterial> entries;
-  LabelledMaterial forbidden;
-  forbidden.Label = 3;
-  forbidden.Material.IsForbidden = true;
-  entries.push_back(forbidden);
-  for (const std::int64_t label : { 1, 2 })
+  for (std::int64_t i = 1; i <= 5; ++i)
   {
     LabelledMaterial entry;
-    entry.Label = label;
-    entry.Material = *labels->Table.Find(label);
+    entry.Label = i;
+    entry.Material = i == label ? LabelMaterial{} : *labels->Table.Find(i);
+    entry.Material.IsForbidden = i == label;
     entries.push_back(entry);
   }
   labels->Table = LabelTable(entries);
   labels->Zone = ForbiddenZone::Make(labels->View, labels->Table, labels->IndexToWorld, 2.0);
   ASSERT_TRUE(labels->Zone);
   scene.Description.Labels = labels;
+}
+} // namespace
+
+// The ligament begins 35 mm below the skin; the leap is longer than all steps of a tick.
+TEST(NeedleTissue, NoLeapGoesThroughForbiddenLabels)
+{
+  NeedleScene scene(LayersOfN1());
+  ASSERT_NO_FATAL_FAILURE(Forbid(scene, 4));
+  const HapticModel model(scene.Description);
+  NeedleHand hand(model);
+  hand.MoveTo(Along(2.0));
+  hand.MoveTo(Along(6.0));
+  ASSERT_TRUE(hand.State.Needle.IsInserted);
+  for (int tick = 0; tick < 3; ++tick)
+  {
+    hand.MoveTo(Along(50.0), 100.0);
+    EXPECT_NEAR(hand.FindDepth(), 35.0 - 2.0, 0.1) << tick;
+  }
+  EXPECT_EQ(hand.State.Needle.Touches, 1U);
+}
+
+// A stop before a forbidden label, 2 mm in front of it, counts once as long as it lasts.
+TEST(NeedleTissue, StopsBeforeForbiddenLabels)
+{
+  NeedleScene scene(LayersOfN1());
+  ASSERT_NO_FATAL_FAILURE(Forbid(scene, 3));
   const HapticModel model(scene.Description);
   NeedleHand hand(model);
   hand.MoveTo(Along(2.0));

@@ -261,6 +261,17 @@ TEST_F(FilterNeedle, TellsWhatItHasPassed)
   EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
 }
 
+TEST_F(FilterNeedle, WritesNoTrackIntoTheTraceItself)
+{
+  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 20 } });
+  const vtkIdType points = trace->GetNumberOfPoints();
+  const apitest::MessageLog log(trace);
+  EXPECT_FALSE(vtkHapticNeedle::MakeTrack(trace, trace));
+  ASSERT_EQ(log.Errors.size(), 1U);
+  EXPECT_NE(log.Errors[0].find("another one"), std::string::npos) << log.Errors[0];
+  EXPECT_EQ(trace->GetNumberOfPoints(), points);
+}
+
 TEST_F(FilterNeedle, HasItsArraysOnlyWithATool)
 {
   vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 10 } }, 10);

@@ -90,5 +90,18 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->MouseMove(x, y - 30);
   editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 30);
   passed &= Check(strength->GetValue(3000.0) < height - 0.5, "a point of it is dragged");
+  // One that is taken during a drag ends the drag's step, and is one itself.
+  const double before = strength->GetValue(3000.0);
+  passed &= Check(editor->Propose(), "a proposal during a drag");
+  window->Render();
+  editor->ButtonPress(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 30);
+  editor->MouseMove(x, y - 60);
+  const double dragged = strength->GetValue(3000.0);
+  passed &= Check(dragged < before - 0.5 && editor->TakeProposal(), "is taken");
+  editor->ButtonRelease(vtkHapticFunctionEditor::LEFT_BUTTON, x, y - 60);
+  passed &= Check(strength->GetValue(3000.0) != dragged, "and changes what was dragged");
+  passed &=
+    Check(editor->Undo() && strength->GetValue(3000.0) == dragged, "the proposal is undone");
+  passed &= Check(editor->Undo() && strength->GetValue(3000.0) == before, "then the drag");
   return passed && picture == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
 }

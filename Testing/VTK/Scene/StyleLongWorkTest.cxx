@@ -372,6 +372,45 @@ TEST_F(StyleLongWork, LeavesTheMethodIfTheMeshIsThereAndCannotBeFelt)
   this->Log.Errors.clear();
 }
 
+TEST_F(StyleLongWork, LeavesTheComparedSettingsIfTheMeshIsThereAndCannotBeFelt)
+{
+  this->GiveMethodMuch();
+  this->Filter->SetMethodToForceField();
+  this->Filter->SetForceFieldGain(0.01);
+  vtkPiecewiseFunction* const k = this->Filter->GetProperty()->GetStiffness();
+  const double stiffness = k->GetValue(0.0);
+  ASSERT_NO_FATAL_FAILURE(this->Touch());
+  const apitest::MessageLog refusal(this->Filter);
+  EXPECT_TRUE(this->Style->SwapSettings());
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetProxyRadius(100.0);
+  k->AddPoint(0.0, stiffness + 50.0);
+  EXPECT_TRUE(this->Style->SwapSettings());
+  EXPECT_EQ(this->Style->GetComparedSettings(), "A");
+  EXPECT_TRUE(this->Style->SwapSettings());
+  EXPECT_EQ(this->Style->GetComparedSettings(), "B");
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return this->Device->IsPublished();
+    }));
+  this->Style->UpdateHaptics();
+  ASSERT_EQ(refusal.Errors.size(), 1U);
+  EXPECT_NE(refusal.Errors[0].find("ProxyRadius"), std::string::npos);
+  EXPECT_EQ(this->Style->GetComparedSettings(), "A");
+  EXPECT_TRUE(this->HasShown("Settings A"));
+  EXPECT_EQ(this->Filter->GetMethod(), vtkVolumeHapticsFilter::FORCE_FIELD);
+  EXPECT_EQ(k->GetValue(0.0), stiffness) << "not only the method is taken back";
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("Settings B can't be felt"), std::string::npos);
+  this->Log.Errors.clear();
+  EXPECT_FALSE(this->Style->SwapSettings()) << "B is kept, to be tried again";
+  EXPECT_EQ(refusal.Errors.size(), 2U);
+  EXPECT_EQ(this->Style->GetComparedSettings(), "A");
+  this->Log.Errors.clear();
+}
+
 TEST_F(StyleLongWork, IsNotTheMeshThatTheTouchModeLooksFor)
 {
   this->GiveMethodMuch();

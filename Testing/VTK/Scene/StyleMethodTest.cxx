@@ -174,4 +174,20 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   EXPECT_NE(std::string(this->Display->GetNotice()).find("can't be felt"), std::string::npos);
   EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  // Three surfaces together are more than the eight primitives of a tick: the first one follows.
+  this->Filter->RemoveAllModes();
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkHapticSurfaceMode> surface;
+    surface->SetActive(i == 0);
+    this->Filter->AddMode(surface);
+  }
+  this->Style->UpdateHaptics();
+  for (const char* const wanted : { "-+-", "--+", "+--" })
+  {
+    this->Press("M");
+    EXPECT_EQ(shown(), wanted);
+    EXPECT_STREQ(this->Display->GetNotice(), "");
+  }
+  EXPECT_EQ(this->FilterLog.Errors.size(), 1U);
 }

@@ -92,8 +92,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
                                     : settings.Method;
   if (method == "primitives")
   {
-    AddModes(isFlow ? std::vector<std::string>{ "vector-follow:" + volume.Flow } : settings.Modes,
-      volume.Image, filter);
+    AddModes(settings.Modes, volume.Flow, volume.Image, filter);
   }
   filter->SetMethodByName(method.c_str());
   result.Method = filter->GetMethodText();

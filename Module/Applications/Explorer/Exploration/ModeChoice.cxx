@@ -142,6 +142,41 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
   }
   filter->AddMode(mode);
 }
+
+/// The modes that the fields of an image allow beside those of a filter, off, so that a window can
+/// turn them on. Those of vectors are about the array of the first mode, if that is about vectors.
+void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  const std::string known = filter->GetMode(0)->GetArrayName();
+  vtkDataArray* const array = image->GetPointData()->GetArray(known.c_str());
+  const bool isOfVectors = array && array->GetNumberOfComponents() == 3;
+  const std::string vectors = isOfVectors ? known : FindField(image, Needs::Vectors);
+  const auto isThere = [filter](const ModePointer& mode)
+  {
+    bool found = false;
+    for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+    {
+      found = found || filter->GetMode(i)->IsA(mode->GetClassName());
+    }
+    return found;
+  };
+  for (const char* const name :
+    { "vector-follow", "two-sided-front", "vortex", "shear", "tensor-follow" })
+  {
+    const ModeName& offer = Modes().at(name);
+    const bool isFlow = offer.What == Needs::Vectors;
+    const std::string field = isFlow ? vectors : FindField(image, Needs::Tensors);
+    const ModePointer mode = offer.Make();
+    mode->SetArrayName(field.c_str());
+    // Where it has nothing to hold on, such as a flow without a rotation, it is no offer.
+    const Explore::MessageCapture capture;
+    if (!field.empty() && !isThere(mode) && mode->ProposeFromImage(image))
+    {
+      mode->ActiveOff();
+      filter->AddMode(mode);
+    }
+  }
+}
 } // namespace
 
 namespace Explore
@@ -195,13 +230,13 @@ std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter)
   for (int i = 0; isFelt && i < filter->GetNumberOfModes(); ++i)
   {
     vtkHapticMode* const mode = filter->GetMode(i);
-    names.push_back(std::to_string(i + 1) + " " + mode->GetText());
+    names.push_back(mode->GetActive() ? std::to_string(i + 1) + " " + mode->GetText() : "");
   }
   return names;
 }
 
-void AddModes(
-  const std::vector<std::string>& modes, vtkImageData* image, vtkVolumeHapticsFilter* filter)
+void AddModes(const std::vector<std::string>& modes, const std::string& wantedFlow,
+  vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   for (const std::string& mode : modes)
   {
@@ -209,9 +244,14 @@ void AddModes(
   }
   if (modes.empty())
   {
-    const bool hasVectors = !FindField(image, Needs::Vectors).empty();
+    const std::string flow = wantedFlow.empty() ? FindField(image, Needs::Vectors) : wantedFlow;
+    const bool hasVectors = !flow.empty();
     const bool hasTensors = !FindField(image, Needs::Tensors).empty();
-    AddMode(hasVectors ? "vector-follow" : hasTensors ? "tensor-follow" : "surface", image, filter);
+    const std::string first = hasVectors ? "vector-follow:" + flow
+      : hasTensors                       ? "tensor-follow"
+                                         : "surface";
+    AddMode(first, image, filter);
+    OfferModes(image, filter);
   }
 }
 } // namespace Explore

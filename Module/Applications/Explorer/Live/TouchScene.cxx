@@ -229,8 +229,9 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const bool mayAsk = exploration.Input.MayBeLabels && !exploration.Input.AreLabels;
   if (!wanted.Notice.empty() || mayAsk)
   {
-    touch.Display->SetNotice(
-      mayAsk ? "This looks like a label map: F4 shows it as labels" : wanted.Notice.c_str());
+    touch.Display->SetNotice(wanted.Notice.empty()
+        ? "This looks like a label map: F4 shows it as labels"
+        : wanted.Notice.c_str());
   }
   touch.Scene.Window->Render();
   interactor->Initialize();

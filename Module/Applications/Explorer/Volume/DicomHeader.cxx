@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/DicomHeader.h"
 
-#include "vtkMath.h"
+#include "Applications/Explorer/Volume/DicomStream.h"
 
-#include <vtksys/FStream.hxx>
-#include <vtksys/SystemTools.hxx>
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <array>
@@ -18,141 +17,23 @@
 
 namespace
 {
+using Explore::DEEPEST;
 using Explore::DicomHeader;
+using Explore::DicomStream;
+using Explore::ITEM;
+using Explore::ITEM_END;
+using Explore::SEQUENCE_END;
+using Explore::UNKNOWN_LENGTH;
 
-constexpr std::uint32_t UNKNOWN_LENGTH = 0xffffffff;
 constexpr std::uint32_t PIXELS = 0x7fe00010;
-constexpr std::uint32_t ITEM = 0xfffee000;
-constexpr std::uint32_t ITEM_END = 0xfffee00d;
-constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
-constexpr int DEEPEST = 16;                   // sequences in sequences
 constexpr std::uint32_t LONGEST_VALUE = 1024; // of those that are wanted
 constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
 constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
-
-/// The parts of a file one after the other: tag, type of the value, length and value.
-class DicomStream
-{
-public:
-  explicit DicomStream(const std::string& path)
-    : File(path.c_str(), std::ios::binary)
-    , Length(vtksys::SystemTools::FileLength(path))
-  {
-  }
-
-  bool IsExplicit = true;
-  bool IsBig = false;
-
-  struct Element
-  {
-    std::uint32_t Tag = 0;
-    std::uint32_t Length = 0;
-    bool IsSequence = false;
-  };
-
-  std::uint64_t Place() { return static_cast<std::uint64_t>(this->File.tellg()); }
-  std::uint64_t Left()
-  {
-    return this->Length - std::min<std::uint64_t>(this->Length, this->Place());
-  }
-
-  void GoTo(std::uint64_t place)
-  {
-    this->File.clear();
-    this->File.seekg(static_cast<std::streamoff>(place));
-  }
-
-  std::string Read(std::size_t count)
-  {
-    std::string bytes(count, '\0');
-    this->File.read(&bytes[0], static_cast<std::streamsize>(count));
-    bytes.resize(static_cast<std::size_t>(this->File.gcount()));
-    return bytes;
-  }
-
-  std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const
-  {
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < count && first + i < bytes.size(); ++i)
-    {
-      const std::size_t at = first + (this->IsBig ? i : count - 1 - i);
-      number = number << 8 | static_cast<unsigned char>(bytes[at]);
-    }
-    return number;
-  }
-
-  bool Next(Element& element)
-  {
-    const std::string head = this->Read(8);
-    if (head.size() < 8)
-    {
-      return false;
-    }
-    element.Tag = this->Number(head, 0, 2) << 16 | this->Number(head, 2, 2);
-    element.Length = this->Number(head, 4, 4);
-    const bool isItem = element.Tag >> 16 == 0xfffe;
-    element.IsSequence = !isItem && element.Length == UNKNOWN_LENGTH;
-    // The part of a file before its data set is always explicit.
-    if (isItem || !this->IsExplicit)
-    {
-      return true;
-    }
-    const std::string type = head.substr(4, 2);
-    static const char* const longTypes[] = { "OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC",
-      "UN", "UR", "UT", "UV" };
-    const bool isLong =
-      std::find(std::begin(longTypes), std::end(longTypes), type) != std::end(longTypes);
-    element.Length = this->Number(head, 6, 2);
-    element.IsSequence = false;
-    if (isLong)
-    {
-      const std::string length = this->Read(4);
-      if (length.size() < 4)
-      {
-        return false;
-      }
-      element.Length = this->Number(length, 0, 4);
-      element.IsSequence = element.Length == UNKNOWN_LENGTH;
-    }
-    return true;
-  }
-
-  /// Over the value of an element, whose items may have any length.
-  bool Skip(const Element& element, int depth = 0)
-  {
-    if (element.Length != UNKNOWN_LENGTH)
-    {
-      if (element.Length > this->Left())
-      {
-        return false;
-      }
-      this->GoTo(this->Place() + element.Length);
-      return true;
-    }
-    Element part;
-    while (depth < DEEPEST && this->Next(part))
-    {
-      if (part.Tag == SEQUENCE_END || part.Tag == ITEM_END)
-      {
-        return true;
-      }
-      if (!this->Skip(part, depth + 1))
-      {
-        return false;
-      }
-    }
-    return false;
-  }
-
-private:
-  vtksys::ifstream File;
-  std::uint64_t Length;
-};
 
 /// The places of the frames of a file with several ones.
 struct FramePlaces
@@ -467,7 +348,7 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
   // The parts of compressed pixels have no length in all.
   header.IsWhole = element.Length == UNKNOWN_LENGTH
-    ? stream.Left() > 16
+    ? stream.Left() > 16 && stream.SkipItems()
     : stream.Left() >= header.GetSize() * static_cast<std::uint64_t>(header.Frames);
   OrientSlice(orientation, header);
   for (std::size_t i = 0; i < places.Groups.size(); ++i)

@@ -124,6 +124,7 @@ void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables)
 {
+  volume.MayBeLabels = false; // its labels are known
   volume.LabelTable = vtkSmartPointer<vtkHapticLabelTable>::New();
   if (IsNrrd(segmentation))
   {

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_DicomStream_h
+#define Explore_DicomStream_h
+
+#include <vtksys/FStream.hxx>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace Explore
+{
+constexpr std::uint32_t UNKNOWN_LENGTH = 0xffffffff;
+constexpr std::uint32_t ITEM = 0xfffee000;
+constexpr std::uint32_t ITEM_END = 0xfffee00d;
+constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
+constexpr int DEEPEST = 16; // sequences in sequences
+
+/// The parts of a DICOM file one after the other: tag, type of the value, length and value.
+class DicomStream
+{
+public:
+  explicit DicomStream(const std::string& path);
+
+  bool IsExplicit = true;
+  bool IsBig = false;
+
+  struct Element
+  {
+    std::uint32_t Tag = 0;
+    std::uint32_t Length = 0;
+    bool IsSequence = false;
+  };
+
+  std::uint64_t Place() { return static_cast<std::uint64_t>(this->File.tellg()); }
+  std::uint64_t Left();
+  void GoTo(std::uint64_t place);
+  std::string Read(std::size_t count);
+  std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const;
+  bool Next(Element& element);
+  /// Over the value of an element, whose items may have any length.
+  bool Skip(const Element& element, int depth = 0);
+  /// Over the items of compressed pixels, whose end some writers leave out. False if one of them
+  /// is not whole.
+  bool SkipItems();
+
+private:
+  vtksys::ifstream File;
+  std::uint64_t Length;
+};
+} // namespace Explore
+
+#endif
