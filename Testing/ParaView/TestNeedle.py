@@ -73,7 +73,7 @@ def at(curve, depth):
 
 def refuse(touch, name, value, *words):
     log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    before = touch.GetPropertyValue(name)
+    before = touch.GetProperty(name).GetData()
     vtkOutputWindow.SetInstance(log)
     setattr(touch, name, value)
     touch.UpdatePipeline()
@@ -92,8 +92,8 @@ with open(table, "w", encoding="utf-8") as file:
 
 image, labels = stack(lambda k: 0), stack(lambda k: label_at(k - SKIN))
 simple.SetActiveSource(image)
-touch = VolumeHaptics(Input=image, Path=path(2, 48, 1), Labels=labels, LabelFiles=[table],  # noqa: F821
-                      Geometry="Labels")
+touch = rig.VolumeHaptics(Input=image, Path=path(2, 48, 1), Labels=labels, LabelFiles=[table],
+                          Geometry="From labels")
 assert "Depth" not in rig.arrays_of(touch), "without a tool"
 touch.Tool = "Needle"
 felt = forces(touch)
@@ -104,8 +104,8 @@ for depth, going_in, out in EXPECTED:
 # Without labels, by the scalars: 10 N per metre of the shaft, and 0.25 N to cut, wherever the value is 100.
 plain = stack(lambda k: 100 if k > SKIN else 0)
 simple.SetActiveSource(plain)
-touch = VolumeHaptics(Input=plain, Path=path(2, 30, 1), Tool="Needle",  # noqa: F821
-                      NeedleShaftFriction="50 0, 51 10", NeedleCuttingForce="50 0, 51 0.25")
+touch = rig.VolumeHaptics(Input=plain, Path=path(2, 30, 1), Tool="Needle",
+                          NeedleShaftFriction="50 0, 51 10", NeedleCuttingForce="50 0, 51 0.25")
 felt = forces(touch)
 deepest = felt["in"][0].max()
 assert deepest > 15, deepest
