@@ -5,22 +5,26 @@
  * The tool in the hand, baked for the servo tick.
  *
  * Without one, the hand feels with a point. A kind of tool has a value of ToolKind, its description
- * in ToolDescription, and its code in Core/Tools. What passes from tick to tick is in ServoState.
+ * in ToolDescription, and its code in Core/Tools. What passes from tick to tick is in ServoState,
+ * and in ToolMemory if its size depends on the tool.
  */
 #ifndef BakedTool_h
 #define BakedTool_h
 
 #include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/PointShell.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace VolumeHaptics
 {
 
 enum class ToolKind : std::uint8_t
 {
-  Point, ///< none: the method's own point
-  Needle ///< see Core/Tools/NeedleTool.h
+  Point,  ///< none: the method's own point
+  Needle, ///< see Core/Tools/NeedleTool.h
+  Shell   ///< see Core/Tools/ShellTool.h
 };
 
 /** What a needle feels by the value of the scalars, where a label does not say it. */
@@ -32,11 +36,20 @@ struct NeedleDescription
   double LateralStrength = 1.0;                   ///< s_l, N
 };
 
+/** A tool with a shape, and how it is felt. */
+struct ShellDescription
+{
+  std::shared_ptr<const PointShell> Points; ///< in world units; not null
+  /** But for the contact area, which is in square world units, and the scale, which is not used. */
+  ShellSettings Touch;
+};
+
 /** Everything that a tool is baked from. */
 struct ToolDescription
 {
   ToolKind Kind = ToolKind::Point;
   NeedleDescription Needle; ///< of that kind
+  ShellDescription Shell;   ///< of that kind
 };
 
 /** A tool as a tick reads it. Immutable. */
@@ -47,6 +60,8 @@ struct BakedTool
     , NeedleForces({ description.Needle.ShaftFriction, description.Needle.CuttingForce })
     , HasCuttingForce(description.Needle.HasCuttingForce)
     , LateralStrength(description.Needle.LateralStrength)
+    , Shell(description.Shell.Points)
+    , ShellTouch(description.Shell.Touch)
   {
   }
 
@@ -56,6 +71,11 @@ struct BakedTool
   const PiecewiseTable<2> NeedleForces; ///< channels tau, R
   const bool HasCuttingForce;
   const double LateralStrength;
+  ///@}
+  ///@{
+  /** Of a tool with a shape: see ShellDescription. */
+  const std::shared_ptr<const PointShell> Shell;
+  const ShellSettings ShellTouch;
   ///@}
 };
 

@@ -143,6 +143,18 @@ std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
     tables.push_back({ tool, sizeof(*tool) });
     tables.push_back({ tool->NeedleForces.GetMemory(),
       tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces) });
+    if (const PointShell* const shell = tool->Shell.get())
+    {
+      const std::size_t numbers = shell->GetSize() * sizeof(double);
+      const auto& blocks = shell->GetBlocks();
+      tables.push_back({ shell, sizeof(*shell) });
+      tables.push_back({ blocks.data(), blocks.size() * sizeof(blocks[0]) });
+      for (const double* const each :
+        { shell->GetX(), shell->GetY(), shell->GetZ(), shell->GetAreas() })
+      {
+        tables.push_back({ each, numbers });
+      }
+    }
   }
   return tables;
 }
@@ -158,8 +170,9 @@ std::size_t HapticModel::GetMemorySize() const noexcept
       (mode.GuideSurface ? mode.GuideSurface->GetMemorySize() : 0);
   }
   const BakedTool* const tool = baked.Tool.get();
-  const std::size_t ofTool =
-    tool ? sizeof(*tool) + tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces) : 0;
+  const std::size_t ofTool = tool ? sizeof(*tool) + tool->NeedleForces.GetMemorySize() -
+      sizeof(tool->NeedleForces) + (tool->Shell ? tool->Shell->GetMemorySize() : 0)
+                                  : 0;
   return modes + ofTool + sizeof(*this) + sizeof(baked) +
     baked.Kernel.Table.capacity() * sizeof(double) + baked.Materials.GetMemorySize() -
     sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() - sizeof(baked.Distinctness) +

@@ -18,9 +18,23 @@ double LocalDistance(const HapticModel& model) noexcept
   return LocalCornerReach * model.Baked->LargestSpacing;
 }
 
-} // namespace
+/**
+ * Of a tool with a shape, beyond that of the method: its points around its origin, and their
+ * material a kernel length farther.
+ */
+Vector3 FindToolReach(const HapticModel& model) noexcept
+{
+  if (!model.Baked->HasTool(ToolKind::Shell))
+  {
+    return {};
+  }
+  const double reach = model.Baked->Tool->Shell->GetReach() / model.WorldUnitsPerMeter;
+  // A foot is followed over a voxel, and its gradient reads one more to either side.
+  constexpr double around = 3.0;
+  return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };
+}
 
-Vector3 FindReadReach(const HapticModel& model) noexcept
+Vector3 FindMethodReach(const HapticModel& model) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
   const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
@@ -53,6 +67,13 @@ Vector3 FindReadReach(const HapticModel& model) noexcept
     return Most(values, Vector3{ walk, walk, walk } + spare);
   }
   return Most(values, kernel);
+}
+
+} // namespace
+
+Vector3 FindReadReach(const HapticModel& model) noexcept
+{
+  return FindMethodReach(model) + FindToolReach(model);
 }
 
 bool FindReadBox(

@@ -41,9 +41,10 @@ struct DeviceLimits
   /// m: a device that reports only what is new is silent unless it moves by this; 0 if it also
   /// reports at rest
   double LeastMotion = 0.0;
-  unsigned ForceAxes = 7; ///< bit i: it can push along axis i
-  bool MovesTip = true;   ///< its forces move the tip, so that PortObserver can judge them
-  bool Vibrates = false;  ///< it can't push: it vibrates when the force changes
+  unsigned ForceAxes = 7;     ///< bit i: it can push along axis i
+  bool MovesTip = true;       ///< its forces move the tip, so that PortObserver can judge them
+  bool Vibrates = false;      ///< it can't push: it vibrates when the force changes
+  double MaximumTorque = 0.0; ///< N m; 0 if it gives none
 };
 
 /** The round trip (s) for which devices state the largest stiffness and damping that they hold. */
@@ -96,7 +97,7 @@ struct DeviceSample
 struct DeviceCommand
 {
   Vector3 Force;  ///< N, on the hand at the tip
-  Vector3 Torque; ///< N m, on the hand about the tip; always zero as yet
+  Vector3 Torque; ///< N m, on the hand about the tip, of a tool with a shape
 };
 
 /** For the servo loop, each tick: what came of a Read or a Write. DeviceStage is for people. */

@@ -3,6 +3,7 @@
 #include "Core/Servo/ModelExchange.h"
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Tools/ToolMemory.h"
 
 #include <algorithm>
 #include <iterator>
@@ -23,7 +24,15 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
   auto published = std::make_unique<PublishedModel>();
   if (model)
   {
-    for (const HapticModel::MemoryRange& table : model->GetTables())
+    published->Tool = ToolMemory::Provide(*model->Baked, this->LastTool);
+    this->LastTool = published->Tool ? published->Tool : this->LastTool;
+    std::vector<HapticModel::MemoryRange> tables = model->GetTables();
+    if (published->Tool)
+    {
+      const std::vector<HapticModel::MemoryRange> more = published->Tool->GetTables();
+      tables.insert(tables.end(), more.begin(), more.end());
+    }
+    for (const HapticModel::MemoryRange& table : tables)
     {
       if (!published->Lock.Add(table.Begin, table.Size))
       {

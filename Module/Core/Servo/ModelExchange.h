@@ -7,6 +7,9 @@
  * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
  * from then on; the fitter of local surfaces, and the keeper of the samples around the tip, note
  * the model that they hold. Only the publishing thread frees models, once none of them uses them.
+ *
+ * With a model comes the memory of its tool (ToolMemory.h). It is one and the same for models with
+ * the same tool, and the servo alone writes it.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h
@@ -21,13 +24,15 @@
 namespace VolumeHaptics
 {
 class HapticModel;
+class ToolMemory;
 
 /** The target of the pointer that is swapped. */
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
+  std::shared_ptr<ToolMemory> Tool; ///< for the servo; null if the model's tool needs none
   std::uint64_t Generation = 0;
-  MemoryLock Lock; ///< on the model's tables
+  MemoryLock Lock; ///< on the tables of both
 };
 
 class ModelExchange
@@ -41,6 +46,8 @@ public:
   ///@{
   /** Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
+  /** The memory of the tool of the model that was published last; null if it needs none. */
+  const std::shared_ptr<ToolMemory>& GetTool() const noexcept { return this->Kept.back()->Tool; }
   /** Frees the models that no other thread uses. */
   void Collect();
   /** From any thread: whether the tables of a model could not be kept in memory. */
@@ -83,6 +90,7 @@ private:
   std::atomic<bool> LockRefused{ false };
   std::vector<std::unique_ptr<const PublishedModel>> Kept; // used by the publisher, oldest first
   std::uint64_t Generation = 0;                            // used by the publisher
+  std::shared_ptr<ToolMemory> LastTool; // used by the publisher: the last one that was needed
 };
 
 } // namespace VolumeHaptics

@@ -18,7 +18,8 @@ void ResidentServo::Rest(double period, ForceGate& gate) noexcept
 }
 
 void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vector3& tip,
-  double period, TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate) noexcept
+  double period, TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
+  ToolMemory* tool) noexcept
 {
   const double there = model.Resident.IsWhole() ? 1.0 : FindResidency(model, state, tip);
   if (!(there > 0.0) && !this->IsOut)
@@ -35,7 +36,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)
   {
-    VolumeHaptics::Tick(model, state, tip, record, result, &this->Taps);
+    VolumeHaptics::Tick(model, state, tip, record, result, &this->Taps, tool);
     return;
   }
   if (opening == 0.0 || !state.Enabled)
@@ -52,6 +53,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   state.Precise = PreciseState{};
   state.Precise.ReachedTip = tip;
   state.Needle = NeedleState{};
+  state.Shell = ShellState{};
   state.Enabled = opening > 0.0;
   this->IsOut = opening > 0.0;
 }

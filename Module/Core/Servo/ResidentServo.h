@@ -14,6 +14,7 @@ namespace VolumeHaptics
 {
 class ForceGate;
 class HapticModel;
+class ToolMemory;
 struct LocalSurfaceResult;
 struct ServoState;
 struct TickRecord;
@@ -32,10 +33,11 @@ class ResidentServo
 public:
   /**
    * One tick of a period (s). Computes the whole force, of which the gate's share is felt. `record`
-   * has to be that of the tick before.
+   * has to be that of the tick before; `tool` is as for VolumeHaptics::Tick.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
-    TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate) noexcept;
+    TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
+    ToolMemory* tool = nullptr) noexcept;
   /** A tick of a period (s) without a model. */
   void Rest(double period, ForceGate& gate) noexcept;
 

@@ -94,7 +94,7 @@ bool SafetyStage::FollowSamples(
 {
   this->SampleAge += input.Elapsed;
   this->Silence += input.Elapsed;
-  const bool finite = IsFinite(input.Force) && IsFinite(input.Tip);
+  const bool finite = IsFinite(input.Force) && IsFinite(input.Torque) && IsFinite(input.Tip);
   double speed = 0.0;
   bool isActive = false;
   bool givesEnergy = false;

@@ -5,7 +5,7 @@
  * The only way from a computed force to a device.
  *
  * In the order in which a force passes:
- * 1. A force or a tip that is not finite gives zero and a fault.
+ * 1. A force, a torque or a tip that is not finite gives zero and a fault.
  * 2. A tip that is faster than the limit gives zero and a fault. Its speed is that between two
  *    measurements, by their own times.
  *    So does a device that runs away against its force (PortObserver.h).
@@ -15,6 +15,7 @@
  *    work that the hand was spared on the way in is not given to it on the way out.
  * 5. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
  *    end it, the force fades, with a fault.
+ * The torque has a stage of its own, with this one's gate: TorqueStage.h.
  * Stiffness and damping are capped in the computation of the force: see HapticModel::Caps. Joint
  * commands are scaled down together, by the back end: SaturateTogether.
  *
@@ -52,8 +53,10 @@ struct SafetyLimits
    * ever.
    */
   double AttentionTime = 0.0;
-  bool MovesTip = false;       ///< forces move the tip: see DeviceLimits
-  double MaximumDamping = 0.0; ///< N s/m, that the device holds; 0 if it does not limit it
+  bool MovesTip = false;           ///< forces move the tip: see DeviceLimits
+  double MaximumDamping = 0.0;     ///< N s/m, that the device holds; 0 if it does not limit it
+  double MaximumTorque = 0.0;      ///< N m; 0 lets none through: see TorqueStage.h
+  double MaximumTorqueRate = 20.0; ///< N m/s, of growth
 };
 
 /** The input of the stage in a tick. */
@@ -78,6 +81,7 @@ struct SafetyInput
   double MotionTime = 0.0;
   double RoundTrip = 0.0; ///< s, measured; 0 if it is not known
   bool Lost = false;      ///< the device is gone
+  Vector3 Torque;         ///< N m, as computed: only whether it is finite counts here
 };
 
 class SafetyStage

@@ -3,6 +3,7 @@
 #include "Core/Servo/ServoLoop.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "Core/Tools/ShellTool.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** 8 s at 1 kHz, in case the recorder is delayed; 14 MiB, which every start has to clear. */
+/** 8 s at 1 kHz, in case the recorder is delayed; 17 MiB, which every start has to clear. */
 constexpr std::size_t TraceCapacity = 1 << 13;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
@@ -60,7 +61,7 @@ void ServoLoop::FollowModel() noexcept
   const Vector3 proxy = this->State.Proxy;
   if (before && after)
   {
-    CarryState(*before, *after, this->State);
+    CarryState(*before, *after, this->State, next->Tool.get());
   }
   this->IsModelNew = true;
   this->IsContactNew = !before || !after || Norm(this->State.Proxy - proxy) > FarthestCarry;
@@ -176,14 +177,18 @@ DeviceSample ServoLoop::ReadDevice(std::int64_t woken, double period) noexcept
   ServoSnapshot& s = this->Snapshot;
   DeviceSample sample;
   sample.Tip = s.Record.Tip;
-  sample.Orientation = s.Orientation;
-  sample.HasOrientation = s.HasOrientation;
+  sample.Orientation = this->MeasuredOrientation;
+  sample.HasOrientation = this->HasMeasured;
   s.Device = this->Backend.Read(period, sample);
   s.Buttons = sample.Buttons;
   s.Turn = sample.Turn;
-  sample.HasOrientation = sample.HasOrientation && MakeUnit(sample.Orientation);
+  this->HasMeasured = sample.HasOrientation && MakeUnit(sample.Orientation);
+  this->MeasuredOrientation = this->HasMeasured ? sample.Orientation : Quaternion{};
+  sample.Orientation = this->MeasuredOrientation;
+  sample.HasOrientation = this->Hand.Follow(period, sample.Orientation, this->HasMeasured);
+  s.Orientation = sample.Orientation;
   s.HasOrientation = sample.HasOrientation;
-  s.Orientation = s.HasOrientation ? sample.Orientation : Quaternion{};
+  s.IsOrdered = s.HasOrientation && !this->HasMeasured;
   sample.Time = sample.Time == 0 ? woken : sample.Time;
   this->MotionTime = this->Timing.NoteSample(sample, woken);
   if (s.Device == DeviceState::NotReady)
@@ -231,6 +236,11 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   this->State.Orientation = this->Snapshot.Orientation;
   this->State.HasOrientation = sample.HasOrientation;
   this->Snapshot.Before = this->State;
+  this->Snapshot.IsKept = this->Current->Model && this->KeepWanted.exchange(false);
+  if (this->Snapshot.IsKept && this->Current->Tool)
+  {
+    this->Current->Tool->Keep();
+  }
 }
 
 void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
@@ -240,7 +250,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
   if (const HapticModel* const model = this->Current->Model.get())
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
-      this->Fitter.FindResult(*model, this->State.Local), this->Gate);
+      this->Fitter.FindResult(*model, this->State.Local), this->Gate, this->Current->Tool.get());
     s.Modes = FindModeForces(*model, this->State);
     this->Fitter.Send(*model, this->State.Local);
     this->Samples.Follow(s.Record.Tip, s.Record.Proxy);
@@ -326,6 +336,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
     // If data are missing, the force is that of an earlier tick.
     input.Drag = model && !s.Awaiting ? FindDrag(*model, s.Before, s.Record) : Vector3{};
   }
+  input.Torque = s.Record.Torque;
   input.Tip = sample.Tip;
   input.Period = period;
   input.Elapsed = elapsed;
@@ -338,7 +349,11 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.IsNew = std::exchange(this->IsForceNew, false);
   // A loss that Write found counts from the next tick on.
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
-  s.Command = this->Safety.Apply(input, this->Limits.Read(), this->Gate);
+  const SafetyLimits& limits = this->Limits.Read();
+  s.Command = this->Safety.Apply(input, limits, this->Gate);
+  s.Torque = this->Torques.Apply({ s.Record.Torque, model ? FindTurningStiffness(*model) : 0.0,
+                                   s.Orientation, sample.Fresh, period },
+    limits, this->Gate);
   this->WriteLost = this->Backend.Send({ s.Command, s.Torque }) == DeviceState::Lost;
   if (sample.Taken.Of != 0)
   {

@@ -23,6 +23,7 @@
 #include "Core/Servo/DataClock.h"
 #include "Core/Servo/DeviceBackend.h"
 #include "Core/Servo/ForceGate.h"
+#include "Core/Servo/HandTurn.h"
 #include "Core/Servo/LocalSurfaceFitter.h"
 #include "Core/Servo/LoopTiming.h"
 #include "Core/Servo/MemoryLock.h"
@@ -34,6 +35,7 @@
 #include "Core/Servo/ServoTick.h"
 #include "Core/Servo/SignCheck.h"
 #include "Core/Servo/TimeHistogram.h"
+#include "Core/Servo/TorqueStage.h"
 #include "Core/Servo/TraceRing.h"
 #include "Core/Servo/TripleBuffer.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
@@ -49,9 +51,10 @@ struct ServoSnapshot
 {
   TickRecord Record;            ///< computed by the tick, before the safety stage
   ServoState Before;            ///< the state before the tick; if not enabled, f = 0
+  bool IsKept = false;          ///< the memory of the tool has a copy that belongs to Before
   ModeForces Modes{};           ///< N, of the modes of PRIMITIVES, before the safety stage
   Vector3 Command;              ///< N, sent to the device
-  Vector3 Torque;               ///< N m, sent to the device; always zero as yet
+  Vector3 Torque;               ///< N m, sent to the device
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
   std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
@@ -59,6 +62,7 @@ struct ServoSnapshot
   Vector3 Turn;                ///< rad/s, see DeviceSample
   Quaternion Orientation;      ///< of the stylus, see DeviceSample; tools turn with it
   bool HasOrientation = false; ///< Orientation is valid; it is a unit quaternion in any case
+  bool IsOrdered = false;      ///< Orientation is that of ServoLoop::TurnHand
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
   bool Stale = false;                      ///< the tip is older than the watchdog allows
@@ -111,6 +115,8 @@ public:
   {
     return this->Models.Publish(std::move(model));
   }
+  /** See ModelExchange::GetTool. By the owner. */
+  std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
   /** The generation that the loop has seen. */
@@ -203,12 +209,26 @@ public:
     this->ConfirmAxes.store(axes, std::memory_order_release);
   }
 
+  ///@{
+  /**
+   * How the hand holds its tool, in the device's space, if the device measures no orientation: see
+   * HandTurn.h.
+   */
+  void TurnHand(const Quaternion& orientation) noexcept { this->Hand.Order(orientation); }
+  void ForgetTurn() noexcept { this->Hand.Forget(); }
+  ///@}
+
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
   void SetDataClock(const DataClockOrders& orders) noexcept { this->ClockOrders.Write(orders); }
 
   bool ReadState() noexcept { return this->Latest.Update(); }
   const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
 
+  /**
+   * The memory of the tool is kept (ToolMemory::Keep) in the next tick that has a model: a
+   * recording begins with that tick. Not before the last one that was kept has been read.
+   */
+  void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
   std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
@@ -342,6 +362,7 @@ private:
 
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> Recording{ false };
+  std::atomic<bool> KeepWanted{ false };
   std::atomic<bool> ResetRequested{ false };
   std::atomic<bool> HoldWanted{ false };
   std::atomic<bool> AtRest{ false };
@@ -363,9 +384,16 @@ private:
   bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
   DataClock Clock;
   ResidentServo Servo;
+  HandTurn Hand; ///< ordered by the owner
+  ///@{
+  /** Of the device, in the last tick. */
+  Quaternion MeasuredOrientation;
+  bool HasMeasured = false;
+  ///@}
   bool HasSample = false; ///< a fresh sample has come since the start
   ForceGate Gate;
   SafetyStage Safety;
+  TorqueStage Torques;
   double MotionTime = 0.0; ///< s: SafetyInput::MotionTime
   SignCheck Signs;
   unsigned SignAxes = 0; ///< to be confirmed

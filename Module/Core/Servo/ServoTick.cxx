@@ -9,6 +9,7 @@
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "Core/Tools/NeedleEntry.h"
 #include "Core/Tools/NeedleTool.h"
+#include "Core/Tools/ShellTool.h"
 
 namespace VolumeHaptics
 {
@@ -48,11 +49,18 @@ inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& 
 
 /** A tick with a tool in the hand. */
 void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result, TapMemory* memory) noexcept
+  const LocalSurfaceResult& result, TapMemory* memory, ToolMemory* tool) noexcept
 {
   if (!state.Enabled)
   {
     state.Needle = NeedleState{};
+    state.Shell.Enabled = false;
+  }
+  ShellMemory* const shell = tool ? tool->GetShell() : nullptr;
+  if (shell && model.Baked->HasTool(ToolKind::Shell))
+  {
+    StepShell(model, state, *shell, record);
+    return;
   }
   if (state.Needle.IsInserted)
   {
@@ -71,7 +79,7 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
 } // namespace
 
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result, TapMemory* memory) noexcept
+  const LocalSurfaceResult& result, TapMemory* memory, ToolMemory* tool) noexcept
 {
   if (!IsNear(tip, FarthestTip))
   {
@@ -88,12 +96,13 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
   record.Depth = record.ShaftForce = 0.0;
   record.Torque = Vector3{};
+  record.ToolOrientation = NoOrientation;
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
   if (model.Baked->Tool)
   {
-    StepWithTool(model, state, record, result, memory);
+    StepWithTool(model, state, record, result, memory, tool);
   }
   else
   {
@@ -129,7 +138,8 @@ Vector3 FindDrag(
   return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
 
-void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept
+void CarryState(
+  const HapticModel& from, const HapticModel& to, ServoState& state, ToolMemory* tool) noexcept
 {
   const bool isRegion = !from.Resident.IsWhole() || !to.Resident.IsWhole();
   const bool isSeries = from.Baked->IsMoving() && to.Baked->IsMoving();
@@ -144,6 +154,7 @@ void CarryState(const HapticModel& from, const HapticModel& to, ServoState& stat
   const HapticSettings& is = to.Baked->Settings;
   const bool wasInserted = state.Needle.IsInserted;
   CarryNeedle(from, to, state.Needle);
+  CarryShellTool(from, to, state, tool);
   // A coarse image that stands in, and what it stands for, have surfaces at different places: the
   // proxy must not come to the other side.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&

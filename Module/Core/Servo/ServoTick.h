@@ -13,6 +13,7 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 #include "Core/Solvers/ServoState.h"
+#include "Core/Tools/ToolMemory.h"
 
 namespace VolumeHaptics
 {
@@ -23,11 +24,12 @@ namespace VolumeHaptics
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
- * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it.
+ * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it. So may
+ * only one the memory of the model's tool, without which a tool that needs one is felt as a point.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(),
-  TapMemory* memory = nullptr) noexcept;
+  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(), TapMemory* memory = nullptr,
+  ToolMemory* tool = nullptr) noexcept;
 
 /**
  * The drag in a tick's force (N) against the hand's motion, which only takes energy: that of
@@ -40,9 +42,11 @@ Vector3 FindDrag(
 /**
  * Takes the state from one placement of the device to another. The proxy rests on the volume: if
  * the volume moves under the hand, the proxy moves along. From one region of a volume to another,
- * and from one part of a series of frames to another, the state stays as it is.
+ * and from one part of a series of frames to another, the state stays as it is. `tool` is the
+ * memory of the new model's tool.
  */
-void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state) noexcept;
+void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state,
+  ToolMemory* tool = nullptr) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -15,6 +15,7 @@
 #include "Core/Solvers/NeedleState.h"
 #include "Core/Solvers/PreciseState.h"
 #include "Core/Solvers/PrimitiveMemory.h"
+#include "Core/Solvers/ShellState.h"
 #include "Core/Solvers/TickRecord.h"
 
 namespace VolumeHaptics
@@ -41,6 +42,7 @@ struct ServoState
   bool HasOrientation = false;
   ///@}
   NeedleState Needle;
+  ShellState Shell; ///< together with ToolMemory
   ///@{
   /** Of the last tick, for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
@@ -147,6 +148,39 @@ void VisitNeedle(Needle& needle, Function&& visit)
   }
 }
 
+template <typename Orientation, typename Function>
+void VisitQuaternion(Orientation& q, Function&& visit)
+{
+  visit(q.W);
+  visit(q.X);
+  visit(q.Y);
+  visit(q.Z);
+}
+
+template <typename Shell, typename Function>
+void VisitShell(Shell& shell, Function&& visit)
+{
+  visit(shell.Enabled);
+  visit(shell.IsCarried);
+  for (auto* const pose : { &shell.Tool, &shell.Hand })
+  {
+    VisitVector(pose->Position, visit);
+    VisitQuaternion(pose->Orientation, visit);
+  }
+  visit(shell.Budget);
+  visit(shell.Sum.Energy);
+  for (auto& number : shell.Sum.Gradient)
+  {
+    visit(number);
+  }
+  for (auto& number : shell.Sum.Curvature)
+  {
+    visit(number);
+  }
+  visit(shell.Sum.Contacts);
+  visit(shell.Sum.Yielding);
+}
+
 /** Every number of a state. Those that were added later come last: older files lack them. */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
@@ -173,12 +207,10 @@ void VisitState(State& state, Function&& visit)
   }
   visit(state.Primitives.Rate);
   VisitVector(state.Primitives.Towards, visit);
-  visit(state.Orientation.W);
-  visit(state.Orientation.X);
-  visit(state.Orientation.Y);
-  visit(state.Orientation.Z);
+  VisitQuaternion(state.Orientation, visit);
   visit(state.HasOrientation);
   VisitNeedle(state.Needle, visit);
+  VisitShell(state.Shell, visit);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -256,6 +288,20 @@ bool IsPossible(Quaternion orientation, bool isValid)
   return !isValid || MakeUnit(orientation);
 }
 
+bool IsPossible(const ShellState& shell)
+{
+  const auto isPose = [](const ShellPose& pose)
+  { return IsNear(pose.Position, FarthestTip) && IsPossible(pose.Orientation, true); };
+  const auto isNumber = [](double number) { return std::abs(number) <= MostOfMaterial; };
+  const ShellSum& sum = shell.Sum;
+  // A file from before shells has zeros, and a state that is not enabled does not matter.
+  return !shell.Enabled ||
+    (isPose(shell.Tool) && isPose(shell.Hand) && IsAmount(shell.Budget) && IsAmount(sum.Energy) &&
+      std::all_of(std::begin(sum.Gradient), std::end(sum.Gradient), isNumber) &&
+      std::all_of(std::begin(sum.Curvature), std::end(sum.Curvature), isNumber) &&
+      sum.Yielding <= sum.Contacts);
+}
+
 } // namespace
 
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
@@ -283,7 +329,7 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
   return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
     IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
     IsPossible(state.Local) && IsPossible(state.Primitives) && IsPossible(state.Needle) &&
-    IsPossible(state.Orientation, state.HasOrientation);
+    IsPossible(state.Orientation, state.HasOrientation) && IsPossible(state.Shell);
 }
 
 } // namespace VolumeHaptics

@@ -14,12 +14,12 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 226;
+constexpr int ServoStateSize = 273;
 /**
  * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
- * their directions, and before tools; the other numbers are 0 then.
+ * their directions, before tools, and before those with a shape; the other numbers are 0 then.
  */
-constexpr std::array<int, 5> OldServoStateSizes = { 64, 68, 73, 98, 101 };
+constexpr std::array<int, 6> OldServoStateSizes = { 64, 68, 73, 98, 101, 226 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -7,6 +7,7 @@
 #ifndef TickRecord_h
 #define TickRecord_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Solvers/MaterialPoint.h"
 
 #include <cstdint>
@@ -27,9 +28,11 @@ struct TickRecord : MaterialPoint
 {
   double DataTime = 0.0; ///< of a volume that moves
   Vector3 Tip;
-  Vector3 Proxy;              ///< after the tick
-  Vector3 Force;              ///< N, on the hand
-  Vector3 Torque;             ///< N m, on the hand about the tip; no tool gives one yet
+  Vector3 Proxy;  ///< after the tick
+  Vector3 Force;  ///< N, on the hand
+  Vector3 Torque; ///< N m, on the hand about the tip; of a tool with a shape
+  /// of a tool with a shape, whose origin is the proxy: to the device's axes; else NoOrientation
+  Quaternion ToolOrientation = NoOrientation;
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back

@@ -129,6 +129,9 @@ void CompareStroke(
   ServoState regionState;
   TickRecord record;
   TickRecord felt;
+  const auto tool = ToolMemory::Provide(*whole.Baked, nullptr);
+  const auto regionTool = ToolMemory::Provide(*region.Baked, nullptr);
+  const auto result = LocalSurfaceResult::Simulated();
   for (const Vector3& tip : tips)
   {
     const double residency = FindResidency(region, regionState, tip);
@@ -136,8 +139,8 @@ void CompareStroke(
     {
       return;
     }
-    Tick(whole, state, tip, record);
-    Tick(region, regionState, tip, felt);
+    Tick(whole, state, tip, record, result, nullptr, tool.get());
+    Tick(region, regionState, tip, felt, result, nullptr, regionTool.get());
     ASSERT_TRUE(IsSame(felt.Force, record.Force)) << Norm(felt.Force - record.Force);
     ASSERT_TRUE(IsSame(felt.Proxy, record.Proxy));
     ASSERT_EQ(felt.SurfaceValue, record.SurfaceValue);
@@ -226,6 +229,24 @@ TEST(RegionReach, WallsOfCoarseLabelsReadAsFarAsTheirVoxelsAreLarge)
   d.Labels = MakeCoarseLabels();
   d.Settings.Geometry = SurfaceGeometry::Labels;
   const Counts counts = CompareStrokes(d, 34.0, dice);
+  EXPECT_GT(counts.Whole, 1000);
+  EXPECT_GT(counts.Part, 300);
+}
+
+TEST(RegionReach, AToolWithAShapeReadsAroundAllOfIt)
+{
+  Dice dice(24);
+  HapticModelDescription d = DescribeWideBall(HapticSolver::Precise, MaterialPlacement::Kernel);
+  d.Tool.Kind = ToolKind::Shell;
+  std::vector<ShellPoint> points;
+  for (int i = 0; i < 300; ++i)
+  {
+    points.push_back({ 2.5 * dice.DrawDirection(), 0.26 });
+  }
+  d.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
+  d.Tool.Shell.Touch.ContactArea = 25.0;
+  d.Tool.Shell.Touch.Level = HapticModel(d).ValueAtDevice({ 0.022, 0.0, 0.0 });
+  const Counts counts = CompareStrokes(d, 40.0, dice);
   EXPECT_GT(counts.Whole, 1000);
   EXPECT_GT(counts.Part, 300);
 }

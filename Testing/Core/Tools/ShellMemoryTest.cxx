@@ -38,3 +38,46 @@ TEST(ShellMemoryUse, NoTickAllocates)
   EXPECT_EQ(CountAllocations().Calls, before);
   EXPECT_GT(most, 0.01);
 }
+
+/// As the tool of models, from one to the next, and with copies for recordings.
+TEST(ShellMemoryUse, NoTickOfAToolAllocates)
+{
+  const TestVolume volume = MakeRamp();
+  HapticModelDescription scene = Describe(volume);
+  scene.Tool.Kind = ToolKind::Shell;
+  std::vector<ShellPoint> points = MakeSphere(3.0, 400);
+  for (ShellPoint& point : points)
+  {
+    point = { 1e3 * point.Position, 1e6 * point.Area };
+  }
+  scene.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
+  scene.Tool.Shell.Touch.Level = 1000.0;
+  scene.Tool.Shell.Touch.ContactArea = 25.0;
+  const HapticModel first(scene);
+  scene.Material.Stiffness = ConstantPolyline(900.0);
+  scene.DeviceToWorld.Linear = 900.0 * Matrix3{};
+  const HapticModel second(scene);
+  const auto memory = ToolMemory::Provide(*first.Baked, nullptr);
+  Wanderer wanderer(24.0);
+  ServoState state;
+  TickRecord record;
+  double most = 0.0;
+  const std::size_t before = CountAllocations().Calls;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const bool isSecond = i / 300 % 2 == 1;
+    if (i % 300 == 0 && i > 0)
+    {
+      CarryState(isSecond ? first : second, isSecond ? second : first, state, memory.get());
+    }
+    if (i % 100 == 0)
+    {
+      memory->Keep();
+    }
+    Tick(isSecond ? second : first, state, wanderer.Next(), record, LocalSurfaceResult::Simulated(),
+      nullptr, memory.get());
+    most = std::max(most, record.NormalForce);
+  }
+  EXPECT_EQ(CountAllocations().Calls, before);
+  EXPECT_GT(most, 0.01);
+}

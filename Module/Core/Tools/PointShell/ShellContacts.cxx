@@ -100,6 +100,7 @@ ShellContactFinder::ShellContactFinder(
   , Settings(settings)
   , Reader(model.Baked->Field.GetView(), settings.Level, settings.IsBelow)
   , Voxel(1.0 / model.MostVoxelsPerMeter)
+  , Scale(settings.Scale)
   , Frame(MakeFrame(model, this->Voxel))
 {
 }
@@ -109,7 +110,8 @@ double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) c
   // A point at r moves by 2 sin(theta/2) |r| at most.
   const Quaternion turn = to.Orientation * Conjugate(from.Orientation);
   const double chord = 2.0 * Norm({ turn.X, turn.Y, turn.Z });
-  return (Norm(to.Position - from.Position) + chord * this->Shell.GetReach()) / this->Voxel;
+  return (Norm(to.Position - from.Position) + chord * (this->Scale * this->Shell.GetReach())) /
+    this->Voxel;
 }
 
 bool ShellContactFinder::IsClear(std::size_t block, const Affine3& toolToIndex, double way,
@@ -123,9 +125,9 @@ bool ShellContactFinder::IsClear(std::size_t block, const Affine3& toolToIndex, 
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;
+  const double radius = this->Scale * at.Radius;
   const bool isClear = !this->Reader.MayBeSolid(toolToIndex(at.Centre),
-    { at.Radius * voxels.X + margin, at.Radius * voxels.Y + margin,
-      at.Radius * voxels.Z + margin });
+    { radius * voxels.X + margin, radius * voxels.Y + margin, radius * voxels.Z + margin });
   clearance.IsClear[block] = isClear ? 1 : 0;
   // This pose may not be taken: then the next one is as far on the other side of the last one.
   // What is not clear may be so soon.
@@ -140,7 +142,7 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
   sum = ShellSum{};
   to.Count = 0;
   to.Share = 1.0;
-  const Affine3 toolToDevice{ ToMatrix(pose.Orientation), pose.Position };
+  const Affine3 toolToDevice{ this->Scale * ToMatrix(pose.Orientation), pose.Position };
   const Affine3 toolToIndex = Compose(this->Model.DeviceToIndex, toolToDevice);
   const Vector3* const rows = toolToIndex.Linear.Row;
   const Vector3& offset = toolToIndex.Offset;
@@ -219,6 +221,7 @@ void ShellContactFinder::Append(
 
   const double perArea = 1.0 / this->Settings.ContactArea;
   const double* const areas = this->Shell.GetAreas();
+  const double squareMeter = this->Scale * this->Scale;
   ShellPushes& forces = candidates.Forces;
   forces.Count = 0;
   for (std::size_t n = 0; n < count; ++n)
@@ -237,7 +240,7 @@ void ShellContactFinder::Append(
     law.Strength = material[2] * (distinct[0] * model.BorderFade(Get(batch.Foot, i))) *
       (material[4] * distinct[1]) * perArea;
     const bool isFelt = material[0] > HapticModel::MinimumStiffness && law.Strength > 0.0;
-    const double area = areas[candidates.Point[i]];
+    const double area = squareMeter * areas[candidates.Point[i]];
     const double depth = batch.Depth[i];
     double stretch = 0.0;
     if (isFelt && !isStart)

@@ -28,7 +28,8 @@
 #define ShellContacts_h
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Tools/PointShell/PointShell.h"
+#include "Core/Model/PointShell.h"
+#include "Core/Solvers/ShellState.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
 #include <cstdint>
@@ -36,16 +37,6 @@
 
 namespace VolumeHaptics
 {
-
-/** How a shell is felt. */
-struct ShellSettings
-{
-  double Level = 0.0;               ///< V_c
-  bool IsBelow = false;             ///< values below the level are solid
-  double ContactArea = 2.5e-5;      ///< m^2, on which the materials' stiffness and strength act
-  double CouplingStiffness = 500.0; ///< N/m, between hand and tool
-  double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
-};
 
 /** A point that is held. */
 struct ShellContact
@@ -99,16 +90,6 @@ struct ShellContacts
   double Share = 1.0; ///< of the energies that counts
 };
 
-/** Of all contacts, at a pose. The six directions: along the device's axes, then about them. */
-struct ShellSum
-{
-  double Energy = 0.0;       ///< J
-  double Gradient[6] = {};   ///< of the energy, N and N m
-  double Curvature[21] = {}; ///< of the energy: the lower triangle, by rows
-  std::uint32_t Contacts = 0;
-  std::uint32_t Yielding = 0; ///< contacts that press with all that their material takes
-};
-
 /** Finds the contacts at a pose from those at a pose nearby. Borrows all that it gets. */
 class ShellContactFinder
 {
@@ -139,6 +120,7 @@ private:
   const ShellSettings& Settings;
   const ShellReader Reader;
   const double Voxel; ///< m, the smallest spacing
+  const double Scale; ///< m, of the shell's unit of length
   const ShellFrame Frame;
 };
 

@@ -51,6 +51,12 @@ struct Coupling
   }
 };
 
+Coupling MakeCoupling(const ShellSettings& settings, const ForceCaps& caps) noexcept
+{
+  const double k = settings.CouplingStiffness;
+  return { caps.Stiffness > 0.0 ? std::min(k, caps.Stiffness) : k, settings.TurningStiffness };
+}
+
 /** The Gauss-Newton step from a pose with this pull and these contacts. */
 Step FindStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellSum& sum) noexcept
 {
@@ -113,18 +119,13 @@ public:
   Advance(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
     ShellState& state, ShellMemory& memory) noexcept
     : Finder(model, shell, settings)
-    , Springs{ settings.CouplingStiffness, settings.TurningStiffness }
-    , Reach(shell.GetReach())
+    , Springs(MakeCoupling(settings, model.Caps))
+    , Reach(settings.Scale * shell.GetReach())
     , Most(std::clamp<std::size_t>(
         MostPointsRead / std::max<std::size_t>(shell.GetSize(), 1), 2, MostLooks))
     , State(state)
     , Memory(memory)
   {
-    const double cap = model.Caps.Stiffness;
-    if (cap > 0.0)
-    {
-      this->Springs.Stiffness = std::min(this->Springs.Stiffness, cap);
-    }
   }
 
   /** Puts the tool into the hand. */
@@ -137,12 +138,17 @@ public:
     this->Look(hand, true);
     this->Memory.Swap();
     this->State.Sum = this->Sum;
+    this->State.IsCarried = false;
     this->State.Enabled = true;
   }
 
   void Follow(const ShellPose& hand) noexcept
   {
     ShellState& s = this->State;
+    if (s.IsCarried)
+    {
+      this->Resume();
+    }
     s.Budget += this->Springs.At(s.Tool, hand).Energy - this->Springs.At(s.Tool, s.Hand).Energy;
     s.Hand = hand;
     Coupling::Pull pull = this->Springs.At(s.Tool, hand);
@@ -196,6 +202,18 @@ public:
   }
 
 private:
+  /** With another model: what presses now. The tool rests, and no contact has more energy. */
+  void Resume() noexcept
+  {
+    ShellState& s = this->State;
+    const ShellPose tool = s.Tool;
+    const Coupling::Pull pull = this->Springs.At(tool, s.Hand);
+    s.IsCarried = false;
+    s.Budget = std::max(s.Budget, pull.Energy); // rounding
+    this->Look(tool, false);
+    this->Take(tool, pull);
+  }
+
   void Look(const ShellPose& pose, bool isStart) noexcept
   {
     ShellMemory& memory = this->Memory;
@@ -277,7 +295,7 @@ private:
   }
 
   const ShellContactFinder Finder;
-  Coupling Springs;
+  const Coupling Springs;
   const double Reach;
   const std::size_t Most;
   ShellState& State;
@@ -289,6 +307,60 @@ private:
 };
 
 } // namespace
+
+double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
+  const ShellPose& tool, const ShellPose& hand) noexcept
+{
+  return MakeCoupling(settings, caps).At(tool, hand).Energy;
+}
+
+void ShellMemory::Keep() noexcept
+{
+  const ShellContacts& current = this->GetCurrent();
+  std::copy_n(current.List.begin(), current.Count, this->Kept.List.begin());
+  this->Kept.Count = current.Count;
+  this->Kept.Share = current.Share;
+}
+
+bool ShellMemory::Restore(const std::vector<ShellContact>& contacts, double share) noexcept
+{
+  std::uint64_t next = 0;
+  for (const ShellContact& contact : contacts)
+  {
+    if (contact.Point < next || contact.Point >= this->Points)
+    {
+      return false;
+    }
+    next = std::uint64_t{ contact.Point } + 1;
+  }
+  ShellContacts& current = this->GetCurrent();
+  std::fill(current.Marks.begin(), current.Marks.end(), 0);
+  std::copy(contacts.begin(), contacts.end(), current.List.begin());
+  for (const ShellContact& contact : contacts)
+  {
+    current.Marks[contact.Point / ShellBlock::Size] |= std::uint64_t{ 1 }
+      << contact.Point % ShellBlock::Size;
+  }
+  current.Count = contacts.size();
+  current.Share = share;
+  this->Clearance.Reset();
+  return true;
+}
+
+void ShellMemory::AppendTables(std::vector<HapticModel::MemoryRange>& tables) const
+{
+  const auto append = [&tables](const auto& list) {
+    tables.push_back({ list.data(), list.size() * sizeof(list[0]) });
+  };
+  append(this->Clearance.Until);
+  append(this->Clearance.IsClear);
+  for (const ShellContacts* const contacts :
+    { &this->Contacts[0], &this->Contacts[1], &this->Kept })
+  {
+    append(contacts->List);
+    append(contacts->Marks);
+  }
+}
 
 void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
   const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept

@@ -29,16 +29,6 @@
 namespace VolumeHaptics
 {
 
-/** The state from which the next tick goes on, together with ShellMemory. */
-struct ShellState
-{
-  bool Enabled = false; ///< if false, the next tick puts the tool into the hand with no force
-  ShellPose Tool;
-  ShellPose Hand;      ///< of the last tick
-  double Budget = 0.0; ///< S, J
-  ShellSum Sum;        ///< at Tool
-};
-
 /** The contacts at ShellState::Tool, and room for those of a step; for one shell. */
 class ShellMemory
 {
@@ -47,6 +37,7 @@ public:
     : Clearance(shell.GetBlocks().size())
     , Points(shell.GetSize())
     , Contacts{ ShellContacts(shell.GetSize()), ShellContacts(shell.GetSize()) }
+    , Kept(shell.GetSize())
   {
   }
 
@@ -55,6 +46,20 @@ public:
   /** The next ones are the current ones from now on. */
   void Swap() noexcept { this->Current = 1 - this->Current; }
   std::size_t GetPoints() const noexcept { return this->Points; }
+
+  ///@{
+  /** Copies the current contacts, and tells the copy: a recording begins with them. */
+  void Keep() noexcept;
+  const ShellContacts& GetKept() const noexcept { return this->Kept; }
+  ///@}
+  /**
+   * Goes on with contacts that were kept, by ascending number of the point. False, and it is left
+   * as it is, if they can't be of this shell.
+   */
+  bool Restore(const std::vector<ShellContact>& contacts, double share) noexcept;
+  /** The memory that a tick writes. */
+  void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
+
   ShellClearance Clearance;
   /** BakedVolume::Number of the model to which the contacts belong. */
   std::uint64_t Model = 0;
@@ -62,6 +67,7 @@ public:
 private:
   std::size_t Points;
   ShellContacts Contacts[2];
+  ShellContacts Kept;
   int Current = 0;
 };
 
@@ -79,6 +85,10 @@ struct ShellRecord
   std::uint32_t Looks = 0;    ///< how often the volume was read at all points
   bool IsUnfinished = false;  ///< the tool is still on its way
 };
+
+/** J, of the springs between hand and tool. */
+double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
+  const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**
  * Advances the state by one tick. A hand that is not finite, far away, or whose orientation is no

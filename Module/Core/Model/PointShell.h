@@ -7,7 +7,6 @@
 #ifndef PointShell_h
 #define PointShell_h
 
-#include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
 
 #include <cstddef>
@@ -16,18 +15,25 @@
 namespace VolumeHaptics
 {
 
-/** A point of a tool's surface, in the tool's own frame, and the area that it stands for. */
+/**
+ * A point of a tool's surface, in the tool's own frame, and the area that it stands for. In any
+ * unit of length: see ShellSettings::Scale.
+ */
 struct ShellPoint
 {
-  Vector3 Position;  ///< m
-  double Area = 0.0; ///< m^2, more than 0
+  Vector3 Position;
+  double Area = 0.0; ///< more than 0
 };
 
-/** Where a tool is: its frame in that of the device. */
-struct ShellPose
+/** How a shell is felt. */
+struct ShellSettings
 {
-  Vector3 Position;       ///< m, of the frame's origin
-  Quaternion Orientation; ///< a unit quaternion
+  double Level = 0.0;               ///< V_c
+  bool IsBelow = false;             ///< values below the level are solid
+  double ContactArea = 2.5e-5;      ///< m^2, on which the materials' stiffness and strength act
+  double CouplingStiffness = 500.0; ///< N/m, between hand and tool
+  double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
+  double Scale = 1.0;               ///< m, of the shell's unit of length
 };
 
 /** Some points that are neighbours: 64, the last ones fewer. */
@@ -35,8 +41,8 @@ struct ShellBlock
 {
   static constexpr std::size_t Size = 64;
 
-  Vector3 Centre;      ///< m, of a sphere that has all of them
-  double Radius = 0.0; ///< m
+  Vector3 Centre; ///< of a sphere that has all of them
+  double Radius = 0.0;
 };
 
 /**
@@ -59,8 +65,8 @@ public:
   {
     return { this->X[i], this->Y[i], this->Z[i] };
   }
-  double GetArea() const noexcept { return this->Area; }   ///< m^2, of all points
-  double GetReach() const noexcept { return this->Reach; } ///< m, of the farthest from the origin
+  double GetArea() const noexcept { return this->Area; }   ///< of all points
+  double GetReach() const noexcept { return this->Reach; } ///< of the farthest from the origin
   std::size_t GetMemorySize() const noexcept;              ///< bytes
 
 private:

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How a tool is held whose device measures no orientation: turned by the program, such as by a
+ * mouse.
+ */
+#ifndef HandTurn_h
+#define HandTurn_h
+
+#include "Core/Math/Quaternion.h"
+#include "Core/Servo/TripleBuffer.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * The orientation follows the orders no faster than a hand turns, so that a tool in contact is not
+ * torn through what holds it. After a device has measured one, it begins there.
+ */
+class HandTurn
+{
+public:
+  static constexpr double FastestTurn = 4.0; ///< rad/s
+
+  ///@{
+  /** By the owner: a unit quaternion in the device's space; without one until then. */
+  void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
+  void Forget() noexcept { this->Orders.Write({}); }
+  ///@}
+
+  /**
+   * By the servo, once a tick of a period (s): completes the orientation that a device measured, if
+   * it did. True if there is one.
+   */
+  bool Follow(double period, Quaternion& orientation, bool isMeasured) noexcept;
+
+private:
+  struct Wish
+  {
+    Quaternion Orientation;
+    bool IsThere = false;
+  };
+  TripleBuffer<Wish> Orders;
+  Quaternion Now; ///< used by the servo
+  bool IsNow = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

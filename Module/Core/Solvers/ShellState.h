@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The state of a tool with a shape from tick to tick: see Core/Tools/PointShell/ShellCoupling.h.
+ */
+#ifndef ShellState_h
+#define ShellState_h
+
+#include "Core/Math/Quaternion.h"
+#include "Core/Math/Vector3.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** Where a tool is: its frame in that of the device. */
+struct ShellPose
+{
+  Vector3 Position;       ///< m, of the frame's origin
+  Quaternion Orientation; ///< a unit quaternion
+};
+
+/** Of all contacts, at a pose. The six directions: along the device's axes, then about them. */
+struct ShellSum
+{
+  double Energy = 0.0;       ///< J
+  double Gradient[6] = {};   ///< of the energy, N and N m
+  double Curvature[21] = {}; ///< of the energy: the lower triangle, by rows
+  std::uint32_t Contacts = 0;
+  std::uint32_t Yielding = 0; ///< contacts that press with all that their material takes
+};
+
+/** The state from which the next tick goes on, together with ShellMemory. */
+struct ShellState
+{
+  bool Enabled = false;   ///< if false, the next tick puts the tool into the hand with no force
+  bool IsCarried = false; ///< the model is another one since then: Sum is not that at Tool
+  ShellPose Tool;
+  ShellPose Hand;      ///< of the last tick
+  double Budget = 0.0; ///< S, J
+  ShellSum Sum;        ///< at Tool
+};
+
+} // namespace VolumeHaptics
+
+#endif
