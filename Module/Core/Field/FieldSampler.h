@@ -12,6 +12,7 @@
 #ifndef FieldSampler_h
 #define FieldSampler_h
 
+#include "Core/Field/CarvedSamples.h"
 #include "Core/Field/GradientKernel.h"
 #include "Core/Field/TapMemory.h"
 #include "Core/Field/VolumeView.h"
@@ -105,12 +106,17 @@ enum class InstructionSet : std::uint8_t
 /** The best instruction set that was compiled in and that this processor has. */
 InstructionSet DetectInstructionSet();
 
-/** A volume and an estimator, ready to be sampled. Borrows the samples and the kernel's table. */
+/**
+ * A volume and an estimator, ready to be sampled. Borrows the samples and the kernel's table, and
+ * the shares of what was removed.
+ */
 class FieldSampler
 {
 public:
   FieldSampler() = default;
   FieldSampler(const VolumeView& view, const GradientKernel& kernel,
+    InstructionSet instructions = DetectInstructionSet());
+  FieldSampler(const VolumeView& view, const GradientKernel& kernel, const CarvedView& carved,
     InstructionSet instructions = DetectInstructionSet());
 
   /**
@@ -119,12 +125,21 @@ public:
    */
   double Value(const Vector3& index) const noexcept
   {
+    if (this->Carved.HasAny())
+    {
+      return this->Checked(this->CarvedValue(index));
+    }
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
   /** V at index + offset and at index - offset, which is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
+    if (this->Carved.HasAny())
+    {
+      return { this->Checked(this->CarvedValue(index + offset)),
+        this->Checked(this->CarvedValue(index - offset)) };
+    }
     const ValuePair pair =
       this->Functions.Pair(this->View, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
     return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
@@ -137,6 +152,10 @@ public:
   FieldSample Gradient(const Vector3& index, TapMemory* memory = nullptr) const noexcept
   {
     FieldSample sample;
+    if (this->Carved.HasAny() && this->ReadCarved(index, sample))
+    {
+      return sample;
+    }
     if (memory && this->Functions.Remembered &&
       this->Functions.Remembered(
         this->View, index.X, index.Y, index.Z, this->Functions.Fill, *memory, sample))
@@ -201,8 +220,9 @@ public:
     return std::min(std::min(x, y), z);
   }
 
-  /** The samples, as they were given. */
+  /** The samples, as they were given, and what was removed of them. */
   const VolumeView& GetView() const noexcept { return this->Given; }
+  const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
 private:
   /** Whether the kernel, the type and the resident samples of another frame are the same. */
@@ -219,10 +239,18 @@ private:
     return std::isfinite(value) ? value : this->View.Volume.BorderValue;
   }
 
+  /** The value where tissue may have been removed. */
+  double CarvedValue(const Vector3& index) const noexcept;
+  /** The gradient, if tissue was removed around the index. */
+  bool ReadCarved(const Vector3& index, FieldSample& sample) const noexcept;
+
   FieldView View;
   VolumeView Given;
+  CarvedView Carved;
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
+  FieldFunctions OfCopies; ///< of doubles
+  int ValueReach = 0;      ///< samples beyond a position's cell
 };
 
 } // namespace VolumeHaptics

@@ -127,7 +127,9 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
   : Kernel(MakeKernel(d))
-  , Field(d.View, this->Kernel)
+  , Removal(d.Frames.empty() ? d.Removal : nullptr)
+  , Field(d.View, this->Kernel,
+      CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, d.AirValue })
   , Series(MakeSeries(d))
   , Frames(MakeFrames(d.Frames, this->Series, d.IndexToWorld.Linear, this->Kernel))
   , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,

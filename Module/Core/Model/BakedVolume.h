@@ -62,6 +62,10 @@ struct BakedVolume
   static GradientKernel MakeKernel(const HapticModelDescription& description);
 
   const GradientKernel Kernel;
+  /**
+   * Null if no tool removes anything. What it has, and not the pointer, is what a tick may change.
+   */
+  const std::shared_ptr<TissueRemoval> Removal;
   const FieldSampler Field; ///< the first frame, if there are several
   const FrameSeries Series; ///< of which Frames are a window
   /**

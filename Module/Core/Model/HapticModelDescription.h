@@ -7,6 +7,7 @@
 #ifndef HapticModelDescription_h
 #define HapticModelDescription_h
 
+#include "Core/Carving/TissueRemoval.h"
 #include "Core/Field/DisplacementField.h"
 #include "Core/Field/GradientKernel.h"
 #include "Core/Field/VolumeView.h"
@@ -80,6 +81,12 @@ struct HapticModelDescription
    */
   std::vector<ModeDescription> Modes;
   ToolDescription Tool;
+  /**
+   * Null, or what a tool removes from the samples of View, which is read as if it were not there.
+   * The one who ticks writes to it. Not for a volume that moves.
+   */
+  std::shared_ptr<TissueRemoval> Removal;
+  double AirValue = 0.0; ///< what a sample is without tissue
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
    * frames, with the same material and settings: a servo goes on from one to the other as if it had

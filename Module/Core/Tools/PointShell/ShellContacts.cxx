@@ -98,7 +98,8 @@ ShellContactFinder::ShellContactFinder(
   : Model(model)
   , Shell(shell)
   , Settings(settings)
-  , Reader(model.Baked->Field.GetView(), settings.Level, settings.IsBelow)
+  , Reader(model.Baked->Field.GetView(), settings.Level, settings.IsBelow,
+      model.Baked->Field.GetCarved())
   , Voxel(1.0 / model.MostVoxelsPerMeter)
   , Scale(settings.Scale)
   , Frame(MakeFrame(model, this->Voxel))

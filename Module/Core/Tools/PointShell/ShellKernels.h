@@ -371,7 +371,13 @@ VOLUME_HAPTICS_INLINE void ComputeFeet(
 }
 
 template <typename T>
-void FindFeet(const ShellReading& reading, const ShellFrame& frame, ShellBatch& batch) noexcept
+void ReadOneFoot(const ShellReading& reading, double x, double y, double z, double* to) noexcept
+{
+  ReadFoot<T>(reading.View, x, y, z, to);
+}
+
+template <typename T>
+void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
 {
   for (std::size_t i = 0; i < batch.Count; ++i)
   {
@@ -384,6 +390,10 @@ void FindFeet(const ShellReading& reading, const ShellFrame& frame, ShellBatch& 
       batch.Cell[axis][i] = foot[4 + axis];
     }
   }
+}
+
+void FindFeet(const ShellReading& reading, const ShellFrame& frame, ShellBatch& batch) noexcept
+{
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
     batch.Value[i] = 0.0;
@@ -464,7 +474,8 @@ ShellFunctions SelectFunctionsOfShell(ScalarType type)
     [](auto sample)
     {
       using T = decltype(sample);
-      return ShellFunctions{ MarkPoints<T>, IsAnySolid<T>, FindFeet<T>, ReadValues<T>, AddForces };
+      return ShellFunctions{ MarkPoints<T>, IsAnySolid<T>, ReadOneFoot<T>, ReadFeet<T>, FindFeet,
+        ReadValues<T>, AddForces };
     });
 }
 

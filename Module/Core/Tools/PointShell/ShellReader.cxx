@@ -15,8 +15,30 @@ ShellFunctions SelectBaselineShellFunctions(ScalarType type);
 ShellFunctions SelectAVX2ShellFunctions(ScalarType type);
 #endif
 
-ShellReader::ShellReader(
-  const VolumeView& view, double level, bool isBelow, InstructionSet instructions) noexcept
+namespace
+{
+
+ShellFunctions SelectShellFunctions(ScalarType type, InstructionSet instructions) noexcept
+{
+#ifdef VOLUME_HAPTICS_HAS_AVX2
+  if (instructions == InstructionSet::AVX2)
+  {
+    return SelectAVX2ShellFunctions(type);
+  }
+#else
+  static_cast<void>(instructions);
+#endif
+  return SelectBaselineShellFunctions(type);
+}
+
+} // namespace
+
+ShellReader::ShellReader(const VolumeView& view, double level, bool isBelow,
+  const CarvedView& carved, InstructionSet instructions) noexcept
+  : Given(view)
+  , Carved(carved)
+  , Functions(SelectShellFunctions(view.Type, instructions))
+  , OfCopies(SelectShellFunctions(ScalarType::Float64, instructions))
 {
   this->Reading.View.Volume = view;
   this->Reading.View.Volume.Data = WholeData(view);
@@ -28,16 +50,126 @@ ShellReader::ShellReader(
   }
   this->Reading.Level = level;
   this->Reading.Sign = isBelow ? -1.0 : 1.0;
-#ifdef VOLUME_HAPTICS_HAS_AVX2
-  if (instructions == InstructionSet::AVX2)
+}
+
+template <typename PlaceFunction, typename F>
+void ShellReader::ForEachCopy(const std::uint32_t* points, std::size_t count, int before,
+  int behind, const PlaceFunction& place, const F& f) const noexcept
+{
+  double samples[MostCopied];
+  // Halves that are still to do; the points are neighbours, mostly.
+  std::size_t ends[16] = { count };
+  int rest = count > 0 ? 1 : 0;
+  for (std::size_t begin = 0; rest > 0;)
   {
-    this->Functions = SelectAVX2ShellFunctions(view.Type);
-    return;
+    const std::size_t end = ends[rest - 1];
+    CarvedBox box = FindBox(this->Given, place(points[begin]), before, behind);
+    for (std::size_t i = begin + 1; i < end; ++i)
+    {
+      const CarvedBox other = FindBox(this->Given, place(points[i]), before, behind);
+      for (int a = 0; a < 3; ++a)
+      {
+        box.Low[a] = std::min(box.Low[a], other.Low[a]);
+        box.High[a] = std::max(box.High[a], other.High[a]);
+      }
+    }
+    const bool isLong = box.Size(0) > CarvedBox::MostSide || box.Size(1) > CarvedBox::MostSide ||
+      box.Size(2) > CarvedBox::MostSide;
+    if (end - begin > 1 && (isLong || box.Samples() > MostCopied))
+    {
+      ends[rest++] = begin + (end - begin) / 2;
+      continue;
+    }
+    ShellReading copy = this->Reading;
+    if (CopyCarved(this->Reading.View.Volume, this->Carved, box, samples, copy.View.Volume))
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        f(copy, points[i]);
+      }
+    }
+    begin = end;
+    --rest;
   }
-#else
-  static_cast<void>(instructions);
-#endif
-  this->Functions = SelectBaselineShellFunctions(view.Type);
+}
+
+std::uint64_t ShellReader::Remark(
+  const ShellNumbers& points, const double* map, std::uint64_t marks) const noexcept
+{
+  double places[64][3];
+  std::uint32_t marked[64];
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < points.Count; ++i)
+  {
+    if ((marks >> i & 1) == 0)
+    {
+      continue;
+    }
+    marked[count++] = i;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double* const row = map + 3 * a;
+      places[i][a] =
+        row[0] * points.X[i] + row[1] * points.Y[i] + row[2] * points.Z[i] + map[9 + a];
+    }
+  }
+  this->ForEachCopy(
+    marked, count, 0, 0, [&](std::uint32_t i) { return places[i]; },
+    [&](const ShellReading& copy, std::uint32_t i)
+    {
+      const double zero = 0.0;
+      const double* const at = places[i];
+      const double here[12] = { 1, 0, 0, 0, 1, 0, 0, 0, 1, at[0], at[1], at[2] };
+      const bool isSolid = this->OfCopies.Mark(copy, { &zero, &zero, &zero, 1 }, here) != 0;
+      marks &= isSolid ? ~std::uint64_t{ 0 } : ~(std::uint64_t{ 1 } << i);
+    });
+  return marks;
+}
+
+void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
+{
+  double places[ShellBatch::Most][3];
+  std::uint32_t points[ShellBatch::Most];
+  for (std::uint32_t i = 0; i < batch.Count; ++i)
+  {
+    points[i] = i;
+    for (int a = 0; a < 3; ++a)
+    {
+      places[i][a] = batch.Place[a][i];
+    }
+  }
+  // A place at a distance of a sample may be rounded up into the next cell.
+  this->ForEachCopy(
+    points, batch.Count, 1, 2, [&](std::uint32_t i) { return places[i]; },
+    [&](const ShellReading& copy, std::uint32_t i)
+    {
+      double foot[7];
+      this->OfCopies.Foot(copy, places[i][0], places[i][1], places[i][2], foot);
+      batch.Value[i] = foot[0];
+      for (int a = 0; a < 3; ++a)
+      {
+        batch.Gradient[a][i] = foot[1 + a];
+        batch.Cell[a][i] = foot[4 + a];
+      }
+    });
+}
+
+void ShellReader::ReadCarved(const double* positions, std::size_t count, double* to) const noexcept
+{
+  std::uint32_t points[ShellBatch::Most];
+  for (std::uint32_t i = 0; i < ShellBatch::Most; ++i)
+  {
+    points[i] = i;
+  }
+  for (std::size_t first = 0; first < count; first += ShellBatch::Most)
+  {
+    const double* const from = positions + 3 * first;
+    this->ForEachCopy(
+      points, std::min(ShellBatch::Most, count - first), 0, 0,
+      [from](std::uint32_t i) { return from + std::size_t{ 3 } * i; },
+      [&](const ShellReading& copy, std::uint32_t i)
+      { this->OfCopies.Values(copy, from + std::size_t{ 3 } * i, 1, to + first + i); });
+  }
 }
 
 bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept

@@ -88,7 +88,12 @@ struct ShellPushes
   double Stiffness[ShellBatch::Most];
 };
 
-/** From Place, Index and Offset, all that is found. */
+/** Value, gradient and derivatives in the cell at a place: seven numbers. */
+using FootFunction = void (*)(
+  const ShellReading&, double x, double y, double z, double* to) noexcept;
+/** The same of a batch, at Place. */
+using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
+/** From these, Index and Offset, the rest of what is found. */
 using FeetFunction = void (*)(const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
 /** Trilinear values at indices, x, y, z one after the other; BorderValue if one is not finite. */
 using ValuesFunction = void (*)(
@@ -104,30 +109,44 @@ struct ShellFunctions
 {
   MarkFunction Mark = nullptr;
   BoxFunction Box = nullptr;
+  FootFunction Foot = nullptr;
+  ReadFunction Read = nullptr;
   FeetFunction Feet = nullptr;
   ValuesFunction Values = nullptr;
   AddFunction Add = nullptr;
 };
 
-/** A volume, ready to be read. */
+/** A volume, ready to be read, and what was removed of it. */
 class ShellReader
 {
 public:
   ShellReader(const VolumeView& view, double level, bool isBelow,
+    InstructionSet instructions = DetectInstructionSet()) noexcept
+    : ShellReader(view, level, isBelow, CarvedView{}, instructions)
+  {
+  }
+  ShellReader(const VolumeView& view, double level, bool isBelow, const CarvedView& carved,
     InstructionSet instructions = DetectInstructionSet()) noexcept;
 
-  /** See MarkFunction. */
+  /** See MarkFunction. Where tissue was removed, no place is solid that was not so before. */
   std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
   {
-    return this->Functions.Mark(this->Reading, points, toolToIndex);
+    const std::uint64_t marks = this->Functions.Mark(this->Reading, points, toolToIndex);
+    return marks != 0 && this->Carved.HasAny() ? this->Remark(points, toolToIndex, marks) : marks;
   }
   /**
    * False if no position in a box around an index (half its size along each axis, in samples) is
-   * solid. True if one may be, or if the box has too many samples for a look.
+   * solid. True if one may be, or if the box has too many samples for a look. What was removed
+   * does not count: so no answer changes while tissue is only removed.
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   void FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
   {
+    this->Functions.Read(this->Reading, batch);
+    if (this->Carved.HasAny())
+    {
+      this->ReadCarved(batch);
+    }
     this->Functions.Feet(this->Reading, frame, batch);
   }
   void Add(const ShellPushes& forces, double* gradient, double* curvature) const noexcept
@@ -137,11 +156,37 @@ public:
   void ReadValues(const double* positions, std::size_t count, double* to) const noexcept
   {
     this->Functions.Values(this->Reading, positions, count, to);
+    if (this->Carved.HasAny())
+    {
+      this->ReadCarved(positions, count, to);
+    }
   }
 
 private:
+  /** Samples that are copied at a time: 32 KiB. */
+  static constexpr std::int64_t MostCopied = 4096;
+
+  /**
+   * Calls f(copy, point) for the points around which tissue was removed, and for some beside them;
+   * place(point) is an index. The copy has `before` and `behind` samples more than its cell.
+   */
+  template <typename PlaceFunction, typename F>
+  void ForEachCopy(const std::uint32_t* points, std::size_t count, int before, int behind,
+    const PlaceFunction& place, const F& f) const noexcept;
+  /** Takes the marks away of which the tissue was removed. */
+  std::uint64_t Remark(
+    const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
+  ///@{
+  /** Where tissue was removed, what is left in place of what was read. */
+  void ReadCarved(ShellBatch& batch) const noexcept;
+  void ReadCarved(const double* positions, std::size_t count, double* to) const noexcept;
+  ///@}
+
   ShellReading Reading;
+  VolumeView Given;
+  CarvedView Carved;
   ShellFunctions Functions;
+  ShellFunctions OfCopies; ///< of doubles
 };
 
 } // namespace VolumeHaptics

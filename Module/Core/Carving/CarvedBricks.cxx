@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Carving/CarvedBricks.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+
+CarvedBricks::CarvedBricks(std::uint32_t most)
+  : Most(std::max<std::uint32_t>(most, 1))
+{
+  int bits = 1;
+  while ((std::uint64_t{ 1 } << bits) < 2 * std::uint64_t{ this->Most })
+  {
+    ++bits;
+  }
+  const std::size_t slots = std::size_t{ 1 } << bits;
+  this->SlotMask = slots - 1;
+  this->SlotShift = 64 - bits;
+  this->Slots.reset(new std::atomic<std::uint32_t>[slots]);
+  std::for_each(this->Slots.get(), this->Slots.get() + slots,
+    [](auto& slot) { slot.store(None, std::memory_order_relaxed); });
+  this->Keys.reset(new std::uint64_t[this->Most]());
+  const std::size_t rows = std::size_t{ this->Most } * Rows;
+  this->Shares.reset(new std::atomic<std::uint64_t>[rows]);
+  std::for_each(this->Shares.get(), this->Shares.get() + rows,
+    [](auto& row) { row.store(WholeRow, std::memory_order_relaxed); });
+  const std::size_t words = (std::size_t{ this->Most } + 63) / 64;
+  this->Changed.reset(new std::atomic<std::uint64_t>[words]);
+  std::for_each(this->Changed.get(), this->Changed.get() + words,
+    [](auto& word) { word.store(0, std::memory_order_relaxed); });
+}
+
+std::uint8_t CarvedBricks::GetShare(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept
+{
+  const std::uint32_t brick = this->Find(KeyOf({ i >> Shift, j >> Shift, k >> Shift }));
+  if (brick == None)
+  {
+    return Whole;
+  }
+  const auto row = static_cast<int>((j & (Side - 1)) + Side * (k & (Side - 1)));
+  return static_cast<std::uint8_t>(this->GetRow(brick, row) >> (8 * (i & (Side - 1))));
+}
+
+bool CarvedBricks::HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept
+{
+  for (std::int64_t z = low[2] >> Shift; z <= high[2] >> Shift; ++z)
+  {
+    for (std::int64_t y = low[1] >> Shift; y <= high[1] >> Shift; ++y)
+    {
+      for (std::int64_t x = low[0] >> Shift; x <= high[0] >> Shift; ++x)
+      {
+        if (this->Find(KeyOf({ x, y, z })) != None)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+std::uint32_t CarvedBricks::FindOrAdd(std::uint64_t key) noexcept
+{
+  std::uint64_t slot = this->SlotOf(key);
+  for (;; slot = (slot + 1) & this->SlotMask)
+  {
+    const std::uint32_t brick = this->Slots[slot].load(std::memory_order_relaxed);
+    if (brick == None)
+    {
+      break;
+    }
+    if (this->Keys[brick] == key)
+    {
+      return brick;
+    }
+  }
+  const std::uint32_t brick = this->Count.load(std::memory_order_relaxed);
+  if (brick == this->Most)
+  {
+    return None;
+  }
+  this->Keys[brick] = key;
+  this->Slots[slot].store(brick, std::memory_order_release);
+  this->Count.store(brick + 1, std::memory_order_release);
+  return brick;
+}
+
+std::size_t CarvedBricks::GetMemorySize() const noexcept
+{
+  const std::size_t bricks = this->Most;
+  return sizeof(*this) + (this->SlotMask + 1) * sizeof(std::uint32_t) +
+    bricks * (Rows + 1) * sizeof(std::uint64_t) + (bricks + 63) / 64 * sizeof(std::uint64_t);
+}
+
+} // namespace VolumeHaptics

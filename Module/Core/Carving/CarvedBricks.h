@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which share of the tissue remains at each sample of a volume.
+ *
+ * Shares are bytes, 255 for all of it. Only where something was removed they need memory: in bricks
+ * of 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size finds them, so
+ * that nothing grows with the volume.
+ *
+ * One thread writes, without a lock or an allocation. Any other thread may read at any time; what
+ * it reads of a brick may be of different moments. One of them may follow the changes: it takes the
+ * bricks that were written since it last asked, and misses none, however slow it is.
+ */
+#ifndef CarvedBricks_h
+#define CarvedBricks_h
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+/** The place of a brick, in bricks, by axis. */
+struct BrickPlace
+{
+  std::int64_t X;
+  std::int64_t Y;
+  std::int64_t Z;
+};
+
+class CarvedBricks
+{
+public:
+  static constexpr int Side = 8;  ///< samples
+  static constexpr int Shift = 3; ///< from a sample's index to its brick's
+  /** Of 8 samples along x, a byte for each; row y + 8 z. */
+  static constexpr int Rows = Side * Side;
+  static constexpr std::uint64_t WholeRow = ~std::uint64_t{ 0 };
+  static constexpr std::uint8_t Whole = 255;
+  static constexpr std::uint32_t None = ~std::uint32_t{ 0 };
+  static constexpr std::uint32_t DefaultMost = 16384; ///< 8 MiB
+  /** A brick's place has 21 bits along each axis. */
+  static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
+
+  /** Allocates, and writes to all of its memory once. */
+  explicit CarvedBricks(std::uint32_t most = DefaultMost);
+  CarvedBricks(const CarvedBricks&) = delete;
+  CarvedBricks& operator=(const CarvedBricks&) = delete;
+
+  static std::uint64_t KeyOf(const BrickPlace& place) noexcept
+  {
+    return static_cast<std::uint64_t>(place.X) | static_cast<std::uint64_t>(place.Y) << 21 |
+      static_cast<std::uint64_t>(place.Z) << 42;
+  }
+  static BrickPlace PlaceOf(std::uint64_t key) noexcept
+  {
+    constexpr std::uint64_t mask = (std::uint64_t{ 1 } << 21) - 1;
+    return { static_cast<std::int64_t>(key & mask), static_cast<std::int64_t>(key >> 21 & mask),
+      static_cast<std::int64_t>(key >> 42) };
+  }
+
+  ///@{
+  /** From any thread. */
+  std::uint32_t GetMost() const noexcept { return this->Most; }
+  std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
+  bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
+  /** The number of a brick, 0 to GetCount() - 1; None if all of its tissue remains. */
+  std::uint32_t Find(std::uint64_t key) const noexcept
+  {
+    for (std::uint64_t slot = this->SlotOf(key);; slot = (slot + 1) & this->SlotMask)
+    {
+      const std::uint32_t brick = this->Slots[slot].load(std::memory_order_acquire);
+      if (brick == None || this->Keys[brick] == key)
+      {
+        return brick;
+      }
+    }
+  }
+  std::uint64_t GetKey(std::uint32_t brick) const noexcept { return this->Keys[brick]; }
+  std::uint64_t GetRow(std::uint32_t brick, int row) const noexcept
+  {
+    return this->Shares[RowAt(brick, row)].load(std::memory_order_relaxed);
+  }
+  /** The share at a sample, whose index is not negative. */
+  std::uint8_t GetShare(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
+  /** Whether any sample in a box of indices, both ends included, is in a brick. */
+  bool HasBricks(const std::int64_t* low, const std::int64_t* high) const noexcept;
+  ///@}
+
+  ///@{
+  /** Called by the writer. A new brick has all of its tissue; None if there is no room for it. */
+  std::uint32_t FindOrAdd(std::uint64_t key) noexcept;
+  void SetRow(std::uint32_t brick, int row, std::uint64_t shares) noexcept
+  {
+    this->Shares[RowAt(brick, row)].store(shares, std::memory_order_relaxed);
+  }
+  /** After rows of a brick were set. */
+  void MarkChanged(std::uint32_t brick) noexcept
+  {
+    this->Changed[brick / 64].fetch_or(std::uint64_t{ 1 } << brick % 64, std::memory_order_release);
+  }
+  ///@}
+
+  /**
+   * Called by one reader: calls f(brick) for each brick that was changed since the last call. What
+   * it reads then is at least as new as the change.
+   */
+  template <typename F>
+  void TakeChanged(F&& f)
+  {
+    const std::uint32_t count = this->GetCount();
+    for (std::uint32_t word = 0; 64 * word < count; ++word)
+    {
+      if (this->Changed[word].load(std::memory_order_relaxed) == 0)
+      {
+        continue;
+      }
+      std::uint64_t changed = this->Changed[word].exchange(0, std::memory_order_acquire);
+      for (std::uint32_t brick = 64 * word; changed != 0; changed >>= 1, ++brick)
+      {
+        if ((changed & 1) != 0)
+        {
+          f(brick);
+        }
+      }
+    }
+  }
+
+  std::size_t GetMemorySize() const noexcept; ///< bytes
+
+private:
+  static std::size_t RowAt(std::uint32_t brick, int row) noexcept
+  {
+    return std::size_t{ brick } * Rows + static_cast<std::size_t>(row);
+  }
+  std::uint64_t SlotOf(std::uint64_t key) const noexcept
+  {
+    return (key * 0x9e3779b97f4a7c15) >> this->SlotShift;
+  }
+
+  const std::uint32_t Most;
+  std::uint64_t SlotMask = 0;
+  int SlotShift = 0;
+  std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< twice as many as bricks, at least
+  std::unique_ptr<std::uint64_t[]> Keys;               ///< each is written before its slot
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Shares;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Changed; ///< a bit for each brick
+  std::atomic<std::uint32_t> Count{ 0 };
+};
+
+} // namespace VolumeHaptics
+
+#endif

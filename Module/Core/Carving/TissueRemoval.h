@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a tool has removed from a volume: the one thing that a tick writes beside its own state.
+ */
+#ifndef TissueRemoval_h
+#define TissueRemoval_h
+
+#include "Core/Carving/CarvedBricks.h"
+#include "Core/Carving/RemovalJournal.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class RemovalRequest : std::uint8_t
+{
+  Undo, ///< the last stroke
+  Redo,
+  Reset ///< all strokes
+};
+
+/**
+ * Shares, their journal, and the requests of another thread to undo and redo, which the thread that
+ * ticks carries out a piece at a time.
+ */
+class TissueRemoval
+{
+public:
+  explicit TissueRemoval(std::uint32_t mostBricks = CarvedBricks::DefaultMost,
+    std::size_t mostKept = RemovalJournal::DefaultMost)
+    : Bricks(mostBricks)
+    , Journal(Bricks, mostKept)
+  {
+  }
+  TissueRemoval(const TissueRemoval&) = delete;
+  TissueRemoval& operator=(const TissueRemoval&) = delete;
+
+  /** Called by one thread. False if too many requests wait. */
+  bool Request(RemovalRequest request) noexcept;
+  /** From any thread: requests that wait or are carried out. */
+  std::size_t GetPending() const noexcept
+  {
+    return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
+  }
+  /** From any thread: tissue could not be removed, since all bricks are in use. */
+  bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
+
+  ///@{
+  /** Called by the thread that ticks, at the beginning of a tick. */
+  /** Carries out a piece of a request; false if there was none. Tissue may have come back then. */
+  bool Serve() noexcept;
+  /** Whether the next Serve has something to do. */
+  bool HasWork() const noexcept { return this->GetPending() > 0; }
+  void SetUsedUp(bool isUsedUp) noexcept
+  {
+    this->UsedUp.store(isUsedUp, std::memory_order_relaxed);
+  }
+  ///@}
+
+  CarvedBricks Bricks;
+  RemovalJournal Journal;
+
+private:
+  static constexpr std::size_t MostRequests = 64;
+  /** Bricks that a tick exchanges: 16 KiB. */
+  static constexpr std::size_t BricksPerTick = 32;
+
+  std::atomic<RemovalRequest> Requests[MostRequests] = {};
+  std::atomic<std::size_t> Head{ 0 }; ///< the number of requests so far
+  std::atomic<std::size_t> Done{ 0 }; ///< of them, those that were carried out
+  std::atomic<bool> UsedUp{ false };
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The samples of a volume of which a tool has removed tissue:
+ *
+ *   V' = V_air + rho (V - V_air),
+ *
+ * rho the share that remains. Where something was removed, a kernel reads a copy of the few samples
+ * that it needs, as doubles; elsewhere it reads the samples themselves, and gives the same bits as
+ * without removal.
+ */
+#ifndef CarvedSamples_h
+#define CarvedSamples_h
+
+#include "Core/Carving/CarvedBricks.h"
+#include "Core/Field/VolumeView.h"
+
+namespace VolumeHaptics
+{
+
+/** Shares, and what a sample is without tissue. Borrows the bricks; null if nothing is removed. */
+struct CarvedView
+{
+  const CarvedBricks* Bricks = nullptr;
+  double Air = 0.0;
+
+  /** Whether any tissue of any sample was removed. */
+  bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
+  double Left(double value, std::uint8_t share) const noexcept
+  {
+    constexpr double scale = 1.0 / CarvedBricks::Whole;
+    return share == CarvedBricks::Whole ? value : this->Air + scale * share * (value - this->Air);
+  }
+};
+
+/** A box of samples, both ends included; no longer than MostSide along an axis. */
+struct CarvedBox
+{
+  static constexpr std::int64_t MostSide = 64;
+
+  std::int64_t Low[3];
+  std::int64_t High[3];
+
+  std::int64_t Size(int axis) const noexcept { return this->High[axis] - this->Low[axis] + 1; }
+  std::int64_t Samples() const noexcept { return this->Size(0) * this->Size(1) * this->Size(2); }
+};
+
+/**
+ * All samples from `before` a position's cell to `behind` the sample after it, as far as they are
+ * resident. The position is clamped to them.
+ */
+CarvedBox FindBox(const VolumeView& view, const double* position, int before, int behind) noexcept;
+
+/**
+ * If tissue was removed in the box, writes what is left of its samples, x first, and gives a view
+ * whose indices are those of the whole volume, but of which only the box may be read.
+ * @param whole its Data points to the volume's first sample, see WholeData
+ * @return false if nothing was removed in the box
+ */
+bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to,
+  VolumeView& copy) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif

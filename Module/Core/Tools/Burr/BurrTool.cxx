@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Tools/Burr/BurrTool.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+/** Steps of a tick, and how often one is tried anew at half its length. */
+constexpr int MostCarvingSteps = 8;
+constexpr int MostTries = 6;
+/** Bricks that a tick has time to look at. */
+constexpr std::size_t MostBricks = 600;
+/** s: no tick is longer. */
+constexpr double LongestTick = 0.1;
+/** s without removal, after which a stroke ends. */
+constexpr double StrokeEnd = 0.5;
+/** J: the vibration gives back no more at a time. */
+constexpr double MostGivenBack = 1e-3;
+
+/** Points of equal areas on a sphere, along a spiral by the golden angle. */
+std::vector<ShellPoint> MakePoints(double radius, std::size_t count)
+{
+  std::vector<ShellPoint> points;
+  points.reserve(count);
+  const auto number = static_cast<double>(count);
+  const double area = 4.0 * Pi * radius * radius / number;
+  const double golden = Pi * (3.0 - std::sqrt(5.0));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto n = static_cast<double>(i);
+    const double z = 1.0 - (2.0 * n + 1.0) / number;
+    const double r = std::sqrt(1.0 - z * z);
+    points.push_back(
+      { radius * Vector3{ r * std::cos(golden * n), r * std::sin(golden * n), z }, area });
+  }
+  return points;
+}
+
+double FindFrequency(double speed)
+{
+  double frequency = speed;
+  while (frequency > Burr::MostFrequency && frequency < HUGE_VAL)
+  {
+    frequency *= 0.5;
+  }
+  return frequency < HUGE_VAL ? frequency : 0.0;
+}
+
+/** A wave from -1 to 1 of parabolas, nearly a sine, whose mean is zero. */
+double Wave(double phase) noexcept
+{
+  const double x = 2.0 * phase - 1.0;
+  return -4.0 * x * (1.0 - std::abs(x));
+}
+
+/** Removal in one tick. */
+class Removing
+{
+public:
+  Removing(const Burr& burr, TissueRemoval& removal, BurrState& state, SphereCarver& carver,
+    BurrRecord& record) noexcept
+    : Tool(burr)
+    , Removal(removal)
+    , State(state)
+    , Carver(carver)
+    , Record(record)
+  {
+  }
+
+  /** Goes on as far as the energy goes. */
+  void Follow(const Vector3& goal, double earned) noexcept
+  {
+    BurrState& s = this->State;
+    s.Unspent += earned;
+    for (int i = 0; i < MostCarvingSteps && this->Bricks < MostBricks; ++i)
+    {
+      const Vector3 lag = goal - s.Carved;
+      const double distance = Norm(lag);
+      if (distance == 0.0)
+      {
+        // There is nothing to spend more on.
+        s.Unspent = std::min(s.Unspent, earned);
+        return;
+      }
+      const double longest = std::min(distance, 0.25 * this->Carver.GetVoxel());
+      const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
+      const bool isPaid = slope * longest <= s.Unspent;
+      const double way = isPaid ? longest : s.Unspent / slope;
+      if (!this->Step(goal, lag, distance, way) || !isPaid)
+      {
+        return;
+      }
+    }
+    this->Record.IsUnfinished = true;
+  }
+
+private:
+  /** Takes a step, or a shorter one; false if not even that is paid. */
+  bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
+  {
+    BurrState& s = this->State;
+    const Vector3* const from = s.IsRemoved ? &s.Carved : nullptr;
+    double way = longest;
+    for (int i = 0; i < MostTries; ++i, way *= 0.5)
+    {
+      const Vector3 next = way == distance ? goal : s.Carved + (way / distance) * lag;
+      const CarvingCost cost =
+        this->Carver.Try(this->Removal, next, this->Tool.Settings.Radius, from);
+      this->Bricks += cost.Bricks;
+      if (cost.IsUsedUp)
+      {
+        this->Removal.SetUsedUp(true);
+        s.Unspent = 0.0;
+        return false;
+      }
+      if (!cost.IsTooMuch && cost.Energy <= s.Unspent)
+      {
+        this->Take(next, way, cost);
+        return true;
+      }
+      s.LastCost = cost.Energy;
+      s.LastWay = way;
+    }
+    // The next ticks save for it, but no more.
+    s.Unspent = std::min(s.Unspent, s.LastCost);
+    if (!(s.LastCost < HUGE_VAL))
+    {
+      // What cannot be removed at all teaches nothing of what is beside it.
+      s.Unspent = s.LastCost = s.LastWay = 0.0;
+    }
+    return false;
+  }
+
+  void Take(const Vector3& next, double way, const CarvingCost& cost) noexcept
+  {
+    BurrState& s = this->State;
+    if (cost.Changes > 0)
+    {
+      if (!this->Removal.Journal.IsOpen())
+      {
+        this->Removal.Journal.Begin();
+      }
+      s.Idle = 0.0;
+    }
+    this->Carver.Carve(this->Removal);
+    s.Carved = next;
+    s.IsRemoved = true;
+    s.Unspent -= cost.Energy;
+    // Shares are whole numbers: a single step may cost nothing, or more than those around it.
+    constexpr double kept = 0.9;
+    s.LastCost = kept * s.LastCost + cost.Energy;
+    s.LastWay = kept * s.LastWay + way;
+    this->Record.Energy += cost.Energy;
+    this->Record.RemovedVolume += cost.Volume;
+  }
+
+  const Burr& Tool;
+  TissueRemoval& Removal;
+  BurrState& State;
+  SphereCarver& Carver;
+  BurrRecord& Record;
+  std::size_t Bricks = 0;
+};
+
+/** How deep the deepest point of the head is (m). */
+double FindDepth(ShellMemory& memory) noexcept
+{
+  const ShellContacts& contacts = memory.GetCurrent();
+  double depth = 0.0;
+  for (std::size_t i = 0; i < contacts.Count; ++i)
+  {
+    depth = std::max(depth, contacts.List[i].Depth);
+  }
+  return depth;
+}
+
+void Remove(const HapticModel& model, const Burr& burr, bool isSpinning, double step,
+  BurrState& state, BurrMemory& memory, BurrRecord& record) noexcept
+{
+  TissueRemoval& removal = *model.Baked->Removal;
+  state.Idle += step;
+  if (removal.Journal.IsOpen() && (!isSpinning || state.Idle > StrokeEnd))
+  {
+    removal.Journal.End();
+  }
+  const Vector3& head = record.Shell.Tool.Position;
+  const double force = Norm(record.Shell.Force);
+  if (isSpinning && !(step > 0.0))
+  {
+    return;
+  }
+  if (!isSpinning || !(force > 0.0))
+  {
+    // Free, or at rest.
+    state.IsCarving = false;
+    state.Unspent = isSpinning ? state.Unspent : 0.0;
+    return;
+  }
+  const BurrSettings& settings = burr.Settings;
+  memory.Carver.SetTissue(
+    model, { settings.Shell.Level, settings.Shell.IsBelow, &burr.SpecificEnergy });
+  if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * settings.Radius)
+  {
+    // It begins where it touches nothing yet.
+    const double away = FindDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
+    state.IsCarving = true;
+    state.IsRemoved = false;
+    state.Carved = head + (away / force) * record.Shell.Force;
+    state.LastCost = state.LastWay = 0.0;
+  }
+  Removing removing(burr, removal, state, memory.Carver, record);
+  // The level that is felt in a cavity lies a little before the sphere that was removed: as long as
+  // it is pressed, the burr goes on.
+  const double beyond = 0.25 * memory.Carver.GetVoxel();
+  removing.Follow(
+    head - (beyond / force) * record.Shell.Force, settings.Friction * force * burr.RimSpeed * step);
+}
+
+/** The energy (J) of the spring between the hand and the head. */
+double SpringEnergy(const ShellRecord& record, const Vector3& head, const Vector3& hand) noexcept
+{
+  const Vector3 lag = head - hand;
+  return 0.5 * record.Stiffness * Dot(lag, lag);
+}
+
+/** The force that vibrates (N). */
+Vector3 Vibrate(const HapticModel& model, const Burr& burr, bool isSpinning, double step,
+  const ShellState& before, BurrState& state, const BurrRecord& record) noexcept
+{
+  const ShellRecord& shell = record.Shell;
+  if (!before.Enabled || !isSpinning)
+  {
+    state.Lost = 0.0;
+    return {};
+  }
+  const Vector3& hand = shell.Hand.Position;
+  const Vector3 moved = hand - before.Hand.Position;
+  // What the hand has put into the spring, less what it still has of it.
+  const double work = SpringEnergy(shell, before.Tool.Position, hand) -
+    SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
+  const double lost = before.Budget + work - state.Shell.Budget;
+  state.Lost = std::min(state.Lost + lost - Dot(state.Vibration, moved), MostGivenBack);
+  state.Phase += burr.Frequency * step;
+  state.Phase -= std::floor(state.Phase);
+  const double force = Norm(shell.Force);
+  // The way that the hand may go until the next tick.
+  constexpr double leastWay = 1e-5; // m
+  const double way = 2.0 * Norm(moved) + leastWay;
+  const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
+  if (!(most > 0.0))
+  {
+    return {};
+  }
+  const Vector3 direction = (1.0 / force) * shell.Force;
+  const Vector3 vibration = (most * Wave(state.Phase)) * direction;
+  // With it, what is pressed bears no more than the strongest tissue does.
+  const double strength = model.Baked->Materials.GetRange(2).High *
+    model.Baked->Materials.GetRange(4).High / burr.Settings.Shell.ContactArea;
+  const double pressed = burr.Shell.GetArea() * shell.Contacts /
+    static_cast<double>(std::max<std::size_t>(burr.Shell.GetSize(), 1));
+  const double bound = strength * pressed;
+  return ClampNorm(shell.Force + vibration, std::max(bound, force)) - shell.Force;
+}
+
+} // namespace
+
+Burr::Burr(const BurrSettings& settings, const Polyline& specificEnergy, std::size_t points)
+  : Settings(settings)
+  , SpecificEnergy({ specificEnergy, ConstantPolyline(0.0) })
+  , Shell(MakePoints(settings.Radius, points))
+  , RimSpeed(2.0 * Pi * settings.Radius * settings.Speed)
+  , Frequency(FindFrequency(settings.Speed))
+{
+}
+
+void TickBurr(const HapticModel& model, const Burr& burr, const Vector3& hand, bool isSpinning,
+  double step, BurrState& state, BurrMemory& memory, BurrRecord& record) noexcept
+{
+  record = BurrRecord{};
+  TissueRemoval* const removal = model.Baked->Removal.get();
+  if (removal && removal->Serve())
+  {
+    // Tissue may come back in which the head is.
+    state = BurrState{};
+    removal->SetUsedUp(false);
+    record.Shell.Hand.Position = record.Shell.Tool.Position = hand;
+    return;
+  }
+  const ShellState before = state.Shell;
+  TickShell(
+    model, burr.Shell, burr.Settings.Shell, { hand, {} }, state.Shell, memory.Shell, record.Shell);
+  const double seconds = step > 0.0 ? std::min(step, LongestTick) : 0.0;
+  if (!state.Shell.Enabled)
+  {
+    state = BurrState{};
+    if (removal)
+    {
+      removal->Journal.End();
+    }
+    return;
+  }
+  state.Vibration = Vibrate(model, burr, isSpinning, seconds, before, state, record);
+  record.Force = record.Shell.Force + state.Vibration;
+  if (removal)
+  {
+    Remove(model, burr, isSpinning, seconds, state, memory, record);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Tools/Burr/SphereCarver.h"
+
+#include "Core/Field/WholeData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr std::int64_t BrickSide = CarvedBricks::Side;
+
+/** The larger part of what a sphere, or a box around it, reaches. */
+double ReachAlong(const Vector3& row, double radius) noexcept
+{
+  return radius * Norm(row);
+}
+
+} // namespace
+
+/** A sphere that is tried, with what each row of samples needs. */
+struct SphereCarver::Sphere
+{
+  Vector3 Centre; ///< m
+  Vector3 Index;  ///< of the centre
+  double Radius;
+  double Width;
+  double Inner;       ///< m^2: nothing remains within
+  double Outer;       ///< m^2: everything remains beyond
+  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep what they have
+  Vector3 Way;        ///< m, from From to Centre
+  double Middle;      ///< m^2, of the middle between them along Way, from Centre
+  double BrickRadius; ///< m, from a brick's middle to its farthest corner
+  CarvedBox Box;
+};
+
+SphereCarver::SphereCarver()
+  : Changes(MostChanges)
+  , Empty(Remembered)
+{
+}
+
+void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissue) noexcept
+{
+  const bool isSame = this->Model == model.Baked->Number && this->Tissue.Level == tissue.Level &&
+    this->Tissue.IsBelow == tissue.IsBelow;
+  const VolumeView& view = model.Baked->Field.GetView();
+  const bool isResident = isSame && std::equal(view.First, view.First + 3, this->View.First) &&
+    std::equal(view.Dimensions, view.Dimensions + 3, this->View.Dimensions);
+  this->Tissue = tissue;
+  this->Model = model.Baked->Number;
+  this->View = view;
+  this->View.Data = WholeData(view);
+  this->ToIndex = model.DeviceToIndex;
+  const Matrix3 columns = Transpose(Inverse(this->ToIndex.Linear));
+  std::copy(columns.Row, columns.Row + 3, this->Step);
+  const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
+  this->Voxel = std::cbrt(volume);
+  for (int share = 0; share <= CarvedBricks::Whole; ++share)
+  {
+    const double rho = static_cast<double>(share) / CarvedBricks::Whole;
+    this->Volumes[share] = 1e9 * volume * std::clamp(0.5 + (rho - 0.5) / CountedPart, 0.0, 1.0);
+  }
+  if (!isResident)
+  {
+    std::fill(this->Empty.begin(), this->Empty.end(), 0);
+  }
+  this->Count = 0;
+}
+
+CarvingCost SphereCarver::Try(
+  const TissueRemoval& removal, const Vector3& centre, double radius, const Vector3* from) noexcept
+{
+  this->Count = 0;
+  Sphere sphere{};
+  sphere.Centre = centre;
+  sphere.Index = this->ToIndex(centre);
+  sphere.Radius = radius;
+  sphere.Width = this->GetRampWidth();
+  const double outer = radius + 0.5 * sphere.Width;
+  const double inner = std::max(radius - 0.5 * sphere.Width, 0.0);
+  sphere.Outer = outer * outer;
+  sphere.Inner = inner * inner;
+  sphere.HasFrom = from != nullptr;
+  if (from)
+  {
+    sphere.Way = centre - *from;
+    sphere.Middle = -0.5 * Dot(sphere.Way, sphere.Way);
+  }
+  const double half = 0.5 * (BrickSide - 1);
+  sphere.BrickRadius = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Vector3 diagonal = half *
+      (this->Step[0] + (corner & 1 ? 1.0 : -1.0) * this->Step[1] +
+        (corner & 2 ? 1.0 : -1.0) * this->Step[2]);
+    sphere.BrickRadius = std::max(sphere.BrickRadius, Norm(diagonal));
+  }
+  const double at[3] = { sphere.Index.X, sphere.Index.Y, sphere.Index.Z };
+  CarvingCost cost;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double reach = ReachAlong(this->ToIndex.Linear.Row[a], outer);
+    const auto first = static_cast<double>(this->View.First[a]);
+    const auto last = static_cast<double>(this->View.Last(a));
+    // Also for NaN.
+    if (!(at[a] + reach >= first && at[a] - reach <= last))
+    {
+      return cost;
+    }
+    sphere.Box.Low[a] = static_cast<std::int64_t>(std::ceil(std::max(at[a] - reach, first)));
+    sphere.Box.High[a] = static_cast<std::int64_t>(std::floor(std::min(at[a] + reach, last)));
+    if (sphere.Box.Low[a] > sphere.Box.High[a])
+    {
+      return cost;
+    }
+  }
+  return WithSampleType(this->View.Type,
+    [&](auto sample) { return this->TryTyped<decltype(sample)>(removal.Bricks, sphere); });
+}
+
+template <typename T>
+CarvingCost SphereCarver::TryTyped(const CarvedBricks& bricks, const Sphere& sphere) noexcept
+{
+  CarvingCost cost;
+  std::uint32_t added = 0;
+  const auto first = [&](int a) { return sphere.Box.Low[a] >> CarvedBricks::Shift; };
+  const auto last = [&](int a) { return sphere.Box.High[a] >> CarvedBricks::Shift; };
+  const double half = 0.5 * (BrickSide - 1);
+  const double reach = std::sqrt(sphere.Outer) + sphere.BrickRadius;
+  for (std::int64_t z = first(2); z <= last(2); ++z)
+  {
+    for (std::int64_t y = first(1); y <= last(1); ++y)
+    {
+      for (std::int64_t x = first(0); x <= last(0); ++x)
+      {
+        const auto from = [half](std::int64_t brick, double centre)
+        { return static_cast<double>(brick * BrickSide) + half - centre; };
+        const Vector3 middle = from(x, sphere.Index.X) * this->Step[0] +
+          from(y, sphere.Index.Y) * this->Step[1] + from(z, sphere.Index.Z) * this->Step[2];
+        const bool isBehind = sphere.HasFrom &&
+          Dot(middle, sphere.Way) + sphere.BrickRadius * Norm(sphere.Way) < sphere.Middle;
+        if (isBehind || Dot(middle, middle) >= reach * reach)
+        {
+          continue;
+        }
+        ++cost.Bricks;
+        const bool isAdded = this->LookAt<T>(bricks, sphere, { x, y, z }, cost);
+        added += isAdded ? 1 : 0;
+        if (cost.IsTooMuch)
+        {
+          return cost;
+        }
+      }
+    }
+  }
+  cost.Changes = this->Count;
+  cost.IsUsedUp = bricks.GetCount() + added > bricks.GetMost();
+  return cost;
+}
+
+/** Whether a brick has to be added. */
+template <typename T>
+bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
+  CarvingCost& cost) noexcept
+{
+  const std::uint64_t key = CarvedBricks::KeyOf(place);
+  const std::uint32_t brick = bricks.Find(key);
+  if (brick == CarvedBricks::None && !this->IsAnySolid<T>(place))
+  {
+    return false;
+  }
+  CarvedBox part;
+  const std::int64_t bases[3] = { place.X * BrickSide, place.Y * BrickSide, place.Z * BrickSide };
+  for (int a = 0; a < 3; ++a)
+  {
+    part.Low[a] = std::max(sphere.Box.Low[a], bases[a]);
+    part.High[a] = std::min(sphere.Box.High[a], bases[a] + BrickSide - 1);
+  }
+  const double sign = this->Tissue.IsBelow ? -1.0 : 1.0;
+  const double square = Dot(this->Step[0], this->Step[0]);
+  const double slope = Dot(this->Step[0], sphere.Way);
+  const std::int64_t* const stride = this->View.Stride;
+  const std::size_t before = this->Count;
+  for (std::int64_t k = part.Low[2]; k <= part.High[2]; ++k)
+  {
+    for (std::int64_t j = part.Low[1]; j <= part.High[1]; ++j)
+    {
+      const auto row = static_cast<int>(j - bases[1] + BrickSide * (k - bases[2]));
+      const std::uint64_t shares =
+        brick == CarvedBricks::None ? CarvedBricks::WholeRow : bricks.GetRow(brick, row);
+      if (shares == 0)
+      {
+        continue;
+      }
+      // From the centre to the row's sample i: begin + i Step[0], i from 0.
+      const Vector3 begin = (static_cast<double>(bases[0]) - sphere.Index.X) * this->Step[0] +
+        (static_cast<double>(j) - sphere.Index.Y) * this->Step[1] +
+        (static_cast<double>(k) - sphere.Index.Z) * this->Step[2];
+      const double c = Dot(begin, begin);
+      const double b = Dot(begin, this->Step[0]);
+      const double nearest = -b / square;
+      const double within = std::min(std::max(nearest, 0.0), double(BrickSide - 1));
+      if (c + within * (2.0 * b + within * square) >= sphere.Outer)
+      {
+        continue;
+      }
+      const double side = Dot(begin, sphere.Way);
+      std::uint64_t left = shares;
+      for (std::int64_t i = part.Low[0] - bases[0]; i <= part.High[0] - bases[0]; ++i)
+      {
+        const auto old = static_cast<std::uint32_t>(shares >> (8 * i) & 255);
+        const auto at = static_cast<double>(i);
+        const double distance = c + at * (2.0 * b + at * square);
+        if (old == 0 || distance >= sphere.Outer ||
+          (sphere.HasFrom && side + at * slope < sphere.Middle))
+        {
+          continue;
+        }
+        std::uint32_t share = 0;
+        if (distance > sphere.Inner)
+        {
+          const double rho = 0.5 + (std::sqrt(distance) - sphere.Radius) / sphere.Width;
+          share = static_cast<std::uint32_t>(CarvedBricks::Whole * std::max(rho, 0.0) + 0.5);
+        }
+        if (share >= old)
+        {
+          continue;
+        }
+        left &= ~(std::uint64_t{ 255 } << (8 * i));
+        left |= std::uint64_t{ share } << (8 * i);
+        const auto value = static_cast<double>(static_cast<const T*>(
+          this->View.Data)[(bases[0] + i) * stride[0] + j * stride[1] + k * stride[2]]);
+        if (sign * (value - this->Tissue.Level) >= 0.0)
+        {
+          const double volume = this->Volumes[old] - this->Volumes[share];
+          cost.Volume += volume;
+          // Nothing takes no energy, even of what nothing can remove.
+          cost.Energy += volume > 0.0 ? volume * (*this->Tissue.SpecificEnergy)(value)[0] : 0.0;
+        }
+      }
+      if (left != shares)
+      {
+        if (this->Count == MostChanges)
+        {
+          cost.IsTooMuch = true;
+          return false;
+        }
+        this->Changes[this->Count++] = { key, left, row };
+      }
+    }
+  }
+  return brick == CarvedBricks::None && this->Count > before;
+}
+
+template <typename T>
+bool SphereCarver::IsAnySolid(const BrickPlace& place) noexcept
+{
+  const std::uint64_t key = CarvedBricks::KeyOf(place);
+  std::uint64_t& known = this->Empty[(key * 0x9e3779b97f4a7c15) >> 52];
+  static_assert(Remembered == 4096, "as many as 12 bits number");
+  if (known == key + 1)
+  {
+    return false;
+  }
+  const std::int64_t brick[3] = { place.X, place.Y, place.Z };
+  std::int64_t low[3];
+  std::int64_t high[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    low[a] = std::max(brick[a] * BrickSide - 1, this->View.First[a]);
+    high[a] = std::min(brick[a] * BrickSide + BrickSide, this->View.Last(a));
+  }
+  const double sign = this->Tissue.IsBelow ? -1.0 : 1.0;
+  const std::int64_t* const stride = this->View.Stride;
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      const T* const line = static_cast<const T*>(this->View.Data) + k * stride[2] + j * stride[1];
+      for (std::int64_t i = low[0]; i <= high[0]; ++i)
+      {
+        if (sign * (static_cast<double>(line[i * stride[0]]) - this->Tissue.Level) >= 0.0)
+        {
+          return true;
+        }
+      }
+    }
+  }
+  known = key + 1;
+  return false;
+}
+
+void SphereCarver::Carve(TissueRemoval& removal) const noexcept
+{
+  CarvedBricks& bricks = removal.Bricks;
+  for (std::size_t i = 0; i < this->Count;)
+  {
+    const std::uint64_t key = this->Changes[i].Key;
+    const std::uint32_t brick = bricks.FindOrAdd(key);
+    if (brick == CarvedBricks::None)
+    {
+      return;
+    }
+    removal.Journal.Keep(brick);
+    for (; i < this->Count && this->Changes[i].Key == key; ++i)
+    {
+      bricks.SetRow(brick, this->Changes[i].Row, this->Changes[i].Shares);
+    }
+    bricks.MarkChanged(brick);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Removes a sphere from a volume, and tells first what that costs.
+ *
+ * A sphere of radius a around c leaves at x no more than the share
+ *
+ *   rho = 1/2 + (|x - c| - a)/w,   from 0 to 1,
+ *
+ * with w three voxels. So the surface that is left lies at |x - c| = a to a small part of a voxel,
+ * and has smooth normals.
+ *
+ * The volume that is removed is that which the surface passes, where rho = 1/2: of each voxel,
+ *
+ *   6 (rho - 1/2) + 1/2,   from 0 to 1,
+ *
+ * is left. (The sum of rho itself is that of a sphere whose surface is three voxels wide: of a cap
+ * that is h deep, it has pi w^2 (a + h)/12 more, in a CT several times the cap's volume.) It costs
+ * the energy U(V); samples that are not solid cost nothing. Bricks in which, and around
+ * which, no sample is solid stay as they are: there is nothing to remove.
+ *
+ * Where a brick is needed and none is left, nothing at all is removed.
+ */
+#ifndef SphereCarver_h
+#define SphereCarver_h
+
+#include "Core/Carving/TissueRemoval.h"
+#include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/HapticModel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The energy (J/mm^3) that it takes to remove tissue, against the value: channel 0. */
+using SpecificEnergyTable = PiecewiseTable<2>;
+
+/** Which tissue is carved. */
+struct CarvedTissue
+{
+  double Level = 0.0;   ///< samples beyond it are solid
+  bool IsBelow = false; ///< samples below the level are solid
+  const SpecificEnergyTable* SpecificEnergy = nullptr;
+};
+
+/** What it would take to remove a sphere. */
+struct CarvingCost
+{
+  double Energy = 0.0;     ///< J
+  double Volume = 0.0;     ///< mm^3, of solid tissue
+  std::size_t Bricks = 0;  ///< that were looked at
+  std::size_t Changes = 0; ///< rows of samples
+  bool IsTooMuch = false;  ///< more changes than there is room for
+  bool IsUsedUp = false;   ///< needs more bricks than there are
+};
+
+/** Its memory never grows. For the volume of one model at a time. */
+class SphereCarver
+{
+public:
+  /** Voxels: w. */
+  static constexpr double RampWidth = 3.0;
+  /** The part of the ramp in which a voxel loses its volume. */
+  static constexpr double CountedPart = 1.0 / 6.0;
+
+  SphereCarver();
+
+  /** Must be called first in each tick. Reads the samples of the model without what was removed. */
+  void SetTissue(const HapticModel& model, const CarvedTissue& tissue) noexcept;
+  /** m: of a cube with the volume of a voxel. */
+  double GetVoxel() const noexcept { return this->Voxel; }
+  /** m */
+  double GetRampWidth() const noexcept { return RampWidth * this->Voxel; }
+
+  /**
+   * Finds what changes, and what it costs.
+   * @param centre in m, of the device's space
+   * @param from if not null, a sphere of the same radius that was removed before
+   */
+  CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
+    const Vector3* from = nullptr) noexcept;
+  /** Removes what was tried last. */
+  void Carve(TissueRemoval& removal) const noexcept;
+
+private:
+  /** A row of shares that is written anew. */
+  struct Change
+  {
+    std::uint64_t Key;
+    std::uint64_t Shares;
+    int Row;
+  };
+  struct Sphere;
+  static constexpr std::size_t MostChanges = 8192;
+  static constexpr std::size_t Remembered = 4096;
+
+  template <typename T>
+  CarvingCost TryTyped(const CarvedBricks& bricks, const Sphere& sphere) noexcept;
+  template <typename T>
+  bool LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
+    CarvingCost& cost) noexcept;
+  template <typename T>
+  bool IsAnySolid(const BrickPlace& place) noexcept;
+
+  VolumeView View; ///< Data points to the volume's first sample
+  Affine3 ToIndex;
+  Vector3 Step[3]; ///< m, of an index along each axis
+  double Voxel = 0.0;
+  double Volumes[256]; ///< mm^3, of a voxel with a share of tissue
+  CarvedTissue Tissue;
+  std::uint64_t Model = 0;
+  std::vector<Change> Changes;
+  std::size_t Count = 0;
+  /** Keys, plus one, of bricks without anything solid; only saves time. */
+  std::vector<std::uint64_t> Empty;
+};
+
+} // namespace VolumeHaptics
+
+#endif

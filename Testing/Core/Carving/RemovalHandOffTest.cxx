@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * One thread removes, another one follows it without a lock, and asks for undo and redo. The thread
+ * sanitizer runs this.
+ */
+
+#include "Core/Carving/TissueRemoval.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <map>
+#include <random>
+#include <thread>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+using Rows = std::array<std::uint64_t, CarvedBricks::Rows>;
+
+Rows CopyRows(const CarvedBricks& bricks, std::uint32_t brick)
+{
+  Rows rows;
+  for (int row = 0; row < CarvedBricks::Rows; ++row)
+  {
+    rows[row] = bricks.GetRow(brick, row);
+  }
+  return rows;
+}
+
+/// What the reader has seen of it at last.
+using Mirror = std::map<std::uint64_t, Rows>;
+
+void Follow(CarvedBricks& bricks, Mirror& mirror)
+{
+  bricks.TakeChanged(
+    [&](std::uint32_t brick) { mirror[bricks.GetKey(brick)] = CopyRows(bricks, brick); });
+}
+} // namespace
+
+TEST(RemovalHandOff, AReaderMissesNoChange)
+{
+  TissueRemoval removal(500, 300);
+  std::atomic<bool> isDone{ false };
+  std::thread servo(
+    [&]()
+    {
+      std::mt19937_64 engine(2);
+      for (int tick = 0; tick < 4000; ++tick)
+      {
+        if (removal.Serve())
+        {
+          continue;
+        }
+        if (tick % 50 == 0)
+        {
+          removal.Journal.Begin();
+        }
+        const std::uint32_t brick = removal.Bricks.FindOrAdd(engine() % 600);
+        if (brick == CarvedBricks::None)
+        {
+          removal.SetUsedUp(true);
+          continue;
+        }
+        removal.Journal.Keep(brick);
+        for (int n = 0; n < 8; ++n)
+        {
+          const auto row = static_cast<int>(engine() % CarvedBricks::Rows);
+          removal.Bricks.SetRow(brick, row, removal.Bricks.GetRow(brick, row) & engine());
+        }
+        removal.Bricks.MarkChanged(brick);
+      }
+      isDone = true;
+    });
+  Mirror mirror;
+  std::mt19937_64 engine(3);
+  int asked = 0;
+  while (!isDone)
+  {
+    Follow(removal.Bricks, mirror);
+    // Any thread may look a share up.
+    const std::uint8_t share =
+      removal.Bricks.GetShare(static_cast<std::int64_t>(engine() % 4000), 0, 0);
+    EXPECT_LE(share, CarvedBricks::Whole);
+    EXPECT_LE(removal.Journal.GetUndoable(), RemovalJournal::MostStrokes);
+    const auto dice = engine() % 1000;
+    if (dice < 3)
+    {
+      asked += removal.Request(static_cast<RemovalRequest>(dice)) ? 1 : 0;
+    }
+  }
+  servo.join();
+  EXPECT_GT(removal.Bricks.GetCount(), 100u);
+  Follow(removal.Bricks, mirror);
+  EXPECT_EQ(mirror.size(), removal.Bricks.GetCount());
+  for (std::uint32_t brick = 0; brick < removal.Bricks.GetCount(); ++brick)
+  {
+    ASSERT_EQ(mirror[removal.Bricks.GetKey(brick)], CopyRows(removal.Bricks, brick));
+  }
+  EXPECT_TRUE(!removal.IsUsedUp() || removal.Bricks.GetCount() == removal.Bricks.GetMost());
+}

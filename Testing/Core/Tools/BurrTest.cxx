@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Removal by a burr in closed form: B1 to B3 of the design. A sphere that has sunk by h into a
+ * half-space has removed V = pi h^2 (3 a - h)/3, at the rate Q = mu F v/U.
+ */
+
+#include "Rigs/BurrRig.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+/// The depth (mm) at which a sphere of radius a has removed a volume, by bisection.
+double FindDepth(double a, double volume)
+{
+  double low = 0.0;
+  double high = a;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double h = 0.5 * (low + high);
+    (Pi * h * h * (3.0 * a - h) / 3.0 < volume ? low : high) = h;
+  }
+  return low;
+}
+} // namespace
+
+/// B1: 7.54 W, and 0.754 mm^3/s at 10 J/mm^3.
+TEST(Burr, HasThePowerOfItsRim)
+{
+  const Burr burr(MakeBurr(5e10, 100.0), ConstantPolyline(10.0));
+  EXPECT_NEAR(burr.RimSpeed, 12.566, 1e-3);
+  EXPECT_NEAR(0.3 * 2.0 * burr.RimSpeed, 7.54, 1e-3);
+}
+
+/// B1: 0.250, 0.357, 0.512 mm after 0.5, 1, 2 s with 2 N; the voxels have 0.03 mm.
+TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
+{
+  constexpr double size = 0.03;
+  HalfSpace half({ 112, 112, 44 }, size, 12);
+  BurrHand hand(half.Scene, MakeBurr(5e10, 100.0), ConstantPolyline(10.0), 4000);
+  const double middle = 55.6 * size;
+  hand.Tick({ middle, middle, half.Surface - 2.05 });
+  int ticks = 0;
+  double before = 0.0;
+  for (const auto& [seconds, expected] :
+    { std::pair<double, double>{ 0.5, 0.250 }, { 1.0, 0.357 }, { 2.0, 0.512 } })
+  {
+    for (; ticks < static_cast<int>(std::lround(1000.0 * seconds)); ++ticks)
+    {
+      hand.Press(2.0);
+      before = before == 0.0 ? hand.Earned : before;
+    }
+    EXPECT_NEAR(Norm(hand.Record.Shell.Force), 2.0, 0.02);
+    const double rate = 0.3 * 2.0 * hand.Tool.RimSpeed / 10.0;
+    EXPECT_NEAR(hand.Removed, rate * seconds, 0.01 * rate * seconds) << "B3";
+    if (seconds >= 1.0)
+    {
+      // In so small voxels, the sum of the shares is the volume, too.
+      double sum = 0.0;
+      std::int64_t at = 0;
+      for (const std::uint8_t share : CopyShares(half.Removal->Bricks, half.Volume.View.Dimensions))
+      {
+        sum += at++ >= 12 * 112 * 112 ? size * size * size * (255.0 - share) / 255.0 : 0.0;
+      }
+      EXPECT_NEAR(sum, rate * seconds, 0.01 * rate * seconds);
+    }
+    const double depth = FindDepth(2.0, rate * seconds);
+    EXPECT_NEAR(depth, expected, 6e-4);
+    // Where half of the tissue is left, below the middle.
+    const FieldSampler& field = hand.Model.Baked->Field;
+    double low = half.Surface / size;
+    double high = 40.0;
+    for (int i = 0; i < 40; ++i)
+    {
+      const double z = 0.5 * (low + high);
+      (field.Value({ middle / size, middle / size, z }) < 100.0 ? low : high) = z;
+    }
+    EXPECT_NEAR(low * size - half.Surface, depth, 0.01 * depth) << "after " << seconds << " s";
+  }
+  EXPECT_FALSE(half.Removal->IsUsedUp());
+}
+
+/// B3 on a random way through tissues that take 2 to 20 J/mm^3: what is missing in the end has cost
+/// what the burr had, which is never more.
+TEST(Burr, RemovesWhatItsEnergyPaysFor)
+{
+  TestVolume volume(ScalarType::Int16, { 64, 64, 64 });
+  std::mt19937_64 engine(6);
+  volume.Fill<std::int16_t>(
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const double bumps = 3.0 * std::sin(0.2 * i) * std::cos(0.25 * j);
+      const double tissue = 1000.0 + 600.0 * std::sin(0.3 * i + 0.2 * k);
+      return static_cast<std::int16_t>(k > 20.0 + bumps ? tissue + (engine() % 100) : 0.0);
+    });
+  HapticModelDescription scene = Describe(volume);
+  scene.IndexToWorld.Linear = 0.4 * Matrix3{};
+  scene.Removal = std::make_shared<TissueRemoval>();
+  const Polyline energies{ { 400.0, 2.0 }, { 1700.0, 20.0 } };
+  BurrHand hand(scene, MakeBurr(5e9, 300.0), energies, 1000);
+  Vector3 at{ 12.0, 12.0, 4.0 };
+  hand.Tick(at);
+  double least = 0.0;
+  double most = 0.0;
+  for (int leg = 0; leg < 24; ++leg)
+  {
+    const Vector3 goal = Vector3{ 12.8, 12.8, 12.0 } + RandomIn(engine, 6.0);
+    for (int i = 0; i < 250; ++i)
+    {
+      // 0.02 m/s at most, and no more than 3 N.
+      const Vector3 step = ClampNorm(goal - at, 0.02);
+      const Vector3 tool = 1000.0 * hand.Record.Shell.Tool.Position;
+      at = tool + ClampNorm(at + step - tool, 6.0);
+      hand.Tick(at);
+      least = std::min(least, hand.Earned - hand.Energy);
+      most = std::max(most, Norm(hand.Record.Force));
+    }
+  }
+  EXPECT_GE(least, -1e-12) << "J: nothing is removed in advance";
+  EXPECT_LE(most, 3.1);
+  EXPECT_GE(hand.Energy, 0.99 * hand.Earned);
+  EXPECT_GT(hand.Removed, 3.0);
+  // What is missing, sample by sample.
+  const SpecificEnergyTable table({ energies, ConstantPolyline(0.0) });
+  double cost = 0.0;
+  double missing = 0.0;
+  std::size_t n = 0;
+  for (const std::uint8_t share : CopyShares(scene.Removal->Bricks, volume.View.Dimensions))
+  {
+    const auto i = static_cast<std::int64_t>(n++);
+    const double value = volume(i % 64, i / 64 % 64, i / 4096);
+    const double part = value >= 300.0 ? 0.4 * 0.4 * 0.4 * (1.0 - LeftOf(share)) : 0.0;
+    missing += part;
+    cost += part * table(value)[0];
+  }
+  EXPECT_NEAR(cost, hand.Energy, 1e-9 * cost);
+  EXPECT_NEAR(missing, hand.Removed, 1e-9 * missing);
+}
+
+/// B2: a cavity is felt with the point where it was carved.
+TEST(Burr, ItsCavityIsFeltWithThePoint)
+{
+  TestVolume volume(ScalarType::Int16, { 48, 48, 48 });
+  volume.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t) { return 1000; });
+  HapticModelDescription scene = Describe(volume);
+  scene.Removal = std::make_shared<TissueRemoval>();
+  scene.Material.SurfaceStrength = ConstantPolyline(1e6);
+  scene.Material.Distinctness = { { 20.0, 0.0 }, { 100.0, 1.0 } };
+  const HapticModel model(scene);
+  for (const double radius : { 10.0, 12.0 })
+  {
+    const Vector3 centre{ 23.6, 23.3, 24.1 };
+    SphereCarver carver;
+    const SpecificEnergyTable energies({ ConstantPolyline(10.0), ConstantPolyline(0.0) });
+    carver.SetTissue(model, { 500.0, false, &energies });
+    carver.Try(*scene.Removal, 0.001 * centre, 0.001 * radius);
+    carver.Carve(*scene.Removal);
+    double worst = 0.0;
+    double angle = 0.0;
+    std::mt19937_64 engine(5);
+    for (int i = 0; i < 100; ++i)
+    {
+      Vector3 ray = RandomIn(engine, 1.0);
+      ray = (1.0 / Norm(ray)) * ray;
+      ServoState state;
+      TickRecord record;
+      for (double r = 0.0; r <= radius + 1.5; r += 0.1)
+      {
+        Tick(model, state, 0.001 * (centre + r * ray), record);
+      }
+      EXPECT_GT(Norm(record.Force), 0.3);
+      const Vector3 felt = 1000.0 * record.Proxy - centre;
+      worst = std::max(worst, std::abs(Norm(felt) - radius));
+      const double cosine = Dot(record.Normal, felt) / Norm(felt);
+      angle = std::max(angle, 180.0 / Pi * std::acos(std::min(1.0, cosine)));
+    }
+    EXPECT_LE(worst, 0.05) << "voxels, at a radius of " << radius;
+    EXPECT_LE(angle, 1.0) << "degrees";
+  }
+}
+
+/// A groove has the radius of the burr, not that of what is pressed.
+TEST(Burr, ItsHoleHasItsRadius)
+{
+  constexpr double size = 0.25;
+  HalfSpace half({ 48, 48, 48 }, size, 16);
+  BurrHand hand(half.Scene, MakeBurr(2e10, 100.0), ConstantPolyline(0.3), 1000);
+  const double middle = 23.7 * size;
+  hand.Tick({ middle, middle, half.Surface - 2.3 });
+  double depth = 0.0;
+  for (int i = 0; i < 8000 && depth < 3.5; ++i)
+  {
+    hand.Press(2.0);
+    depth = 1000.0 * hand.Record.Shell.Tool.Position.Z + 2.0 - half.Surface;
+  }
+  EXPECT_GE(depth, 3.5);
+  // One millimetre below the surface, in the hole's straight part.
+  const FieldSampler& field = hand.Model.Baked->Field;
+  for (int i = 0; i < 16; ++i)
+  {
+    const Vector3 ray{ std::cos(Pi * i / 8.0), std::sin(Pi * i / 8.0), 0.0 };
+    const Vector3 axis{ middle / size, middle / size, (half.Surface + 1.0) / size };
+    double low = 0.0;
+    double high = 16.0;
+    for (int n = 0; n < 40; ++n)
+    {
+      const double r = 0.5 * (low + high);
+      (field.Value(axis + r * ray) < 100.0 ? low : high) = r;
+    }
+    EXPECT_NEAR(size * low, 2.0, 0.1 * size);
+  }
+}
+
+TEST(Burr, ThatDoesNotSpinRemovesNothing)
+{
+  HalfSpace half({ 40, 40, 40 }, 0.4, 16);
+  BurrHand hand(half.Scene, MakeBurr(5e9, 100.0), ConstantPolyline(10.0));
+  hand.IsSpinning = false;
+  const Vector3 above{ 8.0, 8.0, half.Surface - 2.5 };
+  hand.Tick(above);
+  hand.Lead(above + Vector3{ 0.0, 0.0, 4.0 });
+  EXPECT_GT(Norm(hand.Record.Force), 1.0);
+  EXPECT_TRUE(half.Removal->Bricks.IsEmpty());
+  // Nor if it spins beside the tissue, or without time.
+  hand.Lead(above);
+  hand.IsSpinning = true;
+  hand.Lead(above + Vector3{ 0.0, 0.0, 0.49 });
+  EXPECT_EQ(hand.Record.Shell.Contacts, 0u);
+  hand.Step = 0.0;
+  hand.Lead(above + Vector3{ 0.0, 0.0, 4.0 });
+  hand.Step = std::numeric_limits<double>::quiet_NaN();
+  hand.Lead(above + Vector3{ 0.0, 0.0, 4.2 });
+  EXPECT_EQ(hand.Removed, 0.0);
+  EXPECT_TRUE(half.Removal->Bricks.IsEmpty());
+  hand.Step = 1e-3;
+  hand.Lead(above + Vector3{ 0.0, 0.0, 4.3 }, 1e-3);
+  EXPECT_GT(hand.Removed, 0.0);
+}
+
+/// Tissue that nothing can remove, and softer one beside it: what was in vain is not saved.
+TEST(Burr, SavesNothingUpAtWhatItCannotRemove)
+{
+  TestVolume volume(ScalarType::UInt8, { 80, 40, 40 });
+  volume.Fill<std::uint8_t>([](std::int64_t i, std::int64_t, std::int64_t k)
+    { return static_cast<std::uint8_t>(k < 16 ? 0 : (i < 40 ? 250 : 200)); });
+  for (const double hard : { 1e9, std::numeric_limits<double>::infinity() })
+  {
+    HapticModelDescription scene = Describe(volume);
+    scene.IndexToWorld.Linear = 0.4 * Matrix3{};
+    scene.Removal = std::make_shared<TissueRemoval>();
+    const Polyline energies{ { 200.0, 10.0 }, { 225.0, 10.0 }, { 225.0, hard } };
+    BurrHand hand(scene, MakeBurr(5e9, 100.0), energies);
+    hand.Tick({ 8.0, 8.0, 3.8 });
+    for (int i = 0; i < 2000; ++i)
+    {
+      hand.Press(2.0);
+    }
+    EXPECT_LE(hand.Removed, 1e-3);
+    hand.Lead({ 8.0, 8.0, 2.0 });
+    hand.Lead({ 24.0, 8.0, 2.0 }, 0.2);
+    hand.Lead({ 24.0, 8.0, 4.0 });
+    const double before = hand.Earned;
+    const double energy = hand.Energy;
+    for (int i = 0; i < 500; ++i)
+    {
+      hand.Press(2.0);
+    }
+    EXPECT_LE(hand.Energy - energy, 1.01 * (hand.Earned - before));
+    EXPECT_GE(hand.Energy - energy, 0.95 * (hand.Earned - before)) << "it drills on";
+  }
+}
+
+TEST(Burr, WithoutBricksRemovesNoMoreAndSaysSo)
+{
+  HalfSpace half({ 40, 40, 40 }, 0.4, 16);
+  half.Scene.Removal = half.Removal = std::make_shared<TissueRemoval>(4);
+  BurrHand hand(half.Scene, MakeBurr(5e9, 100.0), ConstantPolyline(0.1));
+  hand.Tick({ 7.8, 7.8, half.Surface - 2.1 });
+  for (int i = 0; i < 3000; ++i)
+  {
+    hand.Press(2.0);
+  }
+  EXPECT_TRUE(half.Removal->IsUsedUp());
+  EXPECT_LE(half.Removal->Bricks.GetCount(), 4u);
+  EXPECT_NEAR(Norm(hand.Record.Force), 2.0, 0.02) << "what is left holds the burr";
+  const double depth = 1000.0 * hand.Record.Shell.Tool.Position.Z + 2.0 - half.Surface;
+  EXPECT_LE(depth, 4.0);
+}

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Removed spheres: against loops over all samples, and against the sphere itself.
+ */
+
+#include "Core/Tools/Burr/SphereCarver.h"
+#include "Rigs/CarvingRig.h"
+#include "Rigs/ShellRig.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+/// Tissue of value 1000 everywhere.
+TestVolume MakeTissue(std::int64_t samples)
+{
+  TestVolume volume(ScalarType::Int16, { samples, samples, samples });
+  volume.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t) { return 1000; });
+  return volume;
+}
+
+class CarvedSphere : public testing::Test
+{
+protected:
+  CarvingCost Try(
+    const HapticModel& model, const Vector3& centre, double radius, const Vector3* from = nullptr)
+  {
+    this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+    return this->Carver.Try(this->Removal, centre, radius, from);
+  }
+  CarvingCost Carve(
+    const HapticModel& model, const Vector3& centre, double radius, const Vector3* from = nullptr)
+  {
+    const CarvingCost cost = this->Try(model, centre, radius, from);
+    this->Carver.Carve(this->Removal);
+    return cost;
+  }
+
+  TissueRemoval Removal{ 4096 };
+  SphereCarver Carver;
+  SpecificEnergyTable Energies{ { ConstantPolyline(10.0), ConstantPolyline(0.0) } };
+};
+
+struct SurfaceError
+{
+  double Rms = 0.0;       ///< voxels
+  double MeanAngle = 0.0; ///< degrees
+  double MostAngle = 0.0;
+};
+
+/// Where the level of half of the tissue is on rays from the centre, and how its normals point.
+SurfaceError MeasureSurface(const TestVolume& left, const Vector3& centre, double radius)
+{
+  const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
+  const FieldSampler field(left.View, kernel);
+  SurfaceError error;
+  constexpr int rays = 2000;
+  const double golden = Pi * (3.0 - std::sqrt(5.0));
+  for (int i = 0; i < rays; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / rays;
+    const double r = std::sqrt(1.0 - z * z);
+    const Vector3 ray{ r * std::cos(golden * i), r * std::sin(golden * i), z };
+    double low = 0.0;
+    double high = radius + 3.0;
+    for (int n = 0; n < 50; ++n)
+    {
+      const double middle = 0.5 * (low + high);
+      (field.Value(centre + middle * ray) < 500.0 ? low : high) = middle;
+    }
+    error.Rms += std::pow(low - radius, 2);
+    const Vector3 g = field.Gradient(centre + low * ray).Gradient;
+    const double angle = 180.0 / Pi * std::acos(std::min(1.0, Dot(g, ray) / Norm(g)));
+    error.MeanAngle += angle / rays;
+    error.MostAngle = std::max(error.MostAngle, angle);
+  }
+  error.Rms = std::sqrt(error.Rms / rays);
+  return error;
+}
+} // namespace
+
+/// Spheres off the grid, of 4 and 8 voxels; the design has 0.044 and 0.022 voxels, 0.22 and 0.17
+/// degrees.
+TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
+{
+  const TestVolume tissue = MakeTissue(32);
+  const HapticModel model(Describe(tissue));
+  std::mt19937_64 engine(14);
+  for (const double radius : { 4.0, 8.0, 11.3 })
+  {
+    SurfaceError worst;
+    for (int n = 0; n < 5; ++n)
+    {
+      TissueRemoval removal(512);
+      const Vector3 centre = Vector3{ 15.5, 15.5, 15.5 } + RandomIn(engine, 0.5);
+      this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+      this->Carver.Try(removal, 0.001 * centre, 0.001 * radius);
+      this->Carver.Carve(removal);
+      const SurfaceError error =
+        MeasureSurface(MakeLeft(tissue, removal.Bricks, 0.0), centre, radius);
+      worst.Rms = std::max(worst.Rms, error.Rms);
+      worst.MeanAngle = std::max(worst.MeanAngle, error.MeanAngle);
+      worst.MostAngle = std::max(worst.MostAngle, error.MostAngle);
+    }
+    RecordProperty("rms_of_" + std::to_string(radius), std::to_string(worst.Rms));
+    EXPECT_LE(worst.Rms, 0.05) << radius;
+    EXPECT_LE(worst.MeanAngle, 0.5) << radius;
+    EXPECT_LE(worst.MostAngle, 1.0) << radius;
+  }
+}
+
+/// Random spheres, and ways of one in steps of a quarter voxel.
+TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
+{
+  const TestVolume tissue = MakeTissue(40);
+  const HapticModel model(Describe(tissue));
+  const std::int64_t* const n = tissue.View.Dimensions;
+  std::vector<std::uint8_t> expected(40 * 40 * 40, 255);
+  std::mt19937_64 engine(15);
+  double volume = 0.0;
+  for (int way = 0; way < 12; ++way)
+  {
+    const double radius = std::uniform_real_distribution<double>(1.0, 7.0)(engine);
+    Vector3 at = Vector3{ 19.5, 19.5, 19.5 } + RandomIn(engine, 24.0);
+    const Vector3 step = RandomIn(engine, 0.14);
+    const Vector3* from = nullptr;
+    Vector3 last;
+    for (int i = 0; i < 20; ++i)
+    {
+      const CarvingCost cost = this->Carve(model, 0.001 * at, 0.001 * radius, from);
+      CarveSlowly(expected, n, at, radius);
+      volume += cost.Volume;
+      EXPECT_NEAR(cost.Energy, 10.0 * cost.Volume, 1e-9 * cost.Energy);
+      EXPECT_FALSE(cost.IsTooMuch || cost.IsUsedUp);
+      last = 0.001 * at;
+      from = &last;
+      at += step;
+    }
+  }
+  const std::vector<std::uint8_t> shares = CopyShares(this->Removal.Bricks, n);
+  double removed = 0.0;
+  int different = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    ASSERT_LE(std::abs(shares[i] - expected[i]), 1);
+    different += shares[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+    removed += 1.0 - LeftOf(shares[i]);
+  }
+  EXPECT_LE(different, 5);
+  EXPECT_GT(removed, 3000.0);
+  EXPECT_NEAR(volume, removed, 1e-9 * removed);
+}
+
+/// In any image: 4 pi/3 a^3.
+TEST_F(CarvedSphere, HasItsVolumeInAnyImage)
+{
+  const TestVolume tissue = MakeTissue(64);
+  HapticModelDescription scene = Describe(tissue);
+  const Matrix3 turn = ToMatrix(TurnAbout({ 1.0, 2.0, -0.5 }, 0.7));
+  scene.IndexToWorld.Linear = turn * Matrix3{ { { 0.4, 0, 0 }, { 0, -0.5, 0 }, { 0, 0, 0.7 } } };
+  scene.IndexToWorld.Offset = { 10.0, -20.0, 5.0 };
+  const HapticModel model(scene);
+  const Vector3 centre = 0.001 * scene.IndexToWorld(Vector3{ 30.2, 31.7, 32.4 });
+  constexpr double a = 5.0; // mm
+  const CarvingCost cost = this->Try(model, centre, 0.001 * a);
+  const double expected = 4.0 * Pi / 3.0 * a * a * a;
+  EXPECT_NEAR(cost.Volume, expected, 0.008 * expected);
+  EXPECT_TRUE(this->Removal.Bricks.IsEmpty()) << "it was only tried";
+}
+
+/// Half of the sphere in tissue of 5 J/mm^3, half in tissue of 20; and what is not solid is free.
+TEST_F(CarvedSphere, CostsTheEnergyOfItsTissues)
+{
+  TestVolume layers(ScalarType::Float32, { 40, 40, 40 });
+  const auto fill = [&](double low)
+  {
+    layers.Fill<float>([low](std::int64_t, std::int64_t, std::int64_t k)
+      { return static_cast<float>(k < 20 ? low : 2000.0); });
+  };
+  this->Energies =
+    SpecificEnergyTable({ Polyline{ { 1000.0, 5.0 }, { 2000.0, 20.0 } }, ConstantPolyline(0.0) });
+  const Vector3 centre{ 0.0193, 0.0197, 0.0195 };
+  const double volume = 4.0 * Pi / 3.0 * 512.0;
+  fill(1000.0);
+  const CarvingCost both = this->Try(HapticModel(Describe(layers)), centre, 0.008);
+  EXPECT_NEAR(both.Volume, volume, 0.008 * volume);
+  EXPECT_NEAR(both.Energy, 12.5 * volume, 0.008 * 12.5 * volume);
+  fill(499.0);
+  const CarvingCost one = this->Try(HapticModel(Describe(layers)), centre, 0.008);
+  EXPECT_NEAR(one.Volume, 0.5 * volume, 0.008 * volume);
+  EXPECT_NEAR(one.Energy, 10.0 * volume, 0.008 * 10.0 * volume);
+}
+
+/// The edge of a structure is removed with it; bricks far from anything solid are not needed.
+TEST_F(CarvedSphere, LeavesAirAlone)
+{
+  TestVolume plate(ScalarType::Int16, { 48, 48, 48 });
+  plate.Fill<std::int16_t>([](std::int64_t, std::int64_t, std::int64_t k)
+    { return static_cast<std::int16_t>(k == 23 ? 400 : (k > 23 && k < 28 ? 1000 : 0)); });
+  this->Carve(HapticModel(Describe(plate)), { 0.0235, 0.0235, 0.0255 }, 0.010);
+  EXPECT_EQ(this->Removal.Bricks.GetShare(23, 23, 26), 0);
+  EXPECT_EQ(this->Removal.Bricks.GetShare(23, 23, 23), 0) << "a film of 400 would be left";
+  for (std::uint32_t brick = 0; brick < this->Removal.Bricks.GetCount(); ++brick)
+  {
+    const BrickPlace place = CarvedBricks::PlaceOf(this->Removal.Bricks.GetKey(brick));
+    EXPECT_TRUE(place.Z == 2 || place.Z == 3) << "16 to 31";
+  }
+}
+
+TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
+{
+  const TestVolume tissue = MakeTissue(40);
+  const HapticModel model(Describe(tissue));
+  TissueRemoval small(20);
+  this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+  EXPECT_FALSE(this->Carver.Try(small, { 0.0159, 0.0159, 0.0159 }, 0.002).IsUsedUp);
+  this->Carver.Carve(small);
+  EXPECT_EQ(small.Bricks.GetCount(), 8u);
+  const std::vector<std::uint8_t> before = CopyShares(small.Bricks, tissue.View.Dimensions);
+  EXPECT_TRUE(this->Carver.Try(small, { 0.0195, 0.0195, 0.0195 }, 0.008).IsUsedUp);
+  this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+  this->Carver.Carve(small);
+  EXPECT_EQ(CopyShares(small.Bricks, tissue.View.Dimensions), before);
+}
+
+TEST_F(CarvedSphere, OfTooManySamplesIsNotCarved)
+{
+  const TestVolume tissue = MakeTissue(96);
+  const CarvingCost cost =
+    this->Carve(HapticModel(Describe(tissue)), { 0.048, 0.048, 0.048 }, 0.046);
+  EXPECT_TRUE(cost.IsTooMuch);
+}
+
+TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)
+{
+  const TestVolume tissue = MakeTissue(24);
+  const HapticModel model(Describe(tissue));
+  constexpr double bad = std::numeric_limits<double>::quiet_NaN();
+  for (const Vector3& centre : { Vector3{ bad, 0.01, 0.01 }, Vector3{ 0.01, 1e300, 0.01 },
+         Vector3{ -0.02, 0.01, 0.01 }, Vector3{ 0.01, 0.05, 0.01 } })
+  {
+    EXPECT_EQ(this->Carve(model, centre, 0.003).Volume, 0.0);
+  }
+  EXPECT_TRUE(this->Removal.Bricks.IsEmpty());
+  // It may reach beyond the volume.
+  EXPECT_GT(this->Carve(model, { 0.0, 0.0, 0.023 }, 0.003).Volume, 0.0);
+}

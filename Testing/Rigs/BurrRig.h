@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A burr in a hand. In millimetres, unless it is said otherwise.
+ */
+#ifndef BurrRig_h
+#define BurrRig_h
+
+#include "CarvingRig.h"
+#include "ShellRig.h"
+
+#include "Core/Tools/Burr/BurrTool.h"
+
+namespace coretest
+{
+/// Solid above z = surface, with the tissue removed below; voxels of `size` mm.
+struct HalfSpace
+{
+  HalfSpace(const TestVolume::Size& n, double size, std::int64_t surface)
+    : Volume(ScalarType::UInt8, n)
+    , Surface((static_cast<double>(surface) - 0.5) * size)
+    , Removal(std::make_shared<TissueRemoval>())
+  {
+    this->Volume.Fill<std::uint8_t>([surface](std::int64_t, std::int64_t, std::int64_t k)
+      { return static_cast<std::uint8_t>(k >= surface ? 200 : 0); });
+    this->Scene = Describe(this->Volume);
+    this->Scene.IndexToWorld.Linear = size * Matrix3{};
+    this->Scene.Removal = this->Removal;
+  }
+
+  TestVolume Volume;
+  double Surface; ///< mm
+  std::shared_ptr<TissueRemoval> Removal;
+  HapticModelDescription Scene;
+};
+
+/// A burr that is led through a volume, a millisecond a tick.
+class BurrHand
+{
+public:
+  BurrHand(const HapticModelDescription& description, const BurrSettings& settings,
+    const Polyline& specificEnergy, std::size_t points = Burr::DefaultPoints)
+    : Model(description)
+    , Tool(settings, specificEnergy, points)
+    , Memory(this->Tool)
+  {
+  }
+
+  const BurrRecord& Tick(const Vector3& position)
+  {
+    const BurrRecord last = this->Record;
+    const bool wasEnabled = this->State.Shell.Enabled;
+    const Vector3 hand = 0.001 * position;
+    if (wasEnabled)
+    {
+      this->Work += this->EnergyOfSpring(last.Shell.Tool.Position, hand) -
+        this->EnergyOfSpring(last.Shell.Tool.Position, last.Shell.Hand.Position);
+      this->VibrationWork -= Dot(last.Force - last.Shell.Force, hand - last.Shell.Hand.Position);
+    }
+    TickBurr(this->Model, this->Tool, hand, this->IsSpinning, this->Step, this->State, this->Memory,
+      this->Record);
+    this->Energy += this->Record.Energy;
+    this->Removed += this->Record.RemovedVolume;
+    if (this->IsSpinning)
+    {
+      const BurrSettings& settings = this->Tool.Settings;
+      this->Earned += settings.Friction * Norm(this->Record.Shell.Force) * 2.0 * Pi *
+        settings.Radius * settings.Speed * this->Step;
+    }
+    return this->Record;
+  }
+  const BurrRecord& Lead(const Vector3& goal, double step = 0.05)
+  {
+    const Vector3 from = 1000.0 * this->Record.Shell.Hand.Position;
+    const double steps = std::ceil(Norm(goal - from) / step);
+    for (double i = 1.0; i <= steps; i += 1.0)
+    {
+      this->Tick(from + (i / steps) * (goal - from));
+    }
+    return this->Record;
+  }
+  /// Presses with a force (N) along z, by following the tool at the spring's length.
+  const BurrRecord& Press(double force)
+  {
+    Vector3 hand = this->Record.Shell.Hand.Position;
+    hand.Z =
+      this->Record.Shell.Tool.Position.Z + force / this->Tool.Settings.Shell.CouplingStiffness;
+    return this->Tick(1000.0 * hand);
+  }
+  double EnergyOfSpring(const Vector3& tool, const Vector3& hand) const
+  {
+    const Vector3 lag = tool - hand;
+    return 0.5 * this->Tool.Settings.Shell.CouplingStiffness * Dot(lag, lag);
+  }
+
+  const HapticModel Model;
+  const Burr Tool;
+  BurrMemory Memory;
+  BurrState State;
+  BurrRecord Record;
+  bool IsSpinning = true;
+  double Step = 1e-3;         ///< s
+  double Work = 0.0;          ///< J, of the hand on the spring
+  double VibrationWork = 0.0; ///< J, of the hand against the vibration
+  double Earned = 0.0;        ///< J, mu F v of all ticks
+  double Energy = 0.0;        ///< J, spent on removal
+  double Removed = 0.0;       ///< mm^3
+};
+
+/// A burr of 2 mm at 60 000/min, mu 0.3, that bone of `kappa` N/m^3 holds.
+inline BurrSettings MakeBurr(double kappa, double level)
+{
+  BurrSettings settings;
+  settings.Radius = 2e-3;
+  settings.Speed = 1000.0;
+  settings.Friction = 0.3;
+  settings.Shell.Level = level;
+  settings.Shell.ContactArea = 500.0 / kappa; // of the default stiffness
+  return settings;
+}
+} // namespace coretest
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Removal from small volumes, and the same in loops over all samples.
+ */
+#ifndef CarvingRig_h
+#define CarvingRig_h
+
+#include "Core/Carving/TissueRemoval.h"
+#include "TestVolume.h"
+
+#include <cmath>
+#include <vector>
+
+namespace coretest
+{
+/// Sets the share at one sample, whatever it was.
+inline void SetShare(
+  CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k, std::uint8_t share)
+{
+  const std::uint32_t brick = bricks.FindOrAdd(CarvedBricks::KeyOf({ i / 8, j / 8, k / 8 }));
+  const auto row = static_cast<int>(j % 8 + 8 * (k % 8));
+  const auto shift = static_cast<int>(8 * (i % 8));
+  const std::uint64_t others = bricks.GetRow(brick, row) & ~(std::uint64_t{ 255 } << shift);
+  bricks.SetRow(brick, row, others | std::uint64_t{ share } << shift);
+  bricks.MarkChanged(brick);
+}
+
+/// What is left of a volume, as doubles: V_air + rho (V - V_air).
+inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
+{
+  const std::int64_t* const n = volume.View.Dimensions;
+  const std::int64_t* const first = volume.View.First;
+  TestVolume left(ScalarType::Float64, { n[0], n[1], n[2] });
+  left.Fill<double>(
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const double value = volume(i, j, k);
+      const std::uint8_t share = bricks.GetShare(first[0] + i, first[1] + j, first[2] + k);
+      return share == 255 ? value : air + 1.0 / 255.0 * share * (value - air);
+    });
+  std::copy(first, first + 3, left.View.First);
+  std::copy(volume.View.Whole, volume.View.Whole + 3, left.View.Whole);
+  left.View.BorderValue = volume.View.BorderValue;
+  return left;
+}
+
+/// All samples' shares, x first.
+inline std::vector<std::uint8_t> CopyShares(const CarvedBricks& bricks, const std::int64_t* n)
+{
+  std::vector<std::uint8_t> shares;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i)
+      {
+        shares.push_back(bricks.GetShare(i, j, k));
+      }
+    }
+  }
+  return shares;
+}
+
+/// What is left of a voxel's volume: 6 (rho - 1/2) + 1/2.
+inline double LeftOf(std::uint8_t share)
+{
+  return std::clamp(6.0 * (share / 255.0 - 0.5) + 0.5, 0.0, 1.0);
+}
+
+/// rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) of all samples; in voxels of size 1, w = 3.
+inline void CarveSlowly(
+  std::vector<std::uint8_t>& shares, const std::int64_t* n, const Vector3& centre, double radius)
+{
+  std::size_t at = 0;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i, ++at)
+      {
+        const Vector3 from = Vector3{ double(i), double(j), double(k) } - centre;
+        const double rho = std::clamp(0.5 + (Norm(from) - radius) / 3.0, 0.0, 1.0);
+        shares[at] = std::min(shares[at], static_cast<std::uint8_t>(std::lround(255.0 * rho)));
+      }
+    }
+  }
+}
+} // namespace coretest
+
+#endif
