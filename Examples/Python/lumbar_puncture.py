@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource
+from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkImageSlice, vtkImageSliceMapper, vtkPolyDataMapper, vtkRenderer
@@ -66,6 +67,16 @@ def crop(hu, organs):
     left = int(x.mean()) - 75
     part = np.s_[z.min():, 60:290, left:left + 150]
     return hu[part], organs[part]
+
+
+def refine(hu, organs, spacing):
+    """The same with slices as near to one another as pixels are: a surface is felt from two voxels on, and skin is thin."""
+    parts = int(np.ceil(spacing[2] / spacing[0]))
+    at = np.arange((len(hu) - 1) * parts + 1) / parts
+    below = np.minimum(at.astype(int), len(hu) - 2)
+    share = (at - below)[:, None, None]
+    between = (1.0 - share) * hu[below] + share * hu[below + 1]
+    return between.astype(np.int16), organs[np.round(at).astype(int)], spacing / [1, 1, parts]
 
 
 def find_canal(organs, spacing):
@@ -124,7 +135,8 @@ def find_way(labels, canal, spacing):
     bone = np.argwhere(labels == BONE)[:, ::-1] * spacing
     bone = bone[:: max(1, len(bone) // 6000)]
     best = (-1.0, None, None)
-    for k in range(6, len(labels) - 4):
+    margin, step = (int(np.ceil(reach / spacing[2])) for reach in (12.0, 2.5))
+    for k in range(margin, len(labels) - margin, step):
         target = np.array([*canal[k], k * spacing[2]])
         for tilt in np.radians(np.arange(-40.0, 41.0, 4.0)):
             for turn in np.radians((-6.0, 0.0, 6.0)):
@@ -190,12 +202,14 @@ def tell(track, table):
     for label, length in zip(labels, lengths):
         print(f"{length:6.1f} mm  {table.GetLabelName(int(label)) or 'nothing'}")
     depth, angle = (track.GetFieldData().GetArray(name).GetValue(0) for name in ("Depth", "Angle"))
-    print(f"{depth:.1f} mm deep, {angle:.0f} degrees to the normal of the skin")
+    print(f"{depth:.1f} mm deep" + (f", {angle:.0f} degrees to the normal of the skin" if angle >= 0.0 else ""))
 
 
 def surface(samples, spacing, colour, opacity):
-    edges, smooth = vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
-    edges.SetInputData(make_image(samples.astype(np.uint8), spacing))
+    soft, edges, smooth = vtkImageGaussianSmooth(), vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
+    soft.SetInputData(make_image(samples.astype(np.float32), spacing))
+    soft.SetStandardDeviation(1.5)  # voxels
+    edges.SetInputConnection(soft.GetOutputPort())
     edges.SetValue(0, 0.5)
     smooth.SetInputConnection(edges.GetOutputPort())
     smooth.SetNumberOfIterations(30)
@@ -279,7 +293,7 @@ def draw_chart(trace, table):
     named = set()
     for begin, end, kind in zip(borders, borders[1:], kinds):
         name = table.GetLabelName(int(kind)) or "outside"
-        add(vtkChart.AREA, [begin, end], [-0.12, -0.12], "" if kind in named else name, table.GetColor(int(kind)))
+        add(vtkChart.LINE, [begin, end], [-0.1, -0.1], "" if kind in named else name, table.GetColor(int(kind)), 14.0)
         named.add(kind)
     add(vtkChart.LINE, depth[: deepest + 1], force[: deepest + 1], "pushed in", (0.98, 0.98, 0.98), 2.5)
     back = np.arange(len(depth)) > deepest
@@ -298,7 +312,7 @@ def main():
         parser.error(f"{folder} lacks cxr.nii.gz or mask.nii.gz: get both with `. Data/scans.sh; get_chest_ct FOLDER`")
     hu, spacing = read(folder / "cxr.nii.gz")
     organs, _ = read(folder / "mask.nii.gz")
-    hu, organs = crop(hu, organs)
+    hu, organs, spacing = refine(*crop(hu, organs), spacing)
     canal = find_canal(organs, spacing)
     labels = classify(hu, organs, canal, spacing)
     clearance, entry, target = find_way(labels, canal, spacing)
@@ -316,10 +330,10 @@ def main():
     scene.AddViewProp(draw_slice(hu, spacing, int(round(target[0] / spacing[0])) - 12))
     scene.SetViewport(0.0, 0.0, 0.52, 1.0)
     camera = scene.GetActiveCamera()
-    camera.SetFocalPoint(target - [0.0, 20.0, 0.0])
+    camera.SetFocalPoint(target - [0.0, 24.0, 0.0])
     camera.SetPosition(target + [330.0, -150.0, -60.0])
     camera.SetViewUp(0.0, 0.0, -1.0)  # slices go down
-    camera.SetViewAngle(26.0)
+    camera.SetViewAngle(20.0)
     scene.ResetCameraClippingRange()
     chart = vtkRenderer()
     chart.SetBackground(0.07, 0.08, 0.11)

@@ -238,7 +238,7 @@ bool HapticLabels::Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticL
   if (std::get<std::vector<int>>(zoneKey).empty() ||
     labels->GetNumberOfTuples() <= MostMeasuredAtOnce || (isImage && zoneKey == this->BakedZone))
   {
-    this->Measuring.Forget();
+    this->Measuring.Abandon();
     return true;
   }
   std::string error;

@@ -267,7 +267,7 @@ void DeviceRecorder::AwaitHashes(HapticRecording& recording)
   }
   else
   {
-    this->Hashing.Forget(); // no work goes on that nothing wants
+    this->Hashing.Abandon(); // no work goes on that nothing wants
     vtkWarningWithObjectMacro(this->Device,
       << "The recording " << Printable(recording.GetFile())
       << " has no hash of its volume, as it ended before that was known: nothing tells later which "
