@@ -87,8 +87,11 @@ bool vtkHapticDevice::CalibrateForce(double scale)
 //------------------------------------------------------------------------------
 void vtkHapticDevice::TakeLimits()
 {
-  const double most = this->Internals->Session.GetLimits().MaximumForce;
-  this->MaximumForce = this->WantedForce < 0.0 ? 0.5 * most : std::min(this->WantedForce, most);
+  const DeviceLimits limits = this->Internals->Session.GetLimits();
+  const auto choose = [](double wanted, double most)
+  { return wanted < 0.0 ? 0.5 * most : std::min(wanted, most); };
+  this->MaximumForce = choose(this->WantedForce, limits.MaximumForce);
+  this->MaximumTorque = choose(this->WantedTorque, limits.MaximumTorque);
   this->Modified();
 }
 
@@ -96,6 +99,14 @@ void vtkHapticDevice::TakeLimits()
 void vtkHapticDevice::ResetMaximumForce()
 {
   this->WantedForce = -1.0;
+  this->TakeLimits();
+  this->SendLimits();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::ResetMaximumTorque()
+{
+  this->WantedTorque = -1.0;
   this->TakeLimits();
   this->SendLimits();
 }
@@ -247,6 +258,9 @@ vtkHapticDeviceStateMacro(double*, ProxyPosition, Proxy);
 vtkHapticDeviceStateMacro(double*, Force, Force);
 vtkHapticDeviceStateMacro(double*, ComputedForce, ComputedForce);
 vtkHapticDeviceStateMacro(double*, TipOrientation, Orientation.data());
+vtkHapticDeviceStateMacro(double*, Torque, Torque);
+vtkHapticDeviceStateMacro(double*, ComputedTorque, ComputedTorque);
+vtkHapticDeviceStateMacro(double*, ToolOrientation, ToolOrientation.data());
 vtkHapticDeviceStateMacro(int, Buttons, GetState().Buttons);
 vtkHapticDeviceStateMacro(double*, TurnRate, TurnRate);
 vtkHapticDeviceStateMacro(int, Contact, GetState().Record.Contact);
@@ -261,6 +275,13 @@ vtkHapticDeviceStateMacro(double*, MediumPosition, MediumPosition);
 vtkHapticDeviceStateMacro(double, Residency, GetState().Residency);
 vtkHapticDeviceStateMacro(vtkIdType, Tick, GetState().Tick);
 vtkHapticDeviceStateMacro(double, Time, GetState().Time);
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsTipOrientationMeasured()
+{
+  const ServoSnapshot& state = this->Internals->Session.GetState();
+  return state.HasOrientation && !state.IsOrdered;
+}
 
 //------------------------------------------------------------------------------
 double vtkHapticDevice::GetSlack()
@@ -416,6 +437,20 @@ void vtkHapticDevice::SetMaximumForce(double force)
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticDevice::SetMaximumTorque(double torque)
+{
+  auto& session = this->Internals->Session;
+  const double most = session.IsOpen() ? session.GetLimits().MaximumTorque : VTK_DOUBLE_MAX;
+  this->WantedTorque = Clamp(DeviceSettingRows::MaximumTorque, torque);
+  const double clamped = std::min(this->WantedTorque, most);
+  if (clamped != this->MaximumTorque)
+  {
+    this->MaximumTorque = clamped;
+    this->SendLimits();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticDevice::SetMaximumForceRate(double rate)
 {
   // A rate of 0 would never let the force grow.
@@ -481,6 +516,13 @@ void vtkHapticDevice::SetVirtualTipOrientation(const double wxyz[4])
     return;
   }
   this->SetVirtualTipOrientation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetTipOrientation(double w, double x, double y, double z)
+{
+  auto& d = *this->Internals;
+  d.Orders.TellError(d.Tip.TurnHand({ w, x, y, z }, d.Models.GetPlacement()));
 }
 
 //------------------------------------------------------------------------------

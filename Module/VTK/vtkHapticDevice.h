@@ -386,15 +386,37 @@ public:
   ///@}
   ///@{
   /**
+   * Of the latest state, with a tool that has a shape (vtkHapticPointShell): the torque on the hand
+   * about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
+   * whose origin is the proxy: a unit quaternion (w, x, y, z) that turns from the world's axes to
+   * those of the tool. All are zeros without such a tool. A device that gives no torque is sent
+   * none.
+   */
+  double* GetTorque() VTK_SIZEHINT(3);
+  double* GetComputedTorque() VTK_SIZEHINT(3);
+  double* GetToolOrientation() VTK_SIZEHINT(4);
+  ///@}
+  ///@{
+  /**
    * Of the latest state: the orientation of the stylus, if the device measures one. It is a unit
    * quaternion (w, x, y, z, as in vtkQuaternion) that turns from the world's axes to the stylus's:
    * the stylus points along its -z, its handle is on the side of +z, its button on that of +y.
    * HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or its
-   * quaternion is not finite or not of unit norm within 1 %. No force depends on it.
+   * quaternion is not finite or not of unit norm within 1 %, unless SetTipOrientation turns it. The
+   * forces of tools depend on it.
    */
   double* GetTipOrientation() VTK_SIZEHINT(4);
   bool HasTipOrientation();
   ///@}
+  /** Of the latest state: whether the device itself measures how it is held. */
+  bool IsTipOrientationMeasured();
+  /**
+   * How the hand holds its tool (world) if the device measures no orientation, such as one with
+   * three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns there at 4 rad/s
+   * at most, and then turns with the device's placement, as a stylus does. Until this is called,
+   * and after four zeros, there is none. It holds for later servos, too.
+   */
+  void SetTipOrientation(double w, double x, double y, double z);
   int GetButtons(); ///< Of the latest state: bit 0 is the main button.
   /**
    * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse turns the volume.
@@ -512,6 +534,17 @@ public:
 
   ///@{
   /**
+   * Largest torque (N m) on the hand, at most the device's own maximum. Half of that by default,
+   * for every device that is opened; ResetMaximumTorque returns to this default. The torque grows
+   * by at most 20 N m/s. It leaves only while force may leave.
+   */
+  void SetMaximumTorque(double torque);
+  void ResetMaximumTorque();
+  vtkGetMacro(MaximumTorque, double);
+  ///@}
+
+  ///@{
+  /**
    * Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that
    * becomes smaller does so at once, and one that turns takes its new direction at once. A limit on
    * these, too, would push the hand off a stiff wall with more energy than the hand put in. For the
@@ -550,7 +583,7 @@ public:
    * refused for its labels, and a warning says so.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
-   * Torque (N m, sent; zero, as nothing gives torque yet), Orientation (world) and
+   * Torque (N m, of tools; computed) and TorqueCommand (N m, sent), Orientation (world) and
    * DeviceOrientation (w, x, y, z; all 0 if the device has none), Tick, Buttons, Armed, Fault,
    * Share (0 to 1: how much of Force the gate let through) and Reason (why not all of it; numbers
    * in Documentation/devices.md).
@@ -621,8 +654,10 @@ protected:
   double ServoRate = 1000.0;
   double MaximumForce = 0.0;
   double MaximumForceRate = 500.0;
+  double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
-  double WantedForce = -1.0; // of SetMaximumForce; negative: half of the device's maximum
+  double WantedForce = -1.0;  // of SetMaximumForce; negative: half of the device's maximum
+  double WantedTorque = -1.0; // of SetMaximumTorque; negative: half of the device's maximum
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

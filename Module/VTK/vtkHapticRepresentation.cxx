@@ -7,6 +7,7 @@
 #include "VTK/Charts/HapticModeColors.h"
 #include "VTK/Charts/HapticTextLook.h"
 #include "VTK/Scene/DrawnNeedle.h"
+#include "VTK/Scene/DrawnShell.h"
 #include "VTK/Scene/FollowedScene.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/HapticViewRay.h"
@@ -65,6 +66,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   DrawnNeedle Needle;
+  DrawnShell Shell;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   /// Of a stylus whose orientation is not measured, by the camera of the last frame.
   Quaternion Leaning = NoOrientation;
@@ -96,6 +98,7 @@ struct vtkHapticRepresentation::vtkInternals
     }
     this->Stylus.RenderOpaque(viewport);
     this->Needle.RenderOpaque(viewport);
+    this->Shell.RenderOpaque(viewport);
     this->Landing.RenderOpaque(viewport);
   }
   void RenderInside(vtkViewport* viewport)
@@ -300,6 +303,7 @@ void vtkHapticRepresentation::UpdateMarkers()
   }
   d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
     this->FindStylusLength());
+  d.Shell.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr);
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
     this->FollowedReach, this->Radius);
@@ -313,7 +317,7 @@ void vtkHapticRepresentation::UpdateStylus()
 {
   auto& d = *this->Internals;
   d.Stylus.Show(false);
-  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown())
+  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown() || d.Shell.IsShown())
   {
     return;
   }
@@ -400,6 +404,7 @@ double* vtkHapticRepresentation::GetBounds()
   d.Spring.AddTo(d.Box);
   d.Stylus.AddTo(d.Box);
   d.Needle.AddTo(d.Box);
+  d.Shell.AddTo(d.Box);
   d.Followed.AddTo(d.Box);
   d.Landing.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
@@ -484,6 +489,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Followed.RenderHidden(viewport);
     d.Landing.RenderHidden(viewport);
     d.Needle.RenderHidden(viewport);
+    d.Shell.RenderHidden(viewport);
     d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
@@ -522,6 +528,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
   }
   d.Stylus.Release(window);
   d.Needle.Release(window);
+  d.Shell.Release(window);
   d.Followed.Release(window);
   d.Landing.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);

@@ -117,7 +117,7 @@ public:
   ///@{
   /**
    * Whether a stylus is shown at the proxy. Default on. A vtkHapticNeedle in tissue is shown
-   * instead, with its track in the colours of the labels.
+   * instead, with its track in the colours of the labels, and a vtkHapticPointShell with its mesh.
    */
   vtkSetMacro(StylusVisibility, bool);
   vtkGetMacro(StylusVisibility, bool);

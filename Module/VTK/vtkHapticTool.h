@@ -9,7 +9,8 @@
  *   vtkNew<vtkHapticNeedle> needle;
  *   filter->SetTool(needle);
  *
- *   vtkHapticNeedle  punctures surfaces, and is then held by the tissue along its shaft
+ *   vtkHapticNeedle      punctures surfaces, and is then held by the tissue along its shaft
+ *   vtkHapticPointShell  any closed surface, which feels force and torque
  *
  * A tool turns with the stylus, if the device measures how it is held
  * (vtkHapticDevice::GetTipOrientation). A stylus points along its own -z. Offline, the path may

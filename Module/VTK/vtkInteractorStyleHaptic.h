@@ -18,6 +18,8 @@
  *                         SetTipFollowsSurface()
  *   wheel                 moves it into the screen and out of it, along the line of sight
  *   Ctrl + mouse          the same, up is into the screen
+ *   Alt + mouse, wheel    turn a tool with a shape (vtkHapticPointShell), also one in a real device
+ *                         that measures no orientation; the wheel about the line of sight
  *   Shift                 with any of these: five times finer
  *   left button           the device's button
  *   right button          rotates the camera

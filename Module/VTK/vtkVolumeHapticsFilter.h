@@ -117,9 +117,9 @@
  *   Viscosity          N; R
  *   SurfaceStrength    N; T_N W_d
  *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
- *   Energy             J; given to the hand so far, by trapezoids. If a path ends without force,
- *                      the last value is the energy that was created (FORCE_FIELD can) or, below
- *                      0, spent
+ *   Energy             J; given to the hand by the force so far, by trapezoids. If a path ends
+ *                      without force, the last value is the energy that was created (FORCE_FIELD
+ *                      can) or, below 0, spent
  *   Unfinished         1 if PRECISE spent its budget, and the next tick does the rest; else 0
  *   Label              at the output point plus r Normal, just inside the surface: the label of the
  *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3
@@ -130,6 +130,8 @@
  *   Torque (3)         N m, world axes; on the hand about the tip. Only with a tool
  *   Depth              world units; of a vtkHapticNeedle that is inserted, else 0. Only with a tool
  *   ShaftForce         N; the most that the tissue along its shaft holds. Only with a tool
+ *   ToolOrientation (4)  of a vtkHapticPointShell in the world: w, x, y, z. Its origin is the
+ *                      output point. Only with one
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the

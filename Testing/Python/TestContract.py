@@ -114,6 +114,7 @@ ARRAYS = {
     "Torque": "N m",
     "Depth": "world units",
     "ShaftForce": "N",
+    "ToolOrientation": "w, x, y, z",
 }
 MODES = {
     "VectorFollow": ("SetPush",),
@@ -181,6 +182,13 @@ def test_tools():
                   "SetLateralStrength": ("(N)", "1")}
     assert issubclass(volumehaptics.vtkHapticNeedle, volumehaptics.vtkHapticTool)
     check(volumehaptics.vtkHapticNeedle, documented, ("MakeTrack", "GetText"))
+    documented = {"SetMesh": ("world units", "closed"), "SetNumberOfPoints": ("Default 2000",),
+                  "SetContactArea": ("Default 25",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
+                  "SetTurningStiffness": ("(N m/rad)", "Default 0.5"), "SetContactValue": ("scalars", "Default 0"),
+                  "SetSolid": ("FROM_STRENGTH (default)", "half")}
+    assert issubclass(volumehaptics.vtkHapticPointShell, volumehaptics.vtkHapticTool)
+    check(volumehaptics.vtkHapticPointShell, documented, ("SetSolidToFromStrength", "SetSolidToAbove",
+                                                          "SetSolidToBelow", "GetText"))
     haptics = vtkVolumeHapticsFilter()
     assert haptics.GetTool() is None
     haptics.SetTool(volumehaptics.vtkHapticNeedle())

@@ -16,6 +16,7 @@ set(Explore_VTK_COMPONENTS
   IOGeometry
   IOImage
   IOLegacy
+  IOPLY
   IOXML
   IOXMLParser
   ImagingCore
@@ -48,6 +49,7 @@ set(Explore_SOURCES
   Live/LiveRun.cxx
   Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx
+  Live/ToolFile.cxx
   Live/TouchReplay.cxx
   Live/TouchScene.cxx
   Live/WindowFiles.cxx

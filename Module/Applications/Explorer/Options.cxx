@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Applications/Explorer/Record/MovieFile.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
@@ -223,11 +224,12 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--tool")
   {
-    if (value != "needle" && value != "point")
+    if (value != "needle" && value != "point" && !Explore::IsToolFile(value))
     {
-      throw InputError("--tool '" + value + "'", "is not known", "take needle, or point");
+      throw InputError("--tool '" + value + "'", "is not known",
+        "take needle, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
     }
-    options.Tool = value == "needle" ? value : std::string();
+    options.Tool = value == "point" ? std::string() : value;
   }
   else if (name == "--mapper")
   {
@@ -426,6 +428,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     cut faces
   --tool NAME       of the window: what the hand holds, point (default) or needle, which punctures surfaces,
                     and rubs and is held in tissue; keys: N needle, point; T saves its track
+  --tool FILE.stl   the closed surface of a tool, also .ply, .obj or .vtp, in the volume's units: its shape is
+                    felt where it meets the outer surface. Alt + mouse turns it; key N: also needle, point
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

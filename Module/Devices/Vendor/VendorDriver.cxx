@@ -97,7 +97,7 @@ bool VendorDriver::TakeLimits(std::string& error)
   this->Limits.Damping = limits.OwnDamping;
   this->Limits.WorkspaceRadius = limits.WorkspaceRadius;
   this->Limits.ForceAxes = limits.ForceAxes == 0 ? AllAxes : limits.ForceAxes & AllAxes;
-  this->MaximumTorque = limits.MaximumTorque;
+  this->Limits.MaximumTorque = limits.MaximumTorque;
   return true;
 }
 
@@ -114,7 +114,7 @@ void VendorDriver::Disconnect() noexcept
 int VendorDriver::Write(const Vector3& force, const Vector3& torque) noexcept
 {
   const Vector3 f = ClampNorm(force, this->Limits.MaximumForce);
-  const Vector3 t = ClampNorm(torque, this->MaximumTorque);
+  const Vector3 t = ClampNorm(torque, this->Limits.MaximumTorque);
   const double newtons[3] = { f.X, f.Y, f.Z };
   const double newtonMetres[3] = { t.X, t.Y, t.Z };
   return this->Library->Functions().Write(this->Device, newtons, newtonMetres);

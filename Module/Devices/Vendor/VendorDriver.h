@@ -52,7 +52,6 @@ private:
   std::string Identity;
   bool HasSerial = false; ///< without one, devices of a plug-in may change their numbers
   DeviceLimits Limits;
-  double MaximumTorque = 0.0; ///< N m
   std::shared_ptr<VendorLibrary> Library;
   void* Device = nullptr;
   bool Lost = false;

@@ -30,6 +30,7 @@ DeviceLimits VirtualDevice::StrongDesktopDevice()
   // Stiffness and damping are not limited, so that any can be simulated.
   DeviceLimits limits;
   limits.MaximumForce = 20.0;
+  limits.MaximumTorque = 0.5;
   limits.MaximumSpeed = 2.5;
   limits.WorkspaceRadius = 0.2;
   return limits;

@@ -338,7 +338,7 @@ def add_haptics(
     slices: True shows three slices through the tip in a column beside the scene: see vtkHapticSliceView, and
         vtkInteractorStyleHaptic for their mouse. All subplots get narrower. The key s hides and shows them.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...,
-        tool=vtkHapticNeedle()
+        tool=vtkHapticNeedle(), tool="drill.stl" or a mesh: Alt + mouse turns it
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
     vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s (for a

@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkIm
 from . import vtkVolumeHaptics
 from ._grids import is_grid, overview, suggest_mode
 from ._labels import Labels, Materials, set_labels
+from ._tools import make_tool
 from .vtkVolumeHaptics import vtkHapticProperty, vtkHapticRegionSource, vtkVolumeHapticsFilter
 
 if TYPE_CHECKING:
@@ -98,6 +99,8 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
         raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
+    if name == "tool":
+        value = make_tool(value)
     if name == "trace_arrays" and isinstance(value, (list, tuple)) and all(isinstance(one, str) for one in value):
         value = ", ".join(value) or "none"
     try:
@@ -325,8 +328,10 @@ def touch(
         the preset.
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
-        vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the only
-        arrays that the trace gets, which takes less time and memory.
+        vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand, and
+        tool="drill.stl", or a vtkPolyData, that closed surface, in world units: see vtkHapticPointShell. A tuple is
+        several arguments. trace_arrays=["Force", "Contact"] are the only arrays that the trace gets, which takes less
+        time and memory.
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the
     hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays; so have trace.point_data["Force"]

@@ -10,6 +10,7 @@
 #include "VTK/Baking/HapticSetting.h"
 
 #include "vtkHapticNeedle.h"
+#include "vtkHapticPointShell.h"
 #include "vtkHapticTool.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -35,6 +36,37 @@ inline constexpr NeedleSetting All[] = {
 } // namespace NeedleSettingRows
 
 inline constexpr const auto& NeedleSettings = NeedleSettingRows::All;
+
+using PointShellSetting = HapticSetting<vtkHapticPointShell>;
+
+namespace PointShellSettingRows
+{
+using Owner = vtkHapticPointShell;
+
+inline constexpr SettingChoice SolidNames[] = { { "FromStrength", "from strength" },
+  { "Above", "above" }, { "Below", "below" } };
+
+inline constexpr PointShellSetting All[] = {
+  HapticIntegerMacro(NumberOfPoints, 0.0, 1000000.0, 2000.0, "", NotBaked,
+    "The number of points on the surface. From 1 to 100000 can be felt; a few may be left out that "
+    "would stand for nothing."),
+  HapticNumberMacro(ContactArea, 0.0, VTK_DOUBLE_MAX, 25.0, "", NotBaked,
+    "The area (square world units) on which the stiffness and the surface strength of the "
+    "materials act, more than 0. A smaller one makes the tool feel stiffer."),
+  HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", NotBaked,
+    "The stiffness of the spring between hand and tool (N/m), more than 0. Devices may cap it."),
+  HapticNumberMacro(TurningStiffness, 0.0, VTK_DOUBLE_MAX, 0.5, "N m/rad", NotBaked,
+    "The stiffness of the turning spring between hand and tool (N m/rad), more than 0."),
+  HapticChoiceMacro(Solid, 0.0, NotBaked,
+    "Which values of the scalars are solid: From strength (default) finds the contact value at "
+    "which the surface strength of vtkHapticProperty, where something is visible, passes half of "
+    "its largest, if it does so once. Above and Below are beyond the ContactValue."),
+  HapticNumberMacro(ContactValue, -LargestNumber, LargestNumber, 0.0, "", NotBaked,
+    "The value of the scalars at the surface of what is solid, if Solid is Above or Below."),
+};
+} // namespace PointShellSettingRows
+
+inline constexpr const auto& PointShellSettings = PointShellSettingRows::All;
 
 /** A function of a tool against the scalar value. Its values are 0 or more. */
 struct ToolFunction

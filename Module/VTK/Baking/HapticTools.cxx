@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticToolSettings.h"
+#include "VTK/Baking/ShellDescription.h"
 
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +77,9 @@ const std::vector<ToolKindRow>& GetToolKinds()
           [](vtkHapticTool* tool) { return N::SafeDownCast(tool)->GetShaftFriction(); } },
         { "CuttingForce", "N",
           [](vtkHapticTool* tool) { return N::SafeDownCast(tool)->GetCuttingForce(); } } } },
+    { "PointShell", "tool with a shape",
+      [] { return vtkSmartPointer<vtkHapticTool>(vtkSmartPointer<vtkHapticPointShell>::New()); },
+      {} },
   };
   return *kinds;
 }
@@ -100,6 +105,15 @@ void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool)
   {
     PrintSettings(os, indent, needle, NeedleSettings);
   }
+  if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
+  {
+    PrintSettings(os, indent, shell, PointShellSettings);
+    vtkPolyData* const mesh = shell->GetMesh();
+    os << indent << "Mesh: ";
+    mesh ? os << mesh->GetNumberOfPoints() << " points, " << mesh->GetNumberOfPolys() << " polygons"
+         : os << "(none)";
+    os << "\n";
+  }
   for (const ToolFunction& function : FindToolKind(tool).Functions)
   {
     os << indent << function.Name << ":\n";
@@ -109,6 +123,10 @@ void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool)
 
 bool DescribeTool(vtkHapticTool* tool, HapticModelDescription& description, std::string& error)
 {
+  if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
+  {
+    return DescribePointShell(shell, description, error);
+  }
   auto* const needle = vtkHapticNeedle::SafeDownCast(tool);
   return !needle || DescribeNeedle(needle, description, error);
 }

@@ -53,9 +53,13 @@ bool IsSameTool(const ToolDescription& a, const ToolDescription& b)
 {
   const NeedleDescription& n = a.Needle;
   const NeedleDescription& m = b.Needle;
-  return a.Kind == b.Kind && IsSameLine(n.ShaftFriction, m.ShaftFriction) &&
-    IsSameLine(n.CuttingForce, m.CuttingForce) && n.HasCuttingForce == m.HasCuttingForce &&
-    n.LateralStrength == m.LateralStrength;
+  const ShellSettings& s = a.Shell.Touch;
+  const ShellSettings& t = b.Shell.Touch;
+  return a.Kind == b.Kind && a.Shell.Points == b.Shell.Points && s.Level == t.Level &&
+    s.IsBelow == t.IsBelow && s.ContactArea == t.ContactArea &&
+    s.CouplingStiffness == t.CouplingStiffness && s.TurningStiffness == t.TurningStiffness &&
+    IsSameLine(n.ShaftFriction, m.ShaftFriction) && IsSameLine(n.CuttingForce, m.CuttingForce) &&
+    n.HasCuttingForce == m.HasCuttingForce && n.LateralStrength == m.LateralStrength;
 }
 
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)

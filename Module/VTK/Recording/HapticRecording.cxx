@@ -91,7 +91,8 @@ bool HapticRecording::Start(
   return isGood;
 }
 
-void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model)
+void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
+  std::shared_ptr<const ToolMemory> tool)
 {
   // Ticks come in the order of their generations.
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
@@ -100,18 +101,23 @@ void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const H
     this->Models.clear(); // no further tick is recorded
     return;
   }
-  this->Models[generation] = std::move(model);
+  this->Models[generation] = { std::move(model), std::move(tool) };
 }
 
 bool HapticRecording::Append(const ServoSnapshot& snapshot)
 {
   this->LastGeneration = snapshot.Generation;
   const auto found = this->Models.find(snapshot.Generation);
-  if (found == this->Models.end() || !found->second || this->Failure.load() != 0)
+  if (found == this->Models.end() || !found->second.Model || this->Failure.load() != 0)
   {
     return true;
   }
-  const HapticModel& model = *found->second;
+  const HapticModel& model = *found->second.Model;
+  const ToolMemory* const tool = found->second.Tool.get();
+  if (this->LastPlacement < 0 && tool && !snapshot.IsKept)
+  {
+    return true;
+  }
   const std::lock_guard<std::mutex> lock(this->QueueMutex);
   if (this->Waiting.size() >= MostWaiting)
   {
@@ -123,6 +129,10 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   {
     this->Begin.reset(
       new RecordingBegin{ ToNumbers(snapshot.Before), model.Baked->Settings.TickPeriod });
+    if (tool && tool->GetKept() && snapshot.Before.Shell.Enabled)
+    {
+      this->BeginContacts = ToRows(*tool->GetKept());
+    }
   }
   // A placement for every generation, even if it is equal: the servo carries its state across each.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
@@ -182,6 +192,7 @@ bool HapticRecording::WriteGroup(bool isEnd)
   std::vector<RecordingRow> rows;
   std::vector<PlacementRow> placements;
   std::unique_ptr<RecordingBegin> begin;
+  std::vector<ContactRow> contacts;
   {
     const std::lock_guard<std::mutex> lock(this->QueueMutex);
     const std::size_t least = isEnd ? 1 : GroupSize;
@@ -194,8 +205,10 @@ bool HapticRecording::WriteGroup(bool isEnd)
     this->Waiting.erase(this->Waiting.begin(), this->Waiting.begin() + count);
     placements.swap(this->NewPlacements);
     begin.swap(this->Begin);
+    contacts.swap(this->BeginContacts);
   }
   int failure = begin ? this->Writer->WriteBegin(*begin) : 0;
+  failure = failure ? failure : this->Writer->WriteContacts(contacts);
   failure = failure ? failure : this->Writer->WritePlacements(placements);
   failure =
     failure ? failure : this->Writer->WriteTicks(rows.data(), rows.size(), this->GetLostTicks());

@@ -26,11 +26,20 @@
 
 namespace VolumeHaptics
 {
+class HapticModel;
+class ToolMemory;
+
+/** A model that the loop may use, and the memory of its tool; null if that needs none. */
+struct PublishedTouch
+{
+  std::shared_ptr<const HapticModel> Model;
+  std::shared_ptr<const ToolMemory> Tool;
+};
 
 class HapticRecording
 {
 public:
-  /** Ticks that may wait for the disk: 15 s at 1 kHz, 6.4 MB. */
+  /** Ticks that may wait for the disk: 15 s at 1 kHz, 6.8 MB. */
   static constexpr std::size_t MostWaiting = 15000;
 
   HapticRecording();
@@ -48,13 +57,15 @@ public:
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
 
   /**
-   * The model of a generation that the loop may use from now on. Frees older ones, so call it on
-   * their owner's thread.
+   * The model of a generation that the loop may use from now on, with the memory of its tool. Frees
+   * older ones, so call it on their owner's thread.
    */
-  void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model);
+  void AddModel(std::uint64_t generation, std::shared_ptr<const HapticModel> model,
+    std::shared_ptr<const ToolMemory> tool = nullptr);
   /**
    * Takes a tick; false if it is lost. Ticks without a model are left out, because they have no
-   * world.
+   * world. So are ticks before that at which the memory of the tool was kept
+   * (ServoLoop::KeepTool), as long as none has come.
    */
   bool Append(const ServoSnapshot& snapshot);
   /** Tells the hashes, once, when they are known; from the owner's thread. */
@@ -94,7 +105,7 @@ private:
   const std::int64_t Process = ServoClock::GetProcess();
 
   // Used by the keeper, and by its owner between two of the keeper's calls.
-  std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
+  std::map<std::uint64_t, PublishedTouch> Models;
   WorkMeter Work;
   std::uint64_t LastGeneration = 0; // of the ticks that came, recorded or not
   std::uint64_t PlacedGeneration = 0;
@@ -106,6 +117,7 @@ private:
   std::vector<PlacementRow> NewPlacements;
   std::unique_ptr<RecordingHashes> Hashes; // until they are written
   std::unique_ptr<RecordingBegin> Begin;   // until it is written
+  std::vector<ContactRow> BeginContacts;   // of Begin
   std::atomic<std::uint64_t> Missed{ 0 };
   std::atomic<std::uint64_t> Dropped{ 0 };
   std::atomic<bool> StopRequested{ false };

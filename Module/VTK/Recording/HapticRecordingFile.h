@@ -9,11 +9,13 @@
  * Besides the arrays of vtkVolumeHapticsFilter's output a recording has the point arrays
  * `DeviceTip` (m), `DeviceOrientation` and, in the world, `Orientation` (4: w, x, y, z of a unit
  * quaternion, all 0 if the device has none), `Command` (3; N, world axes: the force that was sent
- * to the device), `Torque` (3; N m, the same; zero, as nothing gives torque yet), `Tick`,
- * `Enabled`, `Placement`, `Buttons`, `Armed`, `Fault`, `Share` (0 to 1, the share of the force that
- * the gate let through) and `Reason` (why that is not 1: a GateReason of ForceGate.h), and the
- * field arrays `DeviceToWorld` (16 for each placement), `InitialState`, `TickPeriod` (s), `Caps`
- * (N/m and N s/m), `DeviceId`, `Settings`, `Units`, `VolumeHash` and `LostTicks`.
+ * to the device), `TorqueCommand` (3; N m, the same), `Torque` (3; N m, computed),
+ * `ToolOrientation` (4; of a tool with a shape, in the world; else 0), `Tick`, `Enabled`,
+ * `Placement`, `Buttons`, `Armed`, `Fault`, `Share` (0 to 1, the share of the force that the gate
+ * let through) and `Reason` (why that is not 1: a GateReason of ForceGate.h), and the field arrays
+ * `DeviceToWorld` (16 for each placement), `InitialState`, `InitialContacts` (of a tool with a
+ * shape that began in contact), `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`,
+ * `Units`, `VolumeHash` and `LostTicks`.
  */
 #ifndef HapticRecordingFile_h
 #define HapticRecordingFile_h

@@ -26,7 +26,7 @@ constexpr std::uint64_t MostPayload = 1 << 24;
 
 bool IsKind(std::uint32_t kind)
 {
-  return kind == AboutChunk || kind == HashesChunk || kind == BeginChunk ||
+  return kind == AboutChunk || kind == HashesChunk || kind == BeginChunk || kind == ContactsChunk ||
     kind == PlacementsChunk || kind == TicksChunk;
 }
 
@@ -241,6 +241,11 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
     this->HasBegin = this->HasBegin || isWhole;
     return isWhole && Get(payload, at, this->Begin);
   }
+  if (chunk.Kind == ContactsChunk)
+  {
+    this->Contacts += payload.size() / sizeof(ContactRow);
+    return this->HasBegin && payload.size() % sizeof(ContactRow) == 0;
+  }
   if (chunk.Kind == PlacementsChunk)
   {
     this->Placements += payload.size() / sizeof(PlacementRow);
@@ -345,6 +350,18 @@ bool JournalReader::ReadCaps(std::vector<double>& caps)
   caps.resize(areSame ? std::min(caps.size(), std::tuple_size<decltype(PlacementRow::Caps)>::value)
                       : caps.size());
   return isRead;
+}
+
+bool JournalReader::ReadContacts(std::vector<ContactRow>& contacts)
+{
+  contacts.clear();
+  return this->ForEachChunk(ContactsChunk,
+    [&](const Chunk& chunk)
+    {
+      const std::size_t before = contacts.size();
+      contacts.resize(before + chunk.Size / sizeof(ContactRow));
+      return this->ReadAt(chunk.Payload, contacts.data() + before, chunk.Size);
+    });
 }
 
 bool JournalReader::ForEachPlacement(const std::function<void(const PlacementRow&)>& visit)

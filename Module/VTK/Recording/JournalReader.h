@@ -52,6 +52,8 @@ public:
   /** Null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
+  /** That a tool with a shape had in the first state. */
+  std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
@@ -60,6 +62,8 @@ public:
    * reading failed.
    */
   bool ReadCaps(std::vector<double>& caps);
+  /** False if reading failed. */
+  bool ReadContacts(std::vector<ContactRow>& contacts);
   ///@{
   /** Visits one after the other; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
@@ -98,6 +102,7 @@ private:
   bool HasBegin = false;
   bool HasLastGroup = false;
   std::uint64_t Ticks = 0;
+  std::uint64_t Contacts = 0;
   std::uint64_t Placements = 0;
   std::uint64_t Lost = 0;
 };

@@ -6,6 +6,7 @@
 #include "VTK/Recording/HapticJournalChunks.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -226,6 +227,21 @@ int JournalWriter::WriteBegin(const RecordingBegin& begin)
   std::string payload;
   Put(payload, begin);
   return this->WriteChunk(BeginChunk, payload);
+}
+
+int JournalWriter::WriteContacts(const std::vector<ContactRow>& contacts)
+{
+  constexpr std::size_t mostRows = 100000; // a chunk of 8 MB
+  for (std::size_t first = 0; first < contacts.size(); first += mostRows)
+  {
+    std::string payload;
+    for (std::size_t i = first; i < std::min(first + mostRows, contacts.size()); ++i)
+    {
+      Put(payload, contacts[i]);
+    }
+    this->WriteChunk(ContactsChunk, payload);
+  }
+  return this->Failure;
 }
 
 int JournalWriter::WritePlacements(const std::vector<PlacementRow>& placements)

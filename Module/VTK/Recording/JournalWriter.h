@@ -40,6 +40,7 @@ public:
   /** Returns 0, or the errno of the failure; nothing is written after that. */
   int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
+  int WriteContacts(const std::vector<ContactRow>& contacts);
   int WritePlacements(const std::vector<PlacementRow>& placements);
   int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);
   ///@}

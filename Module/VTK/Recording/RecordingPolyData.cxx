@@ -206,6 +206,7 @@ private:
     const RecordingBegin* const begin = this->Journal.GetBegin();
     this->WriteNumbers(
       RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
+    this->WriteContacts();
     this->WriteNumbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
     this->WriteCaps();
     const auto lost = static_cast<std::int64_t>(this->Journal.GetLostTicks());
@@ -225,6 +226,20 @@ private:
     this->BeginArray(
       "Float64", RecordingNames::Caps, 2, static_cast<std::int64_t>(caps.size() / 2));
     this->WriteBlock(caps.data(), caps.size() * sizeof(double));
+    this->File.Write("\n</DataArray>\n");
+  }
+  void WriteContacts()
+  {
+    if (this->Journal.GetNumberOfContacts() == 0)
+    {
+      return;
+    }
+    std::vector<ContactRow> contacts;
+    this->Require(this->Journal.ReadContacts(contacts));
+    this->BeginArray("Float64", RecordingNames::InitialContacts,
+      static_cast<int>(std::tuple_size<ContactRow>::value),
+      static_cast<std::int64_t>(contacts.size()));
+    this->WriteBlock(contacts.data(), contacts.size() * sizeof(ContactRow));
     this->File.Write("\n</DataArray>\n");
   }
   void WritePlacements()

@@ -139,6 +139,19 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
     [&](const PlacementRow& row) { placements.Add(row.Matrix.data(), row.Matrix.size()); });
   file.Write("]");
   numbers(RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
+  std::vector<ContactRow> contacts;
+  const bool areContactsRead = journal.ReadContacts(contacts);
+  if (!contacts.empty())
+  {
+    key(RecordingNames::InitialContacts);
+    file.Write("[");
+    NumberList rows(file);
+    for (const ContactRow& row : contacts)
+    {
+      rows.Add(row.data(), row.size());
+    }
+    file.Write("]");
+  }
   const auto lost = static_cast<double>(journal.GetLostTicks());
   numbers("LostTicks", &lost, 1);
   words("Settings", journal.GetAbout().Settings);
@@ -146,7 +159,7 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   words("Units", RecordingUnits);
   words("VolumeHash", journal.GetAbout().VolumeHash);
   file.Write("\n}\n");
-  return isRead && areCapsRead;
+  return isRead && areCapsRead && areContactsRead;
 }
 
 } // namespace VolumeHaptics

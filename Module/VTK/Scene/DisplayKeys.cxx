@@ -5,6 +5,7 @@
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/KeyMap.h"
 #include "VTK/Scene/KeyTable.h"
+#include "VTK/Scene/ToolTurn.h"
 #include "VTK/Scene/TouchMode.h"
 
 #include "vtkVolumeHapticsFilter.h"
@@ -70,6 +71,7 @@ std::string DisplayKeys::ListKeys() const
   KeyedParts parts;
   parts.HasMouse = !scene.IsReal();
   parts.HasDevice = scene.IsReal();
+  parts.HasTool = this->Turn.HasTool();
   parts.HasEditor = scene.Editor != nullptr;
   parts.HasLabels = scene.Editor && scene.Editor->GetLabelTable();
   parts.HasSlices = scene.Slices != nullptr;

@@ -15,14 +15,16 @@ namespace VolumeHaptics
 {
 
 class KeyMap;
+class ToolTurn;
 class TouchMode;
 
 class DisplayKeys
 {
 public:
-  DisplayKeys(TouchedScene& scene, const TouchMode& touch, const KeyMap& keys)
+  DisplayKeys(TouchedScene& scene, const TouchMode& touch, const ToolTurn& turn, const KeyMap& keys)
     : Scene(scene)
     , Touch(touch)
+    , Turn(turn)
     , Keys(keys)
   {
   }
@@ -44,6 +46,7 @@ private:
 
   TouchedScene& Scene;
   const TouchMode& Touch;
+  const ToolTurn& Turn;
   const KeyMap& Keys;
   bool WasTouching = false; ///< at the last call of UpdateHint
   bool HasTouched = false;  ///< since the touch mode, or arming, began

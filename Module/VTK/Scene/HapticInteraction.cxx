@@ -33,7 +33,8 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Frames(Scene, Window, std::move(calls.DrawScene))
   , Workspace(Scene, std::move(calls.ArmsAfterClutch))
   , Touch(Scene, Window, Workspace)
-  , Displays(Scene, Touch, Keys)
+  , Turn(Scene)
+  , Displays(Scene, Touch, Turn, Keys)
   , Touched(Scene, ShownFrames)
   , Publisher(Scene)
   , Compared(Scene, Publisher)
@@ -161,6 +162,11 @@ bool HapticInteraction::MoveMouse()
   {
     return this->DrawSlices();
   }
+  if (this->Scene.Style->GetState() == VTKIS_NONE && this->Turn.IsOn())
+  {
+    this->Turn.Roll(before, now);
+    return true;
+  }
   if (!this->Touch.LeadsTip())
   {
     return false;
@@ -276,6 +282,11 @@ bool HapticInteraction::TurnWheel(double steps)
   if (this->Slices.TurnWheel(steps, at[0], at[1]))
   {
     return this->DrawSlices();
+  }
+  if (this->Turn.IsOn())
+  {
+    this->Turn.Twist(steps);
+    return true;
   }
   if (!this->Touch.LeadsTip() || this->Scene.Style->GetInteractor()->GetControlKey())
   {

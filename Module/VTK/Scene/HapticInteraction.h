@@ -22,6 +22,7 @@
 #include "VTK/Scene/PlaybackKeys.h"
 #include "VTK/Scene/SceneFrames.h"
 #include "VTK/Scene/SliceMouse.h"
+#include "VTK/Scene/ToolTurn.h"
 #include "VTK/Scene/TouchMode.h"
 #include "VTK/Scene/TouchedScene.h"
 #include "VTK/Scene/TouchedVolumes.h"
@@ -106,6 +107,7 @@ public:
   SceneFrames Frames;
   WorkspaceControl Workspace;
   TouchMode Touch;
+  ToolTurn Turn;
   KeyMap Keys;
   DisplayKeys Displays;
   HapticShownFrames ShownFrames;

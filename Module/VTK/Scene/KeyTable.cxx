@@ -80,6 +80,11 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
       { "left button", "the button of the device" },
       { "right button", "turn the view and keep touching" } });
   }
+  if (parts.HasTool)
+  {
+    list.AddMouse(
+      { { "Alt + mouse", "turn the tool" }, { "Alt + wheel", "turn it about the line of sight" } });
+  }
   list.Add({ { { "a" }, "force on; off" }, { { "Escape" }, "let go, force off" },
     { { "m" }, "the next method" }, { { "C" }, "compare settings A and B" } });
   if (parts.HasModes)

@@ -19,6 +19,7 @@ struct KeyedParts
 {
   bool HasMouse = true;   ///< leads the tip
   bool HasDevice = false; ///< a real one
+  bool HasTool = false;   ///< that the mouse can turn
   bool HasEditor = false;
   bool HasLabels = false; ///< in the editor
   bool HasModes = false;

@@ -87,6 +87,7 @@ SafetyLimits DeviceOrders::MakeLimits() const
   SafetyLimits limits;
   limits.MaximumForce = this->Device->GetMaximumForce();
   limits.MaximumForceRate = this->Device->GetMaximumForceRate();
+  limits.MaximumTorque = this->Device->GetMaximumTorque();
   limits.AttentionTime = this->Device->GetAttentionTime();
   limits.MaximumSpeed = this->Session.GetLimits().MaximumSpeed;
   limits.MovesTip = this->Session.GetLimits().MovesTip;

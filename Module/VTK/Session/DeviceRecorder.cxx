@@ -173,7 +173,7 @@ bool DeviceRecorder::Start(const std::string& name, vtkVolumeHapticsFilter* filt
     this->File.clear();
     vtkErrorWithObjectMacro(
       this->Device, << "There is not enough memory to begin the recording " << Printable(name)
-                    << ", which takes about 6 MB. Close other programs that need memory.");
+                    << ", which takes about 7 MB. Close other programs that need memory.");
     return false;
   }
 }

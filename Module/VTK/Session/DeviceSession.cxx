@@ -130,6 +130,15 @@ void DeviceSession::Close()
   this->Facts = {};
 }
 
+void DeviceSession::TurnHand(const std::optional<Quaternion>& orientation)
+{
+  this->HandTurn = orientation;
+  if (ServoLoop* const loop = this->GetLoop())
+  {
+    orientation ? loop->TurnHand(*orientation) : loop->ForgetTurn();
+  }
+}
+
 void DeviceSession::Start(double rate, const SafetyLimits& limits,
   std::shared_ptr<const HapticModel> model, const Affine3& deviceToWorld)
 {
@@ -163,6 +172,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
     this->Servo->GetLoop().Hold();
   }
   this->Servo->GetLoop().SetClutched(this->Clutched);
+  this->TurnHand(std::optional<Quaternion>(this->HandTurn));
   if (std::exchange(this->ArmsAtStart, false))
   {
     this->Servo->GetLoop().Arm();
@@ -301,6 +311,11 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   Copy(toWorld(record.Proxy), this->Proxy);
   Copy(rotation * this->State.Command, this->Force);
   Copy(rotation * record.Force, this->ComputedForce);
+  Copy(rotation * this->State.Torque, this->Torque);
+  Copy(rotation * record.Torque, this->ComputedTorque);
+  const bool hasShape = !IsIdentical(record.ToolOrientation, NoOrientation);
+  const Quaternion tool = TurnedBy(rotation, record.ToolOrientation, hasShape);
+  this->ToolOrientation = { tool.W, tool.X, tool.Y, tool.Z };
   Copy(rotation * record.Normal, this->Normal);
   // Fig. 4: on both sides of the proxy at the beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;

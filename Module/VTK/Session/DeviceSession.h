@@ -19,6 +19,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -90,6 +91,11 @@ public:
   ///@{
   /** Null if the servo does not run. */
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
+  /**
+   * How the hand holds its tool, in the device's space, if the device measures no orientation, for
+   * this and later servos: see HandTurn.h. Nothing takes it away.
+   */
+  void TurnHand(const std::optional<Quaternion>& orientation);
   TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
   ///@}
 
@@ -187,6 +193,8 @@ public:
   double Proxy[3] = {};
   double Force[3] = {};
   double ComputedForce[3] = {};
+  double Torque[3] = {};         ///< N m, world axes
+  double ComputedTorque[3] = {}; ///< N m, world axes
   double Normal[3] = {};
   double SurfacePosition[3] = {};
   double MediumPosition[3] = {};
@@ -194,6 +202,8 @@ public:
   ///@}
   /// w, x, y, z of the latest state, in the world; not turned if the device has none
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };
+  /// w, x, y, z of a tool with a shape in the latest state, in the world; all 0 without one
+  std::array<double, 4> ToolOrientation{};
   bool IsAtForbidden = false; ///< of the latest state: see vtkHapticDevice::IsAtForbiddenLabel
   std::int64_t Label = 0;     ///< of the latest state: see vtkHapticDevice::GetLabel
   double TurnRate[3] = {};    ///< rad/s, of the latest state, in the device's axes
@@ -224,8 +234,9 @@ private:
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
-  bool ArmsAtStart = false; ///< Arm was ordered before the servo ran
-  bool Clutched = false;    ///< as ordered
+  bool ArmsAtStart = false;           ///< Arm was ordered before the servo ran
+  bool Clutched = false;              ///< as ordered
+  std::optional<Quaternion> HandTurn; ///< see TurnHand
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   std::map<std::string, double> BackgroundWorks; // with the share that is done

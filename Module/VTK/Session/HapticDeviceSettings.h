@@ -39,10 +39,13 @@ inline constexpr DeviceSetting MaximumForceRate =
   HapticNumberMacro(MaximumForceRate, 1.0, Unlimited, 500.0, "N/s", NotBaked,
     "Largest growth of force (N/s), 1 or more. Default 500. Only growth is limited: a force that "
     "becomes smaller does so at once");
+inline constexpr DeviceSetting MaximumTorque = HapticNumberMacro(MaximumTorque, 0.0, VTK_DOUBLE_MAX,
+  0.0, "N m", NotBaked, "Largest torque (N m) on the hand, at most the device's own maximum.");
 inline constexpr DeviceSetting AttentionTime = HapticNumberMacro(AttentionTime, 0.0, Unlimited, 2.0,
   "s", NotBaked, "How long (s) an armed device keeps its force if the program stands still");
 
-inline constexpr DeviceSetting All[] = { ServoRate, MaximumForce, MaximumForceRate, AttentionTime };
+inline constexpr DeviceSetting All[] = { ServoRate, MaximumForce, MaximumForceRate, MaximumTorque,
+  AttentionTime };
 } // namespace DeviceSettingRows
 
 namespace HardwareSettingRows

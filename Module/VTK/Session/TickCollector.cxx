@@ -40,11 +40,12 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   const std::uint64_t generation = this->Loop.Publish(model);
+  const PublishedTouch touch{ std::move(model), this->Loop.GetTool() };
   if (this->Recording)
   {
-    this->Recording->AddModel(generation, model);
+    this->Recording->AddModel(generation, touch.Model, touch.Tool);
   }
-  this->Models[generation] = std::move(model);
+  this->Models[generation] = touch;
   // If no reader asks for states, models must not pile up either.
   for (auto& [id, reader] : this->Readers)
   {
@@ -120,19 +121,20 @@ const HapticModel* TickCollector::FindModel(std::uint64_t generation)
   // States come in order: no older ones will be asked for.
   this->Forget(generation);
   const auto found = this->Models.find(generation);
-  return found == this->Models.end() ? nullptr : found->second.get();
+  return found == this->Models.end() ? nullptr : found->second.Model.get();
 }
 
 void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->LostBefore = this->Loop.GetLostRecords();
-  for (const auto& [generation, model] : this->Models)
+  for (const auto& [generation, touch] : this->Models)
   {
-    recording->AddModel(generation, model);
+    recording->AddModel(generation, touch.Model, touch.Tool);
   }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
+  this->Loop.KeepTool(); // after it: the tick that keeps it is among those that come
 }
 
 std::unique_ptr<HapticRecording> TickCollector::StopRecording()

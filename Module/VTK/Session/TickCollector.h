@@ -38,7 +38,7 @@ public:
   /** The model that was last published; null before the first. */
   const HapticModel* GetLatestModel() const
   {
-    return this->Models.empty() ? nullptr : this->Models.rbegin()->second.get();
+    return this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
   }
   /** The model of a generation that the owner may still find in a state; null before the first. */
   const HapticModel* FindModel(std::uint64_t generation);
@@ -91,7 +91,7 @@ private:
   std::deque<StateRow> States;
   std::uint64_t Forgotten = 0; // the number of dropped states
   /** Used by the owner: models by generation, from that of the last state asked for. */
-  std::map<std::uint64_t, std::shared_ptr<const HapticModel>> Models;
+  std::map<std::uint64_t, PublishedTouch> Models;
 };
 
 } // namespace VolumeHaptics

@@ -14,6 +14,15 @@ namespace
 /** Squares of smaller numbers, and of the reciprocals, are not exact or not finite. */
 constexpr double LeastNorm = 1e-100;
 
+/** False, and it is left as it is, if it is not a quaternion of a norm. */
+bool Normalize(Quaternion& q)
+{
+  const double norm = std::sqrt(SquaredNorm(q));
+  const bool isGood = norm > LeastNorm && norm < 1.0 / LeastNorm;
+  q = isGood ? (1.0 / norm) * q : q;
+  return isGood;
+}
+
 } // namespace
 
 std::string VirtualTip::Check(const Vector3& world) const
@@ -44,6 +53,22 @@ std::string VirtualTip::Place(const Vector3& world, const Affine3& deviceToWorld
   return error;
 }
 
+std::string VirtualTip::TurnHand(Quaternion world, const Affine3& deviceToWorld)
+{
+  if (IsIdentical(world, NoOrientation))
+  {
+    this->Session.TurnHand(std::nullopt);
+    return "";
+  }
+  if (!Normalize(world))
+  {
+    return "The tip's orientation must be a quaternion of finite numbers that are not all tiny; it "
+           "stays as it was. Four zeros take it away.";
+  }
+  this->Session.TurnHand(Conjugate(ToQuaternion(RotationOf(deviceToWorld))) * world);
+  return "";
+}
+
 std::string VirtualTip::Turn(Quaternion world, const Affine3& deviceToWorld)
 {
   VirtualDevice* const device = this->Session.GetVirtual();
@@ -56,13 +81,12 @@ std::string VirtualTip::Turn(Quaternion world, const Affine3& deviceToWorld)
     device->ForgetTurn();
     return "";
   }
-  const double norm = std::sqrt(SquaredNorm(world));
-  if (!(norm > LeastNorm && norm < 1.0 / LeastNorm))
+  if (!Normalize(world))
   {
     return "The virtual tip's orientation must be a quaternion of finite numbers that are not all "
            "tiny; it stays as it was. Four zeros take it away.";
   }
-  device->Turn(Conjugate(ToQuaternion(RotationOf(deviceToWorld))) * ((1.0 / norm) * world));
+  device->Turn(Conjugate(ToQuaternion(RotationOf(deviceToWorld))) * world);
   return "";
 }
 

@@ -34,6 +34,8 @@ public:
   ///@}
   /** To an orientation in the world, of any norm; all zero takes it away. */
   std::string Turn(Quaternion world, const Affine3& deviceToWorld);
+  /** The same for the hand of any device: see vtkHapticDevice::SetTipOrientation. */
+  std::string TurnHand(Quaternion world, const Affine3& deviceToWorld);
   void SetButtons(int buttons);
   std::string SetDynamics(
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);

@@ -40,6 +40,13 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
   {
     PassSettings(node, needle, NeedleSettings);
   }
+  if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
+  {
+    // As the shapes of guides, the mesh stays that of the filter: a setup has settings only.
+    auto* const before = vtkHapticPointShell::SafeDownCast(filter->GetTool());
+    shell->SetMesh(before ? before->GetMesh() : nullptr);
+    PassSettings(node, shell, PointShellSettings);
+  }
   for (const ToolFunction& function : FindToolKind(tool).Functions)
   {
     PassFunction(

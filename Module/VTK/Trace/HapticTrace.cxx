@@ -107,22 +107,23 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
   }
   if (volume.Tool)
   {
-    this->AddToolArrays(ticks, choice);
+    this->AddToolArrays(ticks, choice, volume.HasTool(ToolKind::Shell));
   }
 }
 
 HapticTrace::~HapticTrace() = default;
 
-void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice)
+void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, bool isShaped)
 {
   constexpr ColumnType number = ColumnType::Float64;
   constexpr TraceColumn columns[] = { { ToolColumns[0], "", number, 4, 0 },
     { ToolColumns[1], "", number, 3, offsetof(TraceRow, Torque) },
     { ToolColumns[2], "", number, 1, offsetof(TraceRow, Depth) },
-    { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) } };
+    { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) },
+    { ToolColumns[4], "", number, 4, offsetof(TraceRow, ToolOrientation) } };
   for (std::size_t i = 0; i < std::size(columns); ++i)
   {
-    if (!IsChosen(choice, GetToolArray(i)))
+    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped))
     {
       continue;
     }

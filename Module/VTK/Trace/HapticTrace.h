@@ -67,7 +67,8 @@ public:
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
 private:
-  void AddToolArrays(vtkIdType ticks, TraceArrayChoice choice);
+  /** Only tools with a shape have an orientation of their own. */
+  void AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, bool isShaped);
   void CloseGaps(const std::vector<Rows>& paths);
 
   vtkNew<vtkPoints> Proxies;

@@ -60,7 +60,7 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     auto* const all = new std::vector<TraceColumn>{
       { RecordingNames::DeviceTip, " (m)", Float64, 3, offsetof(RecordingRow, DeviceTip) },
       { "Command", " (N)", Float64, 3, offsetof(RecordingRow, Command) },
-      { "Torque", " (N m)", Float64, 3, offsetof(RecordingRow, Torque) },
+      { "TorqueCommand", " (N m)", Float64, 3, offsetof(RecordingRow, TorqueCommand) },
       { RecordingNames::DeviceOrientation, "", Float64, 4,
         offsetof(RecordingRow, DeviceOrientation) },
       { RecordingNames::Orientation, "", Float64, 4, offsetof(RecordingRow, Orientation) },
@@ -83,6 +83,8 @@ const std::vector<TraceColumn>& GetRecordingColumns()
       add(column);
     }
     add({ DataTimeColumn, "", Float64, 1, offsetof(TraceRow, DataTime) });
+    add({ "Torque", " (N m)", Float64, 3, offsetof(TraceRow, Torque) });
+    add({ "ToolOrientation", "", Float64, 4, offsetof(TraceRow, ToolOrientation) });
     add({ "Proxy", " (world)", Float64, 3, offsetof(TraceRow, Proxy) });
     return all;
   }();

@@ -26,6 +26,11 @@ struct RecordedPath
   /// per tick, in device space; NoOrientation where there was none; empty if there never was one
   std::vector<Quaternion> Orientations;
   ServoState InitialState;
+  ///@{
+  /** With the state: what a tool with a shape touched. */
+  std::vector<ShellContact> InitialContacts;
+  double ContactShare = 1.0; ///< of their energies that counts
+  ///@}
   double TickPeriod = 0.0;     ///< s, of the recorded servo
   std::vector<ForceCaps> Caps; ///< of the recorded device, per placement
 };

@@ -5,6 +5,7 @@
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
@@ -44,6 +45,7 @@ std::string RecordedPathReader::Read()
   this->ReadBegin();
   this->ReadTicks();
   this->ReadOrientations();
+  this->ReadContacts();
   return this->Flaw;
 }
 
@@ -211,6 +213,29 @@ void RecordedPathReader::ReadOrientations()
   if (!isTurned)
   {
     this->Result.Orientations.clear();
+  }
+}
+
+void RecordedPathReader::ReadContacts()
+{
+  // Only a tool with a shape that touched something when the recording began has them.
+  if (!this->Path->GetFieldData()->GetArray(RecordingNames::InitialContacts))
+  {
+    return;
+  }
+  ContactRow row;
+  vtkDataArray* const array =
+    this->FindField(RecordingNames::InitialContacts, static_cast<int>(row.size()), -1);
+  double next = 0.0;
+  for (vtkIdType i = 0; this->Flaw.empty() && i < array->GetNumberOfTuples(); ++i)
+  {
+    array->GetTuple(i, row.data());
+    ShellContact contact;
+    const bool isGood = FromRow(row, contact, this->Result.ContactShare);
+    this->Require(isGood && row[0] >= next, RecordingNames::InitialContacts, i,
+      "a contact, of a later point than the one before");
+    next = row[0] + 1.0;
+    this->Result.InitialContacts.push_back(contact);
   }
 }
 

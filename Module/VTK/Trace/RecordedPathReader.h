@@ -45,6 +45,7 @@ private:
   void ReadBegin();
   void ReadTicks();
   void ReadOrientations();
+  void ReadContacts();
 
   vtkPolyData* const Path;
   RecordedPath& Result;

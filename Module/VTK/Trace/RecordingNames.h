@@ -25,7 +25,9 @@ constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap;
                                                        ///< of all placements, or of each
 constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
-constexpr const char* Settings = "Settings";           ///< field array: a text
+/// field array: those of a tool with a shape then, see RecordedPath; a ContactRow each
+constexpr const char* InitialContacts = "InitialContacts";
+constexpr const char* Settings = "Settings"; ///< field array: a text
 /// begins the line of the settings that has the hash of the label image, if there was one
 constexpr const char* LabelHash = "LabelHash: ";
 } // namespace RecordingNames

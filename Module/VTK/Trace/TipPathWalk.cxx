@@ -42,8 +42,18 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
   this->TakeOrientation(model);
-  VolumeHaptics::Tick(
-    model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps);
+  this->ProvideTool(model);
+  VolumeHaptics::Tick(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
+    this->Tool.get());
+}
+
+void TipPathWalk::ProvideTool(const HapticModel& model)
+{
+  if (this->ToolOf != model.Baked.get())
+  {
+    this->ToolOf = model.Baked.get();
+    this->Tool = ToolMemory::Provide(*model.Baked, this->Tool);
+  }
 }
 
 std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const HapticModel> model)
@@ -68,9 +78,16 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     auto moved = std::make_shared<const HapticModel>(
       *model, recording.Placements[placement], recording.Caps[placement]);
+    this->ProvideTool(*moved);
     if (i > 0)
     {
-      CarryState(*model, *moved, this->State);
+      CarryState(*model, *moved, this->State, this->Tool.get());
+    }
+    else if (this->Tool &&
+      !this->Tool->Restore(*moved->Baked, recording.InitialContacts, recording.ContactShare))
+    {
+      // Of another tool, which begins in the hand.
+      this->State.Shell = ShellState{};
     }
     model = std::move(moved);
   }
@@ -123,12 +140,14 @@ Quaternion TipPathWalk::GetOrientation(const HapticModel& model) const
 void TipPathWalk::Step(
   const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result)
 {
-  this->Servo.Tick(
-    model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result, this->Gate);
+  this->ProvideTool(model);
+  this->Servo.Tick(model, this->State, tip, model.Baked->Settings.TickPeriod, this->Whole, result,
+    this->Gate, this->Tool.get());
   if (this->Gate.GetOpening() < 1.0)
   {
     this->Scaled = this->Whole;
     this->Scaled.Force = this->Gate.GetOpening() * this->Whole.Force;
+    this->Scaled.Torque = this->Gate.GetOpening() * this->Whole.Torque;
   }
 }
 

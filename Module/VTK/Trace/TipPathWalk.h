@@ -54,6 +54,8 @@ public:
   double GetTime() const;
 
 private:
+  /** Memory for the tool of a model. */
+  void ProvideTool(const HapticModel& model);
   /** Of a path, to the state: turned to the device's axes. */
   void TakeOrientation(const HapticModel& model);
   /** To the state: an orientation on the device's axes, or NoOrientation. */
@@ -66,8 +68,10 @@ private:
   std::size_t Next = 0; ///< of a recording
   ServoState State;
   ResidentServo Servo;
-  TapMemory Taps;    ///< of a plain walk
-  ForceGate Gate;    ///< only its opening is used
+  TapMemory Taps;                      ///< of a plain walk
+  std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
+  const BakedVolume* ToolOf = nullptr; ///< for which it was made
+  ForceGate Gate;                      ///< only its opening is used
   TickRecord Whole;  ///< of the last tick, with the force before the residency scales it
   TickRecord Scaled; ///< the same with the force that is felt, while the gate is not open
 };

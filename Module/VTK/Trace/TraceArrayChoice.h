@@ -22,7 +22,8 @@ namespace VolumeHaptics
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
-constexpr const char* ToolColumns[] = { "Orientation", "Torque", "Depth", "ShaftForce" };
+constexpr const char* ToolColumns[] = { "Orientation", "Torque", "Depth", "ShaftForce",
+  "ToolOrientation" };
 ///@}
 
 /** As many as there may be modes. */

@@ -18,6 +18,7 @@ public:
     : Trace(trace)
     , ToWorld(model.DeviceToWorld)
     , Rotation(model.DeviceToWorldRotation)
+    , Turned(ToQuaternion(model.DeviceToWorldRotation))
     , Records(records)
     , Count(count)
     , FirstRow(firstRow)
@@ -31,6 +32,19 @@ public:
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     this->Vectors(to, [=](const TickRecord& record) { return this->Rotation * (record.*from); });
+  }
+  void Turn(double (TraceRow::*to)[4], Quaternion TickRecord::*from) const
+  {
+    double* column = this->Find<double, 4>(to);
+    for (std::size_t i = 0; column && i < this->Count; ++i, column += 4)
+    {
+      const Quaternion& q = this->Records[i].*from;
+      const Quaternion world = IsIdentical(q, NoOrientation) ? q : this->Turned * q;
+      column[0] = world.W;
+      column[1] = world.X;
+      column[2] = world.Y;
+      column[3] = world.Z;
+    }
   }
   void Number(double TraceRow::*to, double TickRecord::*from) const
   {
@@ -86,6 +100,7 @@ private:
   // Copies, which what is written cannot change, as far as the compiler knows.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
+  const Quaternion Turned;
   const TickRecord* const Records;
   const std::size_t Count;
   const vtkIdType FirstRow;

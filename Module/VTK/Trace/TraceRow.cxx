@@ -26,6 +26,12 @@ struct RowFiller
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);
   }
+  void Turn(double (TraceRow::*to)[4], Quaternion TickRecord::*from) const
+  {
+    const Quaternion& q = this->Record.*from;
+    ToArray(TurnedBy(this->Model.DeviceToWorldRotation, q, !IsIdentical(q, NoOrientation)),
+      this->Row.*to);
+  }
   void Number(double TraceRow::*to, double TickRecord::*from) const
   {
     this->Row.*to = this->Record.*from;
@@ -80,7 +86,7 @@ RecordingRow MakeRecordingRow(
   FillTraceRow(model, snapshot.Time, snapshot.Record, work, row.Trace);
   ToArray(snapshot.Record.Tip, row.DeviceTip);
   ToArray(model.DeviceToWorldRotation * snapshot.Command, row.Command);
-  ToArray(model.DeviceToWorldRotation * snapshot.Torque, row.Torque);
+  ToArray(model.DeviceToWorldRotation * snapshot.Torque, row.TorqueCommand);
   ToArray(snapshot.HasOrientation ? snapshot.Orientation : NoOrientation, row.DeviceOrientation);
   ToArray(TurnedBy(model.DeviceToWorldRotation, snapshot.Orientation, snapshot.HasOrientation),
     row.Orientation);

@@ -41,8 +41,9 @@ struct TraceRow
   double DataTime;
   ///@{
   /** Of tools. */
-  double Torque[3]; ///< N m
-  double Depth;     ///< world units
+  double Torque[3];          ///< N m
+  double ToolOrientation[4]; ///< w, x, y, z of a unit quaternion; all 0 if the tool has no shape
+  double Depth;              ///< world units
   double ShaftForce;
   ///@}
   unsigned char Contact;
@@ -54,9 +55,9 @@ struct TraceRow
 struct RecordingRow
 {
   TraceRow Trace;
-  double DeviceTip[3]; ///< m
-  double Command[3];   ///< N
-  double Torque[3];    ///< N m, sent; always zero as yet
+  double DeviceTip[3];     ///< m
+  double Command[3];       ///< N
+  double TorqueCommand[3]; ///< N m, sent
   /// w, x, y, z of a unit quaternion; all 0 if the device has none
   double DeviceOrientation[4];
   double Orientation[4]; ///< the same in the world
@@ -70,7 +71,7 @@ struct RecordingRow
   unsigned char Reason; ///< why Share is not 1, a GateReason
 };
 
-/** The work (J) on the hand since the first record. */
+/** The work (J) of the force on the hand since the first record. */
 class WorkMeter
 {
 public:
@@ -118,6 +119,7 @@ void VisitTraceSources(Visitor&& visit)
   visit.Number(&TraceRow::DragForce, &TickRecord::DragForce);
   visit.Direction(&TraceRow::Normal, &TickRecord::Normal);
   visit.Direction(&TraceRow::Torque, &TickRecord::Torque);
+  visit.Turn(&TraceRow::ToolOrientation, &TickRecord::ToolOrientation);
   visit.Number(&TraceRow::ShaftForce, &TickRecord::ShaftForce);
   visit.Number(&TraceRow::GradientMagnitude, &TickRecord::GradientMagnitude);
   visit.Number(&TraceRow::SurfaceValue, &TickRecord::SurfaceValue);

@@ -78,6 +78,8 @@ public:
     s.Orientation = { std::cos(half), 0.0, 0.0, std::sin(half) };
     s.HasOrientation = true;
     TickRecord& r = s.Record;
+    r.Torque = { 0.0, 1e-4, 0.0 };
+    r.ToolOrientation = { 0.6, 0.0, 0.8, 0.0 };
     const double t = 1e-3 * static_cast<double>(s.Tick);
     r.Tip = { 0.007 + 0.003 * std::sin(t), 0.007 + 0.002 * std::sin(0.7 * t),
       0.008 + 1e-6 * this->Draw() };

@@ -57,7 +57,7 @@ TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 TEST_F(Recorder, KeepsForReadersATenthOfAState)
 {
   EXPECT_LE(sizeof(StateRow) * TickCollector::MostStates, 20e6);
-  EXPECT_LE(sizeof(RecordingRow) * HapticRecording::MostWaiting, 6.5e6);
+  EXPECT_LE(sizeof(RecordingRow) * HapticRecording::MostWaiting, 7e6);
 }
 
 TEST_F(Recorder, WritesWhatTheTicksAre)
@@ -82,7 +82,7 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
     {
       EXPECT_EQ(trace->GetPointData()->GetArray(a)->GetNumberOfTuples(), count);
     }
-    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 33);
+    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 35);
     double work = 0.0;
     for (int i = 0; i < count; ++i)
     {
@@ -95,7 +95,9 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
       EXPECT_EQ(number("Tip", 2), 1000.0 * r.Tip.Z);
       EXPECT_EQ(trace->GetPoint(i)[0], 1000.0 * r.Proxy.X);
       EXPECT_EQ(number("Command", 2), ticks[i].Command.Z);
-      EXPECT_EQ(number("Torque", 0), ticks[i].Torque.X);
+      EXPECT_EQ(number("TorqueCommand", 0), ticks[i].Torque.X);
+      EXPECT_EQ(number("Torque", 1), r.Torque.Y);
+      EXPECT_EQ(number("ToolOrientation", 2), r.ToolOrientation.Y);
       EXPECT_EQ(number("DeviceOrientation", 0), ticks[i].Orientation.W);
       EXPECT_EQ(number("DeviceOrientation", 3), ticks[i].Orientation.Z);
       EXPECT_EQ(number("Orientation", 3), ticks[i].Orientation.Z)

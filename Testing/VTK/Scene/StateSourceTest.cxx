@@ -8,7 +8,9 @@
 #include "Rigs/DeviceRig.h"
 
 #include <vtkCellData.h>
+#include <vtkCubeSource.h>
 #include <vtkFieldData.h>
+#include <vtkHapticPointShell.h>
 #include <vtkHapticRepresentation.h>
 #include <vtkHapticStateSource.h>
 #include <vtkPointData.h>
@@ -134,6 +136,36 @@ TEST_F(StateSource, TheStylusIsShownIfItIsTurned)
   EXPECT_NEAR(hand->GetBounds()[0], 6.8, 0.01) << "the proxy";
   hand->SetStylusLength(3.0);
   EXPECT_NEAR(hand->GetBounds()[1], 10.0, 0.01);
+  hand->SetStylusVisibility(false);
+  EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
+}
+
+/// In place of the stylus, where the tool is, turned as it is.
+TEST_F(StateSource, AToolWithAShapeIsShown)
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetXLength(1.0);
+  box->SetYLength(2.0);
+  box->SetZLength(4.0);
+  box->Update();
+  vtkNew<vtkHapticPointShell> tool;
+  tool->SetMesh(box->GetOutput());
+  tool->SetSolidToAbove();
+  tool->SetContactValue(1e6);
+  this->Filter->SetTool(tool);
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  vtkNew<vtkHapticRepresentation> hand;
+  hand->SetDevice(this->Device);
+  hand->SetRadius(0.2);
+  EXPECT_NEAR(hand->GetBounds()[0], 6.5, 0.01);
+  EXPECT_NEAR(hand->GetBounds()[3], 8.0, 0.01);
+  EXPECT_NEAR(hand->GetBounds()[5], 6.0, 0.01);
+  // A quarter about y takes z to x.
+  this->Device->SetVirtualTipOrientation(1.0, 0.0, 1.0, 0.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetToolOrientation()[2] > 0.7; }));
+  ASSERT_TRUE(this->Wait([&] { return std::abs(hand->GetBounds()[1] - 9.0) < 0.01; }));
+  EXPECT_NEAR(hand->GetBounds()[5], 4.5, 0.01);
   hand->SetStylusVisibility(false);
   EXPECT_NEAR(hand->GetBounds()[1], 7.2, 0.01);
 }

@@ -8,7 +8,9 @@
 #include "SetupErrorsRig.h"
 
 #include <vtkHapticNeedle.h>
+#include <vtkHapticPointShell.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPolyData.h>
 
 using namespace setuptest;
 
@@ -45,12 +47,52 @@ TEST_F(SetupTool, ComesBackAsItWas)
   EXPECT_EQ(b.Filter->GetTool(), read);
 }
 
+/// As the shapes of guides, the mesh is no setting: that of the scene stays.
+TEST_F(SetupTool, AShapeKeepsItsMesh)
+{
+  Scene a;
+  vtkNew<vtkHapticPointShell> shell;
+  shell->SetNumberOfPoints(321);
+  shell->SetContactArea(12.5);
+  shell->SetCouplingStiffness(700.0);
+  shell->SetTurningStiffness(1.0 / 3.0);
+  shell->SetSolidToBelow();
+  shell->SetContactValue(-150.0);
+  vtkNew<vtkPolyData> mesh;
+  shell->SetMesh(mesh);
+  a.Filter->SetTool(shell);
+  const std::string file = File("Shape.json");
+  ASSERT_TRUE(a.Setup->Save(file.c_str()));
+  EXPECT_EQ(shell->GetMesh(), mesh);
+
+  Scene b;
+  vtkNew<vtkHapticPointShell> before;
+  vtkNew<vtkPolyData> kept;
+  before->SetMesh(kept);
+  b.Filter->SetTool(before);
+  ASSERT_TRUE(b.Setup->Load(file.c_str()));
+  const std::string again = File("ShapeAgain.json");
+  ASSERT_TRUE(b.Setup->Save(again.c_str()));
+  EXPECT_EQ(Read(again), Read(file));
+  auto* const read = vtkHapticPointShell::SafeDownCast(b.Filter->GetTool());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->GetNumberOfPoints(), 321);
+  EXPECT_EQ(read->GetContactArea(), 12.5);
+  EXPECT_EQ(read->GetCouplingStiffness(), 700.0);
+  EXPECT_EQ(read->GetTurningStiffness(), 1.0 / 3.0);
+  EXPECT_EQ(read->GetSolid(), vtkHapticPointShell::BELOW);
+  EXPECT_EQ(read->GetContactValue(), -150.0);
+  EXPECT_EQ(read->GetMesh(), kept);
+}
+
 TEST_F(SetupTool, BadOnesAreNamed)
 {
   const auto tool = [this](const std::string& text) { return this->Haptics("\"Tool\":" + text); };
   this->Refuse(tool("7"), { "Haptics.Tool is 7", "an object" });
   this->Refuse(tool("{}"), { "Haptics.Tool", "the Kind of a tool" });
   this->Refuse(tool(R"({"Kind":"Spoon"})"), { "Haptics.Tool.Kind", "\"Needle\"" });
+  this->Refuse(tool(R"({"Kind":"PointShell","NumberOfPoints":-1})"),
+    { "Haptics.Tool.NumberOfPoints is -1", "0 to 1000000" });
   this->Refuse(tool(R"({"Kind":"Needle","LateralStrength":-1})"),
     { "Haptics.Tool.LateralStrength is -1", "0 or more" });
   this->Refuse(tool(R"({"Kind":"Needle","ShaftFriction":{"Nodes":[[0,-1,0.5,0]]}})"),

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Live/HandTool.h"
 
 #include "Applications/Explorer/Live/FreeFile.h"
+#include "Applications/Explorer/Live/ToolFile.h"
 
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
@@ -32,9 +33,16 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   this->KeyObserver->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<HandTool*>(self)->PressKey(); });
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
+  this->Shape->SetSolidToAbove();
+  this->Shape->SetContactValue(skin);
   if (tool == "needle")
   {
-    this->ChangeTool();
+    this->Take(this->Needle);
+  }
+  else if (!tool.empty())
+  {
+    this->Shape->SetMesh(ReadToolFile(tool));
+    this->Take(this->Shape);
   }
 }
 
@@ -60,20 +68,35 @@ void HandTool::PressKey()
 
 void HandTool::ChangeTool()
 {
+  vtkHapticTool* const held = this->Filter->GetTool();
+  if (!held)
+  {
+    this->Take(this->Needle);
+  }
+  else
+  {
+    this->Take(held == this->Needle.Get() && this->HasShape() ? this->Shape.Get() : nullptr);
+  }
+}
+
+void HandTool::Take(vtkHapticTool* tool)
+{
   vtkVolumeHapticsFilter* const filter = this->Filter;
-  const bool hasNeedle = filter->GetTool() != nullptr;
-  if (!hasNeedle && filter->GetMethod() != vtkVolumeHapticsFilter::PROXY)
+  const std::string name = !tool ? "point"
+    : tool == this->Needle.Get() ? "needle"
+                                 : "tool with a shape";
+  if (tool && filter->GetMethod() != vtkVolumeHapticsFilter::PROXY)
   {
-    std::cout << "A needle needs the method proxy, which key m gets to." << std::endl;
+    std::cout << "A " << name << " needs the method proxy, which key m gets to." << std::endl;
     return;
   }
-  if (!hasNeedle && this->Device->HasFrames())
+  if (tool && this->Device->HasFrames())
   {
-    std::cout << "A needle is not for a volume that moves." << std::endl;
+    std::cout << "A " << name << " is not for a volume that moves." << std::endl;
     return;
   }
-  filter->SetTool(hasNeedle ? nullptr : this->Needle.Get());
-  std::cout << (hasNeedle ? "The hand holds a point." : "The hand holds a needle.") << std::endl;
+  filter->SetTool(tool);
+  std::cout << "The hand holds a " << name << "." << std::endl;
 }
 
 void HandTool::WriteTrack()

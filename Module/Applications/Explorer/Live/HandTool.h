@@ -7,6 +7,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkHapticNeedle.h"
+#include "vtkHapticPointShell.h"
 #include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
@@ -15,10 +16,12 @@
 
 namespace Explore
 {
-/// Gives the hand in a window a needle (key N; again: a point), and writes the track of a needle in
-/// tissue to a file (key T): track-001.vtp, or the next number that is not taken.
+/// Gives the hand in a window a needle (key N; again: the tool of a file, if there is one, and a
+/// point), and writes the track of a needle in tissue to a file (key T): track-001.vtp, or the next
+/// number that is not taken.
 ///
-/// Values above the outer surface rub along the needle where the labels have no shaft friction.
+/// Values above the outer surface rub along the needle where the labels have no shaft friction, and
+/// are solid for the tool of a file.
 class HandTool
 {
 public:
@@ -29,17 +32,24 @@ public:
   HandTool& operator=(const HandTool&) = delete;
 
   /// For vtkInteractorStyleHaptic::SetApplicationKeys.
-  static std::string ListKeys() { return "Tool\nN\tneedle; point\nT\tsave the needle's track\n"; }
+  std::string ListKeys() const
+  {
+    return std::string("Tool\nN\tneedle; ") + (this->HasShape() ? "its shape; " : "") +
+      "point\nT\tsave the needle's track\n";
+  }
 
 private:
   void PressKey();
+  bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
+  void Take(vtkHapticTool* tool);
   void WriteTrack();
 
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkHapticNeedle> Needle;
+  vtkNew<vtkHapticPointShell> Shape;
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore

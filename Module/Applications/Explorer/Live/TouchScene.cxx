@@ -220,7 +220,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + HandTool::ListKeys() + keys +
+  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + tool->ListKeys() + keys +
     files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
     "S\tsave measurements\nq\tclose\n")
                                     .c_str());

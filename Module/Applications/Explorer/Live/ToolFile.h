@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ToolFile_h
+#define Explore_ToolFile_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Whether a name has the ending of a surface: .stl, .ply, .obj or .vtp.
+bool IsToolFile(const std::string& name);
+
+/// The surface of a tool, in its file's units, which are those of the volume. One whose box does
+/// not have the origin is moved, so that the middle of the box is there. Throws InputError.
+vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
+} // namespace Explore
+
+#endif

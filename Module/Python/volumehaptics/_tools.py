@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the hand holds: tools from meshes and their files."""
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .vtkVolumeHaptics import vtkHapticPointShell
+
+
+def _read(path: str) -> vtkPolyData:
+    """The surface in a file. ValueError: there is none."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending in (".stl", ".obj"):
+        from vtkmodules import vtkIOGeometry as module
+    elif ending == ".ply":
+        from vtkmodules import vtkIOPLY as module
+    elif ending == ".vtp":
+        from vtkmodules import vtkIOXML as module
+    else:
+        raise ValueError(f"tool={path!r} has an unknown ending: take one that ends in .stl, .ply, .obj or .vtp")
+    readers = {".stl": "vtkSTLReader", ".obj": "vtkOBJReader", ".ply": "vtkPLYReader", ".vtp": "vtkXMLPolyDataReader"}
+    if not os.path.isfile(path):
+        raise ValueError(f"tool={path!r}: there is no such file")
+    from ._touch import Errors
+
+    reader = getattr(module, readers[ending])()
+    with Errors(reader) as errors:
+        reader.SetFileName(path)
+        reader.Update()
+    mesh = reader.GetOutput()
+    if errors or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        raise ValueError(f"tool={path!r} has no surface: " + ("; ".join(errors) or "there are no polygons"))
+    return mesh
+
+
+def make_tool(tool: Any) -> Any:
+    """A tool of the shape of a mesh, or of the mesh in a file; anything else is left as it is."""
+    if isinstance(tool, (str, os.PathLike)):
+        tool = _read(os.fspath(tool))
+    if not isinstance(tool, vtkPolyData):
+        return tool
+    shell = vtkHapticPointShell()
+    shell.SetMesh(tool)
+    return shell

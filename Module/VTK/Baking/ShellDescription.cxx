@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/ShellDescription.h"
+
+#include "VTK/Baking/ShellSampler.h"
+#include "VTK/Baking/ToolMesh.h"
+
+#include "vtkHapticPointShell.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <tuple>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A tick of more takes too long for any servo, and their memory must stay there. */
+constexpr int MostShellPoints = 100000;
+
+/** Points that models use, so that those of a mesh that has not changed are not spread again. */
+class ShellsInUse
+{
+public:
+  std::shared_ptr<const PointShell> Get(vtkPolyData* mesh, int count, std::string& error)
+  {
+    // Times of change are unique: data that stands at the place of others has another one.
+    const Key key{ mesh, mesh ? mesh->GetMTime() : 0, count };
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (const auto known = this->Shells[key].lock())
+    {
+      return known;
+    }
+    std::vector<ToolTriangle> triangles;
+    const bool isGood = ReadToolMesh(mesh, triangles, error);
+    const auto shell = isGood ? std::make_shared<const PointShell>(
+                                  SpreadShellPoints(triangles, static_cast<std::size_t>(count)))
+                              : nullptr;
+    this->Shells[key] = shell;
+    for (auto i = this->Shells.begin(); i != this->Shells.end();)
+    {
+      i = i->second.expired() ? this->Shells.erase(i) : std::next(i);
+    }
+    return shell;
+  }
+
+private:
+  using Key = std::tuple<vtkPolyData*, vtkMTimeType, int>;
+
+  std::mutex Mutex;
+  std::map<Key, std::weak_ptr<const PointShell>> Shells;
+};
+
+ShellsInUse& GetShellsInUse()
+{
+  // Never destroyed: a filter may live until the process exits.
+  static auto* const shells = new ShellsInUse;
+  return *shells;
+}
+
+/** Of a function that is constant beyond its ends. */
+double ValueAt(const Polyline& line, double x)
+{
+  if (line.empty() || !(x > line.front().X))
+  {
+    return line.empty() ? 0.0 : line.front().Y;
+  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    if (x <= line[i].X)
+    {
+      const double way = line[i].X - line[i - 1].X;
+      const double share = way > 0.0 ? (x - line[i - 1].X) / way : 1.0;
+      return line[i - 1].Y + share * (line[i].Y - line[i - 1].Y);
+    }
+  }
+  return line.back().Y;
+}
+
+/** The strength where something is visible, with all break points of both. */
+Polyline FindFeltStrength(const HapticMaterial& material)
+{
+  // The visibility is 0 or 1, and jumps where two vertices have the same value.
+  std::vector<double> values;
+  for (const Polyline* const line : { &material.SurfaceStrength, &material.ScalarVisibility })
+  {
+    for (const Vertex& vertex : *line)
+    {
+      values.push_back(vertex.X);
+      values.push_back(std::nextafter(vertex.X, HUGE_VAL));
+    }
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  Polyline felt;
+  for (const double x : values)
+  {
+    felt.push_back(
+      { x, ValueAt(material.SurfaceStrength, x) * ValueAt(material.ScalarVisibility, x) });
+  }
+  return felt;
+}
+
+bool Check(vtkHapticPointShell* shell, const HapticModelDescription& d, std::string& error)
+{
+  std::ostringstream text;
+  const struct
+  {
+    const char* Name;
+    double Value;
+    const char* Unit;
+  } amounts[] = { { "ContactArea", shell->GetContactArea(), "square world units" },
+    { "CouplingStiffness", shell->GetCouplingStiffness(), "N/m" },
+    { "TurningStiffness", shell->GetTurningStiffness(), "N m/rad" } };
+  for (const auto& amount : amounts)
+  {
+    if (!(amount.Value > 0.0) || !std::isfinite(amount.Value))
+    {
+      text << "The " << amount.Name << " of the vtkHapticPointShell is " << amount.Value << " "
+           << amount.Unit << ". Set it to more than 0 with Set" << amount.Name << "().";
+      error = text.str();
+      return false;
+    }
+  }
+  const int points = shell->GetNumberOfPoints();
+  if (points < 1 || points > MostShellPoints)
+  {
+    text << "The NumberOfPoints of the vtkHapticPointShell is " << points
+         << ". A tick has time for "
+         << "1 to " << MostShellPoints << ": set it with SetNumberOfPoints(), to at most 10000 at "
+         << "1 kHz.";
+    error = text.str();
+    return false;
+  }
+  if (d.Settings.Method != HapticMethod::Proxy)
+  {
+    error = "A vtkHapticPointShell is pressed out of what is solid, which only the method PROXY "
+            "knows. Choose it with SetMethodToProxy(), or take the tool away with "
+            "SetTool(nullptr).";
+    return false;
+  }
+  if (!d.Frames.empty())
+  {
+    error = "A vtkHapticPointShell can't feel a volume that moves, and the image on input port 0 "
+            "has several frames. Stop time with SetTimeUnitsPerSecond(0), or take the tool away "
+            "with SetTool(nullptr).";
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error)
+{
+  const Polyline felt = FindFeltStrength(material);
+  double most = 0.0;
+  for (const Vertex& vertex : felt)
+  {
+    most = std::max(most, vertex.Y);
+  }
+  int passes = 0;
+  for (std::size_t i = 1; i < felt.size(); ++i)
+  {
+    const Vertex& a = felt[i - 1];
+    const Vertex& b = felt[i];
+    const double half = 0.5 * most;
+    if ((a.Y > half) != (b.Y > half))
+    {
+      ++passes;
+      level = { a.X + (half - a.Y) / (b.Y - a.Y) * (b.X - a.X), a.Y > half };
+    }
+  }
+  if (passes == 1)
+  {
+    return true;
+  }
+  std::ostringstream text;
+  text << "The vtkHapticPointShell can't tell what is solid: the surface strength of the "
+          "vtkHapticProperty passes half of its largest "
+       << (passes == 0 ? "nowhere" : std::to_string(passes) + " times")
+       << ". Set the value at the surface with SetContactValue(), and SetSolidToAbove() or "
+          "SetSolidToBelow().";
+  error = text.str();
+  return false;
+}
+
+bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, std::string& error)
+{
+  if (!Check(shell, d, error))
+  {
+    return false;
+  }
+  SolidLevel solid{ shell->GetContactValue(), shell->GetSolid() == vtkHapticPointShell::BELOW };
+  if (shell->GetSolid() == vtkHapticPointShell::FROM_STRENGTH)
+  {
+    if (!FindSolidLevel(d.Material, solid, error))
+    {
+      return false;
+    }
+  }
+  else if (!std::isfinite(solid.Level))
+  {
+    error = "The ContactValue of the vtkHapticPointShell is not a finite number. Set it with "
+            "SetContactValue().";
+    return false;
+  }
+  ShellDescription& described = d.Tool.Shell;
+  described.Points = GetShellsInUse().Get(shell->GetMesh(), shell->GetNumberOfPoints(), error);
+  if (!described.Points)
+  {
+    error += " It is the one of SetMesh() of the vtkHapticPointShell.";
+    return false;
+  }
+  d.Tool.Kind = ToolKind::Shell;
+  described.Touch.Level = solid.Level;
+  described.Touch.IsBelow = solid.IsBelow;
+  described.Touch.ContactArea = shell->GetContactArea();
+  described.Touch.CouplingStiffness = shell->GetCouplingStiffness();
+  described.Touch.TurningStiffness = shell->GetTurningStiffness();
+  return true;
+}
+
+} // namespace VolumeHaptics

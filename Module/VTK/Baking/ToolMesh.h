@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The mesh of a tool, checked: it must be a closed surface that faces outwards.
+ */
+#ifndef ToolMesh_h
+#define ToolMesh_h
+
+#include "Core/Math/Vector3.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/** A triangle of a tool's surface, in the units of the mesh. */
+struct ToolTriangle
+{
+  Vector3 Corner[3];
+  Vector3 Normal;    ///< unit, outwards
+  double Area = 0.0; ///< more than 0
+};
+
+/**
+ * Reads the triangles of a mesh, whose polygons and strips are divided, in their order. Corners at
+ * the same place are one, as files of type STL need it; triangles without an area are left out.
+ * False, with the reason and the cure in `error`, if the mesh is none, has no polygons, points that
+ * are not finite, open edges, neighbours that face opposite sides, no area, or is inside out.
+ */
+bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A tool with a shape in the scene: its mesh where the tool is, which lags behind the hand.
+ */
+#ifndef DrawnShell_h
+#define DrawnShell_h
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+
+class vtkBoundingBox;
+class vtkHapticDevice;
+class vtkViewport;
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+
+class DrawnShell
+{
+public:
+  DrawnShell();
+
+  /** Shows the latest state; nothing without a device. */
+  void Update(vtkHapticDevice* device);
+
+  /** Whether the hand holds such a tool. */
+  bool IsShown() const { return this->Shown; }
+  void RenderOpaque(vtkViewport* viewport);
+  /** Draws the faint copy. */
+  void RenderHidden(vtkViewport* viewport);
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box);
+
+private:
+  vtkNew<vtkPolyDataNormals> Normals;
+  vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkMatrix4x4> Pose;
+  vtkNew<vtkActor> Solid;
+  vtkNew<vtkActor> Ghost;
+  bool Shown = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A tool with a shape in a running loop: force and torque within their limits, whatever is
+ * published; its memory is freed with the models; a state and the contacts that were kept begin a
+ * replay to the bit; and a hand whose device measures no orientation is turned.
+ */
+
+#include "Core/Solvers/ServoStateNumbers.h"
+#include "Rigs/PlayedDevice.h"
+#include "Rigs/ShellRig.h"
+
+#include <vector>
+
+using namespace servotest;
+
+namespace
+{
+constexpr double MostTorque = 2e-4; // N m
+
+/// It takes torque, and is turned only by the loop.
+class TorqueDevice : public PlayedDevice
+{
+public:
+  DeviceState Send(const DeviceCommand& command) noexcept override
+  {
+    const double norm = Norm(command.Torque);
+    this->LargestTorque = std::max(this->LargestTorque, norm);
+    this->LargestTorqueGrowth = std::max(this->LargestTorqueGrowth, norm - this->LastTorque);
+    this->LastTorque = norm;
+    return this->Write(command.Force);
+  }
+
+  ///@{
+  /// N m, once the loop has ended.
+  double LargestTorque = 0.0;
+  double LargestTorqueGrowth = 0.0;
+  ///@}
+
+private:
+  double LastTorque = 0.0;
+};
+
+SafetyLimits TorqueLimits()
+{
+  SafetyLimits limits = QuickLimits();
+  limits.MaximumTorque = MostTorque;
+  limits.MaximumTorqueRate = 0.1;
+  return limits;
+}
+
+std::shared_ptr<const PointShell> MakeTool(double radius)
+{
+  std::vector<ShellPoint> points = MakeSphere(radius, 300);
+  for (ShellPoint& point : points)
+  {
+    // Beside the hand, so that it is turned.
+    point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
+  }
+  return std::make_shared<const PointShell>(std::move(points));
+}
+
+HapticModelDescription DescribeTool(
+  const TestVolume& volume, const std::shared_ptr<const PointShell>& shell)
+{
+  HapticModelDescription d = Describe(volume);
+  d.Tool.Kind = shell ? ToolKind::Shell : ToolKind::Point;
+  d.Tool.Shell.Points = shell;
+  d.Tool.Shell.Touch.Level = 1000.0;
+  d.Tool.Shell.Touch.ContactArea = 25.0;
+  return d;
+}
+} // namespace
+
+TEST(ToolLoop, WhateverIsPublishedStaysWithinTheLimits)
+{
+  TorqueDevice device;
+  const TestVolume volume = MakeRamp();
+  std::vector<std::weak_ptr<const PointShell>> shells;
+  std::shared_ptr<const PointShell> shell = MakeTool(3.0);
+  {
+    RunningLoop loop(device, 5000.0, TorqueLimits());
+    loop->Arm();
+    loop->TurnHand({});
+    for (int i = 0; i < 400; ++i)
+    {
+      if (i % 10 == 9)
+      {
+        shells.push_back(shell);
+        shell = MakeTool(2.0 + 0.1 * (i % 20));
+      }
+      HapticModelDescription d = DescribeTool(volume, i % 7 == 3 ? nullptr : shell);
+      d.Material.Stiffness = ConstantPolyline(300.0 + 100.0 * (i % 5));
+      d.Tool.Shell.Touch.CouplingStiffness = 300.0 + 100.0 * (i % 4);
+      d.DeviceToWorld.Offset = { 0.0, 0.0, i % 3 ? 0.0 : 0.1 };
+      const std::uint64_t ticks = loop->GetTickCount();
+      loop->Publish(i % 50 == 49 ? nullptr : std::make_shared<const HapticModel>(d));
+      if (i % 2 == 0)
+      {
+        ASSERT_TRUE(Eventually([&] { return loop->GetTickCount() > ticks + 20; }));
+      }
+    }
+    const std::uint64_t last = loop->Publish(nullptr);
+    ASSERT_TRUE(Eventually([&] { return loop->GetAcknowledged() == last; }));
+    loop->Publish(std::make_shared<const HapticModel>(DescribeTool(volume, shell)));
+    ASSERT_TRUE(Eventually([&] { return loop->GetAcknowledged() == last + 1; }));
+    loop->Collect();
+    for (const auto& old : shells)
+    {
+      const auto isFreed = [&]
+      {
+        loop->Collect();
+        return old.expired();
+      };
+      EXPECT_TRUE(Eventually(isFreed)) << "a tool that nobody has any more";
+    }
+    ASSERT_TRUE(Eventually([&] { return device.Force.load() > 0.2; }));
+  }
+  EXPECT_GT(device.LargestTorque, 0.5 * MostTorque);
+  EXPECT_LE(device.LargestTorque, MostTorque * (1.0 + 1e-12));
+  EXPECT_LE(device.LargestTorqueGrowth, 0.1 / 5000.0 * (1.0 + 1e-9));
+  EXPECT_LE(device.LargestGrowth, QuickLimits().MaximumForceRate / 5000.0 * (1.0 + 1e-9));
+}
+
+TEST(ToolLoop, WhatIsKeptBeginsAReplay)
+{
+  TorqueDevice device;
+  const TestVolume volume = MakeRamp();
+  const auto model = std::make_shared<const HapticModel>(DescribeTool(volume, MakeTool(3.0)));
+  std::vector<ServoSnapshot> ticks;
+  std::vector<ShellContact> contacts;
+  double share = 0.0;
+  {
+    RunningLoop loop(device, 5000.0, TorqueLimits());
+    loop->Publish(model);
+    loop->SetRecording(true);
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        loop->ReadState();
+        return loop->GetState().Record.NormalForce > 0.5;
+      }));
+    loop->KeepTool();
+    ServoSnapshot tick;
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        while (loop->Drain(tick))
+        {
+          if (tick.IsKept || !ticks.empty())
+          {
+            ticks.push_back(tick);
+          }
+        }
+        return ticks.size() > 3000;
+      }));
+    EXPECT_EQ(loop->GetLostRecords(), 0U);
+    const ShellContacts& kept = *loop->GetTool()->GetKept();
+    contacts.assign(kept.List.begin(), kept.List.begin() + static_cast<std::ptrdiff_t>(kept.Count));
+    share = kept.Share;
+  }
+  ASSERT_TRUE(ticks.front().IsKept);
+  EXPECT_GT(contacts.size(), 10U);
+  ServoState state = FromNumbers(ToNumbers(ticks.front().Before));
+  ToolMemory memory(model->Baked->Tool);
+  ASSERT_TRUE(memory.Restore(*model->Baked, contacts, share));
+  TickRecord record;
+  for (const ServoSnapshot& tick : ticks)
+  {
+    if (!tick.Before.Enabled)
+    {
+      state.Enabled = false;
+    }
+    state.Orientation = tick.Before.Orientation;
+    state.HasOrientation = tick.Before.HasOrientation;
+    Tick(*model, state, tick.Record.Tip, record, LocalSurfaceResult::Simulated(), nullptr, &memory);
+    ASSERT_TRUE(IsIdentical(record.Force, tick.Record.Force)) << tick.Tick;
+    ASSERT_TRUE(IsIdentical(record.Torque, tick.Record.Torque)) << tick.Tick;
+    ASSERT_TRUE(IsIdentical(record.ToolOrientation, tick.Record.ToolOrientation)) << tick.Tick;
+  }
+}
+
+/// The shorter way, at 4 rad/s.
+TEST(ToolLoop, TurnsTheHandThatNothingMeasures)
+{
+  TorqueDevice device;
+  RunningLoop loop(device, 1000.0);
+  const auto orientation = [&]
+  {
+    loop->ReadState();
+    return loop->GetState().Orientation;
+  };
+  EXPECT_TRUE(Eventually([&] { return loop->ReadState(); }));
+  EXPECT_FALSE(loop->GetState().HasOrientation);
+  loop->TurnHand(TurnAbout({ 0.0, 1.0, 0.0 }, 0.5));
+  ASSERT_TRUE(Eventually([&] { return orientation().Y > 0.0; }));
+  EXPECT_TRUE(loop->GetState().IsOrdered);
+  EXPECT_NEAR(loop->GetState().Orientation.Y, std::sin(0.25), 1e-12) << "it begins there";
+  loop->SetRecording(true);
+  loop->TurnHand(TurnAbout({ 0.0, 1.0, 0.0 }, -0.3));
+  ASSERT_TRUE(Eventually([&] { return orientation().Y < -0.149; }));
+  std::vector<double> angles;
+  for (ServoSnapshot tick; loop->Drain(tick);)
+  {
+    angles.push_back(2.0 * std::asin(tick.Orientation.Y));
+  }
+  ASSERT_GT(angles.size(), 150U);
+  for (std::size_t i = 1; i < angles.size(); ++i)
+  {
+    ASSERT_LE(angles[i], angles[i - 1] + 1e-12);
+    ASSERT_LE(angles[i - 1] - angles[i], 4e-3 * (1.0 + 1e-9));
+  }
+  loop->ForgetTurn();
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      loop->ReadState();
+      return !loop->GetState().HasOrientation;
+    }));
+}

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tools with a shape in touch(): of meshes, of files, and what can't be one."""
+
+import math
+
+import numpy as np
+import pytest
+from ramp import make_ramp
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+
+import volumehaptics
+
+RADIUS = 3.0
+LEVEL = 800.0
+
+
+def ball():
+    sphere = vtkSphereSource()
+    sphere.SetRadius(RADIUS)
+    sphere.SetThetaResolution(200)
+    sphere.SetPhiResolution(100)
+    sphere.Update()
+    return sphere.GetOutput()
+
+
+def above():
+    """Material that is solid from LEVEL on."""
+    material = volumehaptics.vtkHapticProperty()
+    material.GetSurfaceStrength().AddPoint(LEVEL - 1.0, 0.0)
+    material.GetSurfaceStrength().AddPoint(LEVEL + 1.0, 5.0)
+    return material
+
+
+def press(tool):
+    """The force (N) with the hand 2 mm deep, and the trace."""
+    down = np.linspace(4.0, LEVEL / 100.0 - RADIUS + 2.0, 100)
+    depth = np.concatenate([down, np.full(60, down[-1])])
+    tip = np.column_stack([np.full(160, 7.0), np.full(160, 7.0), depth])
+    trace = volumehaptics.touch(make_ramp(16), tip, tool=tool, property=above())
+    return volumehaptics.arrays(trace)["Force"][-1, 2], trace
+
+
+def expected():
+    """k (2 mm - delta) = pi kappa a delta^2, with 500 N/m and kappa = 500 N/m / 25 mm^2."""
+    b = 500.0 / (math.pi * 2e7 * 1e-3 * RADIUS)
+    delta = 0.5 * (math.sqrt(b * b + 4.0 * b * 2e-3) - b)
+    return -500.0 * (2e-3 - delta)
+
+
+def test_a_mesh_is_a_tool():
+    force, trace = press(ball())
+    assert force == pytest.approx(expected(), rel=0.01)
+    arrays = volumehaptics.arrays(trace)
+    assert arrays["Torque"].shape == (160, 3)
+    assert np.allclose(np.linalg.norm(arrays["ToolOrientation"], axis=1), 1.0)
+
+
+def test_a_file_is_a_tool(tmp_path):
+    writer = vtkSTLWriter()
+    writer.SetFileName(str(tmp_path / "ball.stl"))
+    writer.SetInputData(ball())
+    writer.Write()
+    for name in (tmp_path / "ball.stl", str(tmp_path / "ball.stl")):
+        force, _ = press(name)
+        assert force == pytest.approx(expected(), rel=0.01)
+
+
+def test_a_shell_of_ones_own_is_a_tool():
+    shell = volumehaptics.vtkHapticPointShell()
+    shell.SetMesh(ball())
+    shell.SetNumberOfPoints(500)
+    shell.SetSolidToAbove()
+    shell.SetContactValue(LEVEL)
+    force, _ = press(shell)
+    assert force == pytest.approx(expected(), rel=0.02)
+    assert shell.GetText() == "tool with a shape"
+
+
+@pytest.mark.parametrize("name, words", [("no.stl", "no such file"), ("tool.step", "unknown ending")])
+def test_files_that_are_no_tools(name, words):
+    with pytest.raises(ValueError, match=words):
+        press(name)
+
+
+def test_a_file_without_a_surface(tmp_path):
+    path = tmp_path / "empty.stl"
+    path.write_text("solid empty\nendsolid empty\n")
+    with pytest.raises(ValueError, match="no surface"):
+        press(path)
+
+
+def test_an_open_mesh_is_refused():
+    plane = vtkPlaneSource()
+    plane.Update()
+    with pytest.raises(ValueError, match="is not closed"):
+        press(plane.GetOutput())

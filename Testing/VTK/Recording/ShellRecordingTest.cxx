@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A tool with a shape in the hand: force and torque leave, recordings replay to the bit, also those
+ * that begin in contact, and the tool may change under force.
+ */
+
+#include "Rigs/RecordingRig.h"
+
+#include <vtkFieldData.h>
+#include <vtkHapticNeedle.h>
+#include <vtkHapticPointShell.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+
+using namespace devicetest;
+
+namespace
+{
+class ShellRecording : public Recording
+{
+protected:
+  ShellRecording()
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(2.0);
+    sphere->SetCenter(1.5, 0.0, 0.0); // held beside its middle, so that it turns
+    sphere->SetThetaResolution(40);
+    sphere->SetPhiResolution(20);
+    sphere->Update();
+    this->Tool->SetMesh(sphere->GetOutput());
+    this->Tool->SetNumberOfPoints(400);
+    this->Tool->SetSolidToAbove();
+    this->Tool->SetContactValue(800.0);
+    this->Filter->SetTool(this->Tool);
+  }
+
+  void TurnTool(double angle)
+  {
+    this->Device->SetVirtualTipOrientation(
+      std::cos(0.5 * angle), 0.6 * std::sin(0.5 * angle), 0.8 * std::sin(0.5 * angle), 0.0);
+  }
+  bool IsPressed() { return Length(this->Device->GetComputedForce()) > 0.1; }
+
+  vtkNew<vtkHapticPointShell> Tool;
+};
+} // namespace
+
+TEST_F(ShellRecording, ReplaysToTheBit)
+{
+  this->TurnTool(0.0);
+  this->Begin();
+  this->StartRecording();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  for (int i = 0; i < 30; ++i)
+  {
+    this->TurnTool(0.03 * i);
+    this->Wander(1);
+  }
+  this->ExpectSame(0.15);
+  EXPECT_FALSE(this->Recorded->GetFieldData()->GetArray("InitialContacts"));
+}
+
+TEST_F(ShellRecording, ReplaysFromContactToTheBit)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 8.0));
+  ASSERT_TRUE(this->Wait([this] { return this->IsPressed(); }));
+  this->StartRecording();
+  this->Wander(20);
+  this->Turn(20.0, 1.0); // another placement of the device
+  this->Wander(20);
+  this->ExpectSame(0.15);
+  ASSERT_TRUE(this->Recorded->GetFieldData()->GetArray("InitialContacts"));
+  EXPECT_GT(this->Recorded->GetFieldData()->GetArray("InitialContacts")->GetNumberOfTuples(), 10);
+}
+
+TEST_F(ShellRecording, GivesForceAndTorque)
+{
+  this->TurnTool(0.0);
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(8.0));
+  EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25) << "half of the virtual device's";
+  ASSERT_TRUE(this->Wait(
+    [this] {
+      return Length(this->Device->GetForce()) > 0.15 && Length(this->Device->GetTorque()) > 1e-4;
+    }));
+  // The ball is held 1.5 mm to the left of its middle: the surface turns the hand about -y.
+  EXPECT_GT(this->Device->GetTorque()[1], 1e-4);
+  EXPECT_LT(this->Device->GetForce()[2], -0.15);
+  EXPECT_NEAR(this->Device->GetTorque()[1], this->Device->GetComputedTorque()[1], 1e-12);
+  const double* const q = this->Device->GetToolOrientation();
+  EXPECT_NEAR(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
+  this->Device->SetMaximumTorque(1e-5);
+  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetTorque()) < 1.1e-5; }));
+  EXPECT_GT(Length(this->Device->GetTorque()), 0.9e-5);
+  this->Device->Disarm();
+  ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetTorque()) == 0.0; }));
+  EXPECT_GT(Length(this->Device->GetComputedTorque()), 1e-4);
+  this->Device->ResetMaximumTorque();
+  EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
+}
+
+TEST_F(ShellRecording, TheToolMayChangeUnderForce)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(8.0));
+  EXPECT_GT(Length(this->Device->GetForce()), 0.15);
+  vtkNew<vtkHapticNeedle> needle;
+  for (vtkHapticTool* const next :
+    { static_cast<vtkHapticTool*>(nullptr), static_cast<vtkHapticTool*>(needle.Get()) })
+  {
+    this->Filter->SetTool(next);
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_TRUE(this->WaitTicks(20));
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
+    EXPECT_EQ(Length(this->Device->GetToolOrientation()), 0.0);
+    this->Filter->SetTool(this->Tool);
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+    ASSERT_TRUE(this->WaitFullyArmed());
+    ASSERT_TRUE(this->LeadInto(8.0));
+    ASSERT_TRUE(this->Wait([this] { return Length(this->Device->GetForce()) > 0.15; }));
+  }
+  // Another material under force: it goes on.
+  SetConstant(this->Filter->GetProperty()->GetStiffness(), 700.0);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
+  EXPECT_GT(Length(this->Device->GetComputedForce()), 0.15);
+}
