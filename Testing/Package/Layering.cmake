@@ -59,7 +59,7 @@ allow(Core/Proposal Core/Math Core/Field)
 allow(Core/Solvers ${solver_basis})
 allow(Core/Tools/PointShell ${solver_basis} Core/Solvers)
 allow(Core/Regions ${solver_basis} Core/Solvers)
-allow(Core/Tools/Burr ${solver_basis} Core/Tools/PointShell)
+allow(Core/Tools/Burr ${solver_basis} Core/Solvers Core/Tools/PointShell)
 allow(Core/Tools ${solver_basis} Core/Solvers)
 allow(Core/Servo ${solver_basis} Core/Solvers Core/Tools Core/Regions)
 

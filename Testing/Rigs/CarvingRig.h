@@ -27,7 +27,7 @@ inline void SetShare(
   bricks.MarkChanged(brick);
 }
 
-/// What is left of a volume, as doubles: V_air + rho (V - V_air).
+/// What is left of a volume, as doubles: V - (1 - rho) (V - V_air).
 inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
 {
   const std::int64_t* const n = volume.View.Dimensions;
@@ -38,7 +38,7 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
     {
       const double value = volume(i, j, k);
       const std::uint8_t share = bricks.GetShare(first[0] + i, first[1] + j, first[2] + k);
-      return share == 255 ? value : air + 1.0 / 255.0 * share * (value - air);
+      return value - 1.0 / 255.0 * (255 - share) * (value - air);
     });
   std::copy(first, first + 3, left.View.First);
   std::copy(volume.View.Whole, volume.View.Whole + 3, left.View.Whole);

@@ -9,6 +9,18 @@ namespace VolumeHaptics
 namespace
 {
 
+/** Copies what is left of samples along x; the share of the first one is the lowest byte. */
+template <typename T>
+inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t shares, int last,
+  const CarvedView& carved, double* to)
+{
+  const CarvedView view = carved;
+  for (int i = 0; i <= last; ++i, shares >>= 8)
+  {
+    to[i] = view.Left(static_cast<double>(from[i * stride]), static_cast<std::uint8_t>(shares));
+  }
+}
+
 /** Copies what is left of the samples of a box, all of which are in the bricks of a row along x. */
 template <typename T>
 void CopyLines(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
@@ -35,19 +47,8 @@ void CopyLines(const VolumeView& whole, const CarvedView& carved, const CarvedBo
         const std::int64_t begin = std::max(box.Low[0], brick * CarvedBricks::Side);
         const std::int64_t end =
           std::min(box.High[0], brick * CarvedBricks::Side + CarvedBricks::Side - 1);
-        if (shares == CarvedBricks::WholeRow)
-        {
-          for (std::int64_t i = begin; i <= end; ++i)
-          {
-            line[i] = static_cast<double>(from[i * stride[0]]);
-          }
-          continue;
-        }
-        for (std::int64_t i = begin; i <= end; ++i)
-        {
-          const auto share = static_cast<std::uint8_t>(shares >> (8 * (i & mask)));
-          line[i] = carved.Left(static_cast<double>(from[i * stride[0]]), share);
-        }
+        CopyRun(from + begin * stride[0], stride[0], shares >> (8 * (begin & mask)),
+          static_cast<int>(end - begin), carved, line + begin);
       }
     }
   }

@@ -4,7 +4,7 @@
  * @file
  * The samples of a volume of which a tool has removed tissue:
  *
- *   V' = V_air + rho (V - V_air),
+ *   V' = V - (1 - rho) (V - V_air),
  *
  * rho the share that remains. Where something was removed, a kernel reads a copy of the few samples
  * that it needs, as doubles; elsewhere it reads the samples themselves, and gives the same bits as
@@ -27,10 +27,11 @@ struct CarvedView
 
   /** Whether any tissue of any sample was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
+  /** To the bit the value itself if all of its tissue remains. */
   double Left(double value, std::uint8_t share) const noexcept
   {
     constexpr double scale = 1.0 / CarvedBricks::Whole;
-    return share == CarvedBricks::Whole ? value : this->Air + scale * share * (value - this->Air);
+    return value - scale * (CarvedBricks::Whole - share) * (value - this->Air);
   }
 };
 

@@ -14,6 +14,8 @@ constexpr double Pi = 3.14159265358979323846;
 /** Steps of a tick, and how often one is tried anew at half its length. */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
+/** Voxels: so little is not felt. */
+constexpr double ShortestStep = 1.0 / 128.0;
 /** Bricks that a tick has time to look at. */
 constexpr std::size_t MostBricks = 600;
 /** s: no tick is longer. */
@@ -91,7 +93,14 @@ public:
       const double longest = std::min(distance, 0.25 * this->Carver.GetVoxel());
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
-      const double way = isPaid ? longest : s.Unspent / slope;
+      // A little less than what it pays for, since most steps cost more or less than those before.
+      constexpr double careful = 0.8;
+      const double way = isPaid ? longest : careful * s.Unspent / slope;
+      if (!isPaid && way < std::min(longest, ShortestStep * this->Carver.GetVoxel()))
+      {
+        // It is saved for: looking costs more time than what would be removed is worth.
+        return;
+      }
       if (!this->Step(goal, lag, distance, way) || !isPaid)
       {
         return;

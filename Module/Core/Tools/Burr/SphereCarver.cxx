@@ -29,7 +29,6 @@ struct SphereCarver::Sphere
   Vector3 Index;  ///< of the centre
   double Radius;
   double Width;
-  double Inner;       ///< m^2: nothing remains within
   double Outer;       ///< m^2: everything remains beyond
   bool HasFrom;       ///< samples that are no nearer to Centre than to From keep what they have
   Vector3 Way;        ///< m, from From to Centre
@@ -82,9 +81,7 @@ CarvingCost SphereCarver::Try(
   sphere.Radius = radius;
   sphere.Width = this->GetRampWidth();
   const double outer = radius + 0.5 * sphere.Width;
-  const double inner = std::max(radius - 0.5 * sphere.Width, 0.0);
   sphere.Outer = outer * outer;
-  sphere.Inner = inner * inner;
   sphere.HasFrom = from != nullptr;
   if (from)
   {
@@ -184,6 +181,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
   const double sign = this->Tissue.IsBelow ? -1.0 : 1.0;
   const double square = Dot(this->Step[0], this->Step[0]);
   const double slope = Dot(this->Step[0], sphere.Way);
+  const double perWidth = 1.0 / sphere.Width;
   const std::int64_t* const stride = this->View.Stride;
   const std::size_t before = this->Count;
   for (std::int64_t k = part.Low[2]; k <= part.High[2]; ++k)
@@ -209,30 +207,37 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
+      const std::int64_t low = part.Low[0] - bases[0];
+      const std::int64_t high = part.High[0] - bases[0];
       const double side = Dot(begin, sphere.Way);
-      std::uint64_t left = shares;
-      for (std::int64_t i = part.Low[0] - bases[0]; i <= part.High[0] - bases[0]; ++i)
+      if (sphere.HasFrom &&
+        std::max(side + static_cast<double>(low) * slope,
+          side + static_cast<double>(high) * slope) < sphere.Middle)
       {
-        const auto old = static_cast<std::uint32_t>(shares >> (8 * i) & 255);
-        const auto at = static_cast<double>(i);
-        const double distance = c + at * (2.0 * b + at * square);
-        if (old == 0 || distance >= sphere.Outer ||
-          (sphere.HasFrom && side + at * slope < sphere.Middle))
-        {
-          continue;
-        }
-        std::uint32_t share = 0;
-        if (distance > sphere.Inner)
-        {
-          const double rho = 0.5 + (std::sqrt(distance) - sphere.Radius) / sphere.Width;
-          share = static_cast<std::uint32_t>(CarvedBricks::Whole * std::max(rho, 0.0) + 0.5);
-        }
-        if (share >= old)
+        continue;
+      }
+      // All at once: the compiler takes several of them together.
+      std::int32_t targets[BrickSide];
+      for (int i = 0; i < BrickSide; ++i)
+      {
+        const double at = i;
+        const double distance = std::sqrt(std::max(c + at * (2.0 * b + at * square), 0.0));
+        const double rho = 0.5 + (distance - sphere.Radius) * perWidth;
+        targets[i] =
+          static_cast<std::int32_t>(CarvedBricks::Whole * std::min(std::max(rho, 0.0), 1.0) + 0.5);
+      }
+      std::uint64_t left = shares;
+      for (std::int64_t i = low; i <= high; ++i)
+      {
+        const auto old = static_cast<std::int32_t>(shares >> (8 * i) & 255);
+        const std::int32_t share = targets[i];
+        if (share >= old ||
+          (sphere.HasFrom && side + static_cast<double>(i) * slope < sphere.Middle))
         {
           continue;
         }
         left &= ~(std::uint64_t{ 255 } << (8 * i));
-        left |= std::uint64_t{ share } << (8 * i);
+        left |= static_cast<std::uint64_t>(share) << (8 * i);
         const auto value = static_cast<double>(static_cast<const T*>(
           this->View.Data)[(bases[0] + i) * stride[0] + j * stride[1] + k * stride[2]]);
         if (sign * (value - this->Tissue.Level) >= 0.0)

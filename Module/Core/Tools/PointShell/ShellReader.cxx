@@ -52,40 +52,39 @@ ShellReader::ShellReader(const VolumeView& view, double level, bool isBelow,
   this->Reading.Sign = isBelow ? -1.0 : 1.0;
 }
 
-template <typename PlaceFunction, typename F>
-void ShellReader::ForEachCopy(const std::uint32_t* points, std::size_t count, int before,
-  int behind, const PlaceFunction& place, const F& f) const noexcept
+template <typename F>
+void ShellReader::ForEachCopy(const CarvedBox* boxes, std::size_t count, const F& f) const noexcept
 {
   double samples[MostCopied];
-  // Halves that are still to do; the points are neighbours, mostly.
+  ShellReading copy = this->Reading;
+  // Ends of halves that are still to do: points that follow each other are neighbours, mostly.
   std::size_t ends[16] = { count };
   int rest = count > 0 ? 1 : 0;
   for (std::size_t begin = 0; rest > 0;)
   {
     const std::size_t end = ends[rest - 1];
-    CarvedBox box = FindBox(this->Given, place(points[begin]), before, behind);
+    const auto number = static_cast<std::int64_t>(end - begin);
+    CarvedBox box = boxes[begin];
     for (std::size_t i = begin + 1; i < end; ++i)
     {
-      const CarvedBox other = FindBox(this->Given, place(points[i]), before, behind);
       for (int a = 0; a < 3; ++a)
       {
-        box.Low[a] = std::min(box.Low[a], other.Low[a]);
-        box.High[a] = std::max(box.High[a], other.High[a]);
+        box.Low[a] = std::min(box.Low[a], boxes[i].Low[a]);
+        box.High[a] = std::max(box.High[a], boxes[i].High[a]);
       }
     }
     const bool isLong = box.Size(0) > CarvedBox::MostSide || box.Size(1) > CarvedBox::MostSide ||
       box.Size(2) > CarvedBox::MostSide;
-    if (end - begin > 1 && (isLong || box.Samples() > MostCopied))
+    if (number > 1 && (isLong || box.Samples() > std::min(MostCopied, WorthOfPoint * number)))
     {
       ends[rest++] = begin + (end - begin) / 2;
       continue;
     }
-    ShellReading copy = this->Reading;
     if (CopyCarved(this->Reading.View.Volume, this->Carved, box, samples, copy.View.Volume))
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        f(copy, points[i]);
+        f(copy, i);
       }
     }
     begin = end;
@@ -97,54 +96,58 @@ std::uint64_t ShellReader::Remark(
   const ShellNumbers& points, const double* map, std::uint64_t marks) const noexcept
 {
   double places[64][3];
-  std::uint32_t marked[64];
+  CarvedBox boxes[64];
+  std::size_t marked[64];
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < points.Count; ++i)
+  for (std::size_t i = 0; i < points.Count; ++i)
   {
     if ((marks >> i & 1) == 0)
     {
       continue;
     }
-    marked[count++] = i;
+    double* const at = places[count];
     for (int a = 0; a < 3; ++a)
     {
       const double* const row = map + 3 * a;
-      places[i][a] =
-        row[0] * points.X[i] + row[1] * points.Y[i] + row[2] * points.Z[i] + map[9 + a];
+      at[a] = row[0] * points.X[i] + row[1] * points.Y[i] + row[2] * points.Z[i] + map[9 + a];
     }
+    boxes[count] = FindBox(this->Given, at, 0, 0);
+    marked[count++] = i;
   }
-  this->ForEachCopy(
-    marked, count, 0, 0, [&](std::uint32_t i) { return places[i]; },
-    [&](const ShellReading& copy, std::uint32_t i)
+  this->ForEachCopy(boxes, count,
+    [&](const ShellReading& copy, std::size_t n)
     {
       const double zero = 0.0;
-      const double* const at = places[i];
+      const double* const at = places[n];
       const double here[12] = { 1, 0, 0, 0, 1, 0, 0, 0, 1, at[0], at[1], at[2] };
       const bool isSolid = this->OfCopies.Mark(copy, { &zero, &zero, &zero, 1 }, here) != 0;
-      marks &= isSolid ? ~std::uint64_t{ 0 } : ~(std::uint64_t{ 1 } << i);
+      marks &= isSolid ? ~std::uint64_t{ 0 } : ~(std::uint64_t{ 1 } << marked[n]);
     });
   return marks;
 }
 
 void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
 {
-  double places[ShellBatch::Most][3];
-  std::uint32_t points[ShellBatch::Most];
-  for (std::uint32_t i = 0; i < batch.Count; ++i)
+  const bool isFloat =
+    this->Given.Type == ScalarType::Float32 || this->Given.Type == ScalarType::Float64;
+  CarvedBox boxes[ShellBatch::Most];
+  for (std::size_t i = 0; i < batch.Count; ++i)
   {
-    points[i] = i;
-    for (int a = 0; a < 3; ++a)
+    const double at[3] = { batch.Place[0][i], batch.Place[1][i], batch.Place[2][i] };
+    boxes[i] = FindBox(this->Given, at, 1, 1);
+    const auto isShort = [&](int a) { return boxes[i].Size(a) < 4; };
+    if (isFloat || isShort(0) || isShort(1) || isShort(2))
     {
-      places[i][a] = batch.Place[a][i];
+      // At the border, and beside samples that are no numbers, places at a distance of a sample are
+      // read, which may be rounded up into the next cell.
+      boxes[i] = FindBox(this->Given, at, 1, 2);
     }
   }
-  // A place at a distance of a sample may be rounded up into the next cell.
-  this->ForEachCopy(
-    points, batch.Count, 1, 2, [&](std::uint32_t i) { return places[i]; },
-    [&](const ShellReading& copy, std::uint32_t i)
+  this->ForEachCopy(boxes, batch.Count,
+    [&](const ShellReading& copy, std::size_t i)
     {
       double foot[7];
-      this->OfCopies.Foot(copy, places[i][0], places[i][1], places[i][2], foot);
+      this->OfCopies.Foot(copy, batch.Place[0][i], batch.Place[1][i], batch.Place[2][i], foot);
       batch.Value[i] = foot[0];
       for (int a = 0; a < 3; ++a)
       {
@@ -156,19 +159,18 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
 
 void ShellReader::ReadCarved(const double* positions, std::size_t count, double* to) const noexcept
 {
-  std::uint32_t points[ShellBatch::Most];
-  for (std::uint32_t i = 0; i < ShellBatch::Most; ++i)
-  {
-    points[i] = i;
-  }
+  CarvedBox boxes[ShellBatch::Most];
   for (std::size_t first = 0; first < count; first += ShellBatch::Most)
   {
     const double* const from = positions + 3 * first;
-    this->ForEachCopy(
-      points, std::min(ShellBatch::Most, count - first), 0, 0,
-      [from](std::uint32_t i) { return from + std::size_t{ 3 } * i; },
-      [&](const ShellReading& copy, std::uint32_t i)
-      { this->OfCopies.Values(copy, from + std::size_t{ 3 } * i, 1, to + first + i); });
+    const std::size_t some = std::min(ShellBatch::Most, count - first);
+    for (std::size_t i = 0; i < some; ++i)
+    {
+      boxes[i] = FindBox(this->Given, from + 3 * i, 0, 0);
+    }
+    this->ForEachCopy(boxes, some,
+      [&](const ShellReading& copy, std::size_t i)
+      { this->OfCopies.Values(copy, from + 3 * i, 1, to + first + i); });
   }
 }
 

@@ -165,14 +165,12 @@ public:
 private:
   /** Samples that are copied at a time: 32 KiB. */
   static constexpr std::int64_t MostCopied = 4096;
+  /** If points need more samples each, they have copies of their own, which then take less time. */
+  static constexpr std::int64_t WorthOfPoint = 40;
 
-  /**
-   * Calls f(copy, point) for the points around which tissue was removed, and for some beside them;
-   * place(point) is an index. The copy has `before` and `behind` samples more than its cell.
-   */
-  template <typename PlaceFunction, typename F>
-  void ForEachCopy(const std::uint32_t* points, std::size_t count, int before, int behind,
-    const PlaceFunction& place, const F& f) const noexcept;
+  /** Calls f(copy, i) for the boxes in which tissue was removed, and for some beside them. */
+  template <typename F>
+  void ForEachCopy(const CarvedBox* boxes, std::size_t count, const F& f) const noexcept;
   /** Takes the marks away of which the tissue was removed. */
   std::uint64_t Remark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
