@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVVolumeHapticsFilter.h"
 
-#include "HapticFunctionText.h"
-
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticLabelTable.h"
-#include "vtkHapticNeedle.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkNew.h"
@@ -341,7 +338,7 @@ void vtkPVVolumeHapticsFilter::ChooseTool(T& setting, const T& value)
   if (!(setting == value))
   {
     setting = value;
-    this->IsToolDirty = true;
+    this->Tools.Note();
     this->Modified();
   }
 }
@@ -349,68 +346,54 @@ void vtkPVVolumeHapticsFilter::ChooseTool(T& setting, const T& value)
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetToolKind(const char* kind)
 {
-  this->ChooseTool(this->ToolKind, std::string(kind && *kind ? kind : "None"));
+  this->ChooseTool(this->Tools.Kind, std::string(kind && *kind ? kind : "None"));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetNeedleShaftFriction(const char* friction)
 {
-  this->ChooseTool(this->NeedleShaftFriction, std::string(friction ? friction : ""));
+  this->ChooseTool(this->Tools.ShaftFriction, std::string(friction ? friction : ""));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetNeedleCuttingForce(const char* force)
 {
-  this->ChooseTool(this->NeedleCuttingForce, std::string(force ? force : ""));
+  this->ChooseTool(this->Tools.CuttingForce, std::string(force ? force : ""));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetNeedleLateralStrength(double strength)
 {
-  this->ChooseTool(this->NeedleLateralStrength, strength);
+  this->ChooseTool(this->Tools.LateralStrength, strength);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetShellPoints(int points)
+{
+  this->ChooseTool(this->Tools.Points, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetShellContactArea(double area)
+{
+  this->ChooseTool(this->Tools.ContactArea, area);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::FillTool()
 {
-  this->IsToolGood = true;
-  if (this->ToolKind != "Needle")
+  const std::string error = this->Tools.Fill(this);
+  if (!error.empty())
   {
-    this->SetTool(nullptr);
-    this->IsToolGood = this->ToolKind == "None";
-    if (!this->IsToolGood)
-    {
-      vtkErrorMacro(<< "There is no tool \"" << this->ToolKind
-                    << "\". Use \"None\" or \"Needle\".");
-    }
-    return;
+    vtkErrorMacro(<< error);
   }
-  vtkNew<vtkHapticNeedle> needle;
-  needle->SetLateralStrength(this->NeedleLateralStrength);
-  const auto read = [this](
-                      const char* name, const std::string& text, vtkPiecewiseFunction* function)
-  {
-    if (!ReadFunctionText(text, function))
-    {
-      vtkErrorMacro(<< name << " is \"" << text << "\". Give a number, or pairs of a scalar and a "
-                    << "number, such as \"-100 0, 300 50\".");
-      this->IsToolGood = false;
-    }
-  };
-  read("Needle Shaft Friction", this->NeedleShaftFriction, needle->GetShaftFriction());
-  read("Needle Cutting Force", this->NeedleCuttingForce, needle->GetCuttingForce());
-  this->SetTool(needle);
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
 {
   this->FillModes();
-  if (this->IsToolDirty)
-  {
-    this->IsToolDirty = false; // what follows calls this again
-    this->FillTool();
-  }
+  this->FillTool();
   if (this->IsTableDirty)
   {
     this->IsTableDirty = false; // what follows calls this again
@@ -440,8 +423,9 @@ int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->FillModes(); // whether polygons or lines guide is known only now
+  this->FillTool();
   // The property has reported the wrong name, table, modes and tool what they can't read.
-  return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->IsToolGood
+  return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->Tools.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;
 }
@@ -466,8 +450,5 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StandOff: " << this->StandOff << "\n";
   os << indent << "ModePreset: " << this->Modes.GetPreset() << "\n";
   os << indent << "ModeRows: " << this->Modes.GetNumberOfRows() << "\n";
-  os << indent << "ToolKind: " << this->ToolKind << "\n";
-  os << indent << "NeedleShaftFriction: " << this->NeedleShaftFriction << "\n";
-  os << indent << "NeedleCuttingForce: " << this->NeedleCuttingForce << "\n";
-  os << indent << "NeedleLateralStrength: " << this->NeedleLateralStrength << " N\n";
+  this->Tools.Print(os, indent);
 }

@@ -13,6 +13,7 @@
 #define vtkPVVolumeHapticsFilter_h
 
 #include "HapticModeRows.h"             // for ivars
+#include "HapticToolChoice.h"           // for ivars
 #include "VolumeHapticsFiltersModule.h" // for export macro
 #include "vtkSmartPointer.h"            // for ivars
 #include "vtkVolumeHapticsFilter.h"
@@ -113,15 +114,19 @@ public:
 
   ///@{
   /**
-   * What the hand holds: "None" (default), or "Needle", a vtkHapticNeedle. The functions of a
-   * needle are texts as in AddModeRow, against the scalar: N per metre of its shaft, empty for 0;
-   * and N to cut, empty for the viscosity of the material; then the newtons that hold it across its
-   * axis, default 1. What can't be read is an error, and the output is empty.
+   * What the hand holds: "None" (default); "Needle", a vtkHapticNeedle; or "Point shell", a
+   * vtkHapticPointShell of the polygons on port 2. The functions of a needle are texts as in
+   * AddModeRow, against the scalar: N per metre of its shaft, empty for 0; and N to cut, empty for
+   * the viscosity of the material; then the newtons that hold it across its axis, default 1. Of a
+   * shell: the number of points, default 2000, and the ContactArea, default 25. What can't be read
+   * is an error, and the output is empty.
    */
   void SetToolKind(const char* kind);
   void SetNeedleShaftFriction(const char* friction);
   void SetNeedleCuttingForce(const char* force);
   void SetNeedleLateralStrength(double strength);
+  void SetShellPoints(int points);
+  void SetShellContactArea(double area);
   ///@}
 
   using vtkVolumeHapticsFilter::SetInputConnection;
@@ -163,7 +168,7 @@ private:
   void FillTable();
   /** Makes the modes. */
   void FillModes();
-  /** Makes the tool. */
+  /** Makes the tool, if its settings or its polygons have changed. */
   void FillTool();
   template <typename T>
   void ChooseTool(T& setting, const T& value);
@@ -186,12 +191,7 @@ private:
   bool IsTableDirty = false;
   bool IsTableGood = true;
   HapticModeRows Modes;
-  std::string ToolKind = "None";
-  std::string NeedleShaftFriction;
-  std::string NeedleCuttingForce;
-  double NeedleLateralStrength = 1.0;
-  bool IsToolDirty = false;
-  bool IsToolGood = true;
+  HapticToolChoice Tools;
 
   vtkPVVolumeHapticsFilter(const vtkPVVolumeHapticsFilter&) = delete;
   void operator=(const vtkPVVolumeHapticsFilter&) = delete;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The tool of a filter as plain settings.
+ */
+#ifndef HapticToolChoice_h
+#define HapticToolChoice_h
+
+#include "vtkIndent.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <iosfwd>
+#include <string>
+
+class vtkDataObject;
+class vtkVolumeHapticsFilter;
+
+/** See vtkPVVolumeHapticsFilter::SetToolKind. The shape of a shell is that of port 2. */
+class HapticToolChoice
+{
+public:
+  std::string Kind = "None";
+  ///@{
+  /** Of a needle. */
+  std::string ShaftFriction;
+  std::string CuttingForce;
+  double LateralStrength = 1.0; ///< N
+  ///@}
+  ///@{
+  /** Of a point shell. */
+  int Points = 2000;
+  double ContactArea = 25.0; ///< square world units
+  ///@}
+
+  /** After a setting has changed. */
+  void Note() { this->IsDirty = true; }
+
+  /** Makes the filter's tool if it has to; returns the flaws of one that can't be made. */
+  std::string Fill(vtkVolumeHapticsFilter* filter);
+  /** Whether it could be made. */
+  bool IsGood() const { return this->IsMade; }
+
+  void Print(std::ostream& os, vtkIndent indent) const;
+
+private:
+  void SetNeedle(vtkVolumeHapticsFilter* filter, std::string& error) const;
+  void SetShell(vtkVolumeHapticsFilter* filter, std::string& error) const;
+
+  vtkWeakPointer<vtkDataObject> Shape; ///< of the shell that was made last
+  bool IsDirty = false;
+  bool IsMade = true;
+};
+
+#endif
