@@ -35,22 +35,40 @@ struct HalfSpace
   HapticModelDescription Scene;
 };
 
+/// A burr and how its head is felt; lengths in the world.
+struct BurrInHand : BurrSettings
+{
+  ShellSettings Shell;
+};
+
+inline ToolDescription DescribeBurr(
+  const BurrInHand& settings, const Polyline& specificEnergy, std::size_t points = 1000)
+{
+  ToolDescription tool;
+  tool.Kind = ToolKind::Burr;
+  tool.Burr = { settings, specificEnergy };
+  tool.Shell.Points =
+    std::make_shared<const PointShell>(BakedBurr::MakeHead(settings.Radius, points));
+  tool.Shell.Touch = settings.Shell;
+  return tool;
+}
+
 /// A burr that is led through a volume, a millisecond a tick.
-class BurrHand
+class BurrInVolume
 {
 public:
-  BurrHand(const HapticModelDescription& description, const BurrSettings& settings,
-    const Polyline& specificEnergy, std::size_t points = Burr::DefaultPoints)
-    : Model(description)
-    , Tool(settings, specificEnergy, points)
-    , Memory(this->Tool)
+  BurrInVolume(HapticModelDescription description, const BurrInHand& settings,
+    const Polyline& specificEnergy, std::size_t points = 1000)
+    : Settings(settings)
+    , Model(With(std::move(description), DescribeBurr(settings, specificEnergy, points)))
+    , Points(*this->Model.Baked->Tool->Shell)
   {
   }
 
   const BurrRecord& Tick(const Vector3& position)
   {
     const BurrRecord last = this->Record;
-    const bool wasEnabled = this->State.Shell.Enabled;
+    const bool wasEnabled = this->Shell.Enabled;
     const Vector3 hand = 0.001 * position;
     if (wasEnabled)
     {
@@ -58,15 +76,14 @@ public:
         this->EnergyOfSpring(last.Shell.Tool.Position, last.Shell.Hand.Position);
       this->VibrationWork -= Dot(last.Force - last.Shell.Force, hand - last.Shell.Hand.Position);
     }
-    TickBurr(this->Model, this->Tool, hand, this->IsSpinning, this->Step, this->State, this->Memory,
-      this->Record);
+    TickBurr(this->Model, { hand, this->IsSpinning, this->Step }, this->Shell, this->State,
+      { this->Points, this->Carver }, this->Record);
     this->Energy += this->Record.Energy;
     this->Removed += this->Record.RemovedVolume;
     if (this->IsSpinning)
     {
-      const BurrSettings& settings = this->Tool.Settings;
-      this->Earned += settings.Friction * Norm(this->Record.Shell.Force) * 2.0 * Pi *
-        settings.Radius * settings.Speed * this->Step;
+      this->Earned += this->Settings.Friction * Norm(this->Record.Shell.Force) * 2.0 * Pi * 0.001 *
+        this->Settings.Radius * this->Settings.Speed * this->Step;
     }
     return this->Record;
   }
@@ -84,19 +101,20 @@ public:
   const BurrRecord& Press(double force)
   {
     Vector3 hand = this->Record.Shell.Hand.Position;
-    hand.Z =
-      this->Record.Shell.Tool.Position.Z + force / this->Tool.Settings.Shell.CouplingStiffness;
+    hand.Z = this->Record.Shell.Tool.Position.Z + force / this->Settings.Shell.CouplingStiffness;
     return this->Tick(1000.0 * hand);
   }
   double EnergyOfSpring(const Vector3& tool, const Vector3& hand) const
   {
     const Vector3 lag = tool - hand;
-    return 0.5 * this->Tool.Settings.Shell.CouplingStiffness * Dot(lag, lag);
+    return 0.5 * this->Settings.Shell.CouplingStiffness * Dot(lag, lag);
   }
 
+  const BurrInHand Settings;
   const HapticModel Model;
-  const Burr Tool;
-  BurrMemory Memory;
+  ShellMemory Points;
+  SphereCarver Carver;
+  ShellState Shell;
   BurrState State;
   BurrRecord Record;
   bool IsSpinning = true;
@@ -106,17 +124,24 @@ public:
   double Earned = 0.0;        ///< J, mu F v of all ticks
   double Energy = 0.0;        ///< J, spent on removal
   double Removed = 0.0;       ///< mm^3
+
+private:
+  static HapticModelDescription With(HapticModelDescription description, ToolDescription tool)
+  {
+    description.Tool = std::move(tool);
+    return description;
+  }
 };
 
 /// A burr of 2 mm at 60 000/min, mu 0.3, that bone of `kappa` N/m^3 holds.
-inline BurrSettings MakeBurr(double kappa, double level)
+inline BurrInHand MakeBurr(double kappa, double level)
 {
-  BurrSettings settings;
-  settings.Radius = 2e-3;
+  BurrInHand settings;
+  settings.Radius = 2.0;
   settings.Speed = 1000.0;
   settings.Friction = 0.3;
   settings.Shell.Level = level;
-  settings.Shell.ContactArea = 500.0 / kappa; // of the default stiffness
+  settings.Shell.ContactArea = 1e6 * 500.0 / kappa; // mm^2, of the default stiffness
   return settings;
 }
 } // namespace coretest

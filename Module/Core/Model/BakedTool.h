@@ -12,6 +12,7 @@
 #define BakedTool_h
 
 #include "Core/Math/PiecewiseTable.h"
+#include "Core/Model/BakedBurr.h"
 #include "Core/Model/PointShell.h"
 
 #include <cstdint>
@@ -24,7 +25,8 @@ enum class ToolKind : std::uint8_t
 {
   Point,  ///< none: the method's own point
   Needle, ///< see Core/Tools/NeedleTool.h
-  Shell   ///< see Core/Tools/ShellTool.h
+  Shell,  ///< see Core/Tools/ShellTool.h
+  Burr    ///< see Core/Tools/BurrInServo.h
 };
 
 /** What a needle feels by the value of the scalars, where a label does not say it. */
@@ -49,7 +51,8 @@ struct ToolDescription
 {
   ToolKind Kind = ToolKind::Point;
   NeedleDescription Needle; ///< of that kind
-  ShellDescription Shell;   ///< of that kind
+  ShellDescription Shell;   ///< of that kind, and the head of a burr
+  BurrDescription Burr;     ///< of that kind
 };
 
 /** A tool as a tick reads it. Immutable. */
@@ -62,6 +65,8 @@ struct BakedTool
     , LateralStrength(description.Needle.LateralStrength)
     , Shell(description.Shell.Points)
     , ShellTouch(description.Shell.Touch)
+    , Burr(description.Kind == ToolKind::Burr ? std::make_shared<const BakedBurr>(description.Burr)
+                                              : nullptr)
   {
   }
 
@@ -77,6 +82,7 @@ struct BakedTool
   const std::shared_ptr<const PointShell> Shell;
   const ShellSettings ShellTouch;
   ///@}
+  const std::shared_ptr<const BakedBurr> Burr; ///< null for other tools
 };
 
 } // namespace VolumeHaptics

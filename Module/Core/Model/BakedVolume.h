@@ -96,6 +96,11 @@ struct BakedVolume
     return this->Cut ? this->Cut->Find(index).Share() : 1.0;
   }
   bool HasTool(ToolKind kind) const noexcept { return this->Tool && this->Tool->Kind == kind; }
+  /** Whether the tool has points that touch. */
+  bool HasShape() const noexcept
+  {
+    return this->HasTool(ToolKind::Shell) || this->HasTool(ToolKind::Burr);
+  }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. One

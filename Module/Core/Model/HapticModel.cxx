@@ -155,6 +155,12 @@ std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
         tables.push_back({ each, numbers });
       }
     }
+    if (const BakedBurr* const burr = tool->Burr.get())
+    {
+      tables.push_back({ burr, sizeof(*burr) });
+      tables.push_back({ burr->SpecificEnergy.GetMemory(),
+        burr->SpecificEnergy.GetMemorySize() - sizeof(burr->SpecificEnergy) });
+    }
   }
   return tables;
 }
@@ -170,9 +176,13 @@ std::size_t HapticModel::GetMemorySize() const noexcept
       (mode.GuideSurface ? mode.GuideSurface->GetMemorySize() : 0);
   }
   const BakedTool* const tool = baked.Tool.get();
-  const std::size_t ofTool = tool ? sizeof(*tool) + tool->NeedleForces.GetMemorySize() -
-      sizeof(tool->NeedleForces) + (tool->Shell ? tool->Shell->GetMemorySize() : 0)
-                                  : 0;
+  std::size_t ofTool = 0;
+  if (tool)
+  {
+    ofTool = sizeof(*tool) + tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces);
+    ofTool += tool->Shell ? tool->Shell->GetMemorySize() : 0;
+    ofTool += tool->Burr ? tool->Burr->GetMemorySize() : 0;
+  }
   return modes + ofTool + sizeof(*this) + sizeof(baked) +
     baked.Kernel.Table.capacity() * sizeof(double) + baked.Materials.GetMemorySize() -
     sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() - sizeof(baked.Distinctness) +

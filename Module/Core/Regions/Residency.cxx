@@ -24,7 +24,7 @@ double LocalDistance(const HapticModel& model) noexcept
  */
 Vector3 FindToolReach(const HapticModel& model) noexcept
 {
-  if (!model.Baked->HasTool(ToolKind::Shell))
+  if (!model.Baked->HasShape())
   {
     return {};
   }

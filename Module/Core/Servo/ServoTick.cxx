@@ -7,6 +7,7 @@
 #include "Core/Solvers/Precise/PreciseSolver.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+#include "Core/Tools/BurrInServo.h"
 #include "Core/Tools/NeedleEntry.h"
 #include "Core/Tools/NeedleTool.h"
 #include "Core/Tools/ShellTool.h"
@@ -56,6 +57,11 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
     state.Needle = NeedleState{};
     state.Shell.Enabled = false;
   }
+  if (tool && tool->GetCarver() && model.Baked->HasTool(ToolKind::Burr))
+  {
+    StepBurr(model, state, *tool, record);
+    return;
+  }
   ShellMemory* const shell = tool ? tool->GetShell() : nullptr;
   if (shell && model.Baked->HasTool(ToolKind::Shell))
   {
@@ -94,7 +100,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.DataTime = state.DataTime;
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
-  record.Depth = record.ShaftForce = 0.0;
+  record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
   record.Torque = Vector3{};
   record.ToolOrientation = NoOrientation;
   record.Contact = ContactState::Free;

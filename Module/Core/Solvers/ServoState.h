@@ -11,6 +11,7 @@
 
 #include "Core/Math/Quaternion.h"
 #include "Core/Model/LabelMemory.h"
+#include "Core/Solvers/BurrState.h"
 #include "Core/Solvers/LocalState.h"
 #include "Core/Solvers/NeedleState.h"
 #include "Core/Solvers/PreciseState.h"
@@ -41,8 +42,10 @@ struct ServoState
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
+  bool IsSpinning = false; ///< of a burr, in this tick; the caller sets it
   NeedleState Needle;
   ShellState Shell; ///< together with ToolMemory
+  BurrState Burr;
   ///@{
   /** Of the last tick, for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time

@@ -181,6 +181,21 @@ void VisitShell(Shell& shell, Function&& visit)
   visit(shell.Sum.Yielding);
 }
 
+template <typename Burr, typename Function>
+void VisitBurr(Burr& burr, Function&& visit)
+{
+  visit(burr.IsCarving);
+  visit(burr.IsRemoved);
+  VisitVector(burr.Carved, visit);
+  visit(burr.Unspent);
+  visit(burr.LastCost);
+  visit(burr.LastWay);
+  visit(burr.Idle);
+  visit(burr.Phase);
+  visit(burr.Lost);
+  VisitVector(burr.Vibration, visit);
+}
+
 /** Every number of a state. Those that were added later come last: older files lack them. */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
@@ -211,6 +226,8 @@ void VisitState(State& state, Function&& visit)
   visit(state.HasOrientation);
   VisitNeedle(state.Needle, visit);
   VisitShell(state.Shell, visit);
+  visit(state.IsSpinning);
+  VisitBurr(state.Burr, visit);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -302,6 +319,14 @@ bool IsPossible(const ShellState& shell)
       sum.Yielding <= sum.Contacts);
 }
 
+bool IsPossible(const BurrState& burr)
+{
+  return IsNear(burr.Carved, FarthestTip) && IsAmount(burr.Unspent) && IsAmount(burr.LastCost) &&
+    burr.LastWay >= 0.0 && burr.LastWay < FarthestTip && IsAmount(burr.Idle) && burr.Phase >= 0.0 &&
+    burr.Phase <= 1.0 && std::abs(burr.Lost) <= MostOfMaterial &&
+    IsNear(burr.Vibration, MostOfMaterial);
+}
+
 } // namespace
 
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
@@ -329,7 +354,8 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
   return isGood && IsNear(state.Proxy, FarthestTip) && IsNear(state.PreviousTip, FarthestTip) &&
     IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
     IsPossible(state.Local) && IsPossible(state.Primitives) && IsPossible(state.Needle) &&
-    IsPossible(state.Orientation, state.HasOrientation) && IsPossible(state.Shell);
+    IsPossible(state.Orientation, state.HasOrientation) && IsPossible(state.Shell) &&
+    IsPossible(state.Burr);
 }
 
 } // namespace VolumeHaptics

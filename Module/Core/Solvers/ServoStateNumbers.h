@@ -14,12 +14,13 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 273;
+constexpr int ServoStateSize = 288;
 /**
  * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
- * their directions, before tools, and before those with a shape; the other numbers are 0 then.
+ * their directions, before tools, before those with a shape, and before burrs; the other numbers
+ * are 0 then.
  */
-constexpr std::array<int, 6> OldServoStateSizes = { 64, 68, 73, 98, 101, 226 };
+constexpr std::array<int, 7> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

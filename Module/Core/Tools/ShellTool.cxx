@@ -27,12 +27,14 @@ void StepShell(
   const BakedTool& tool = *model.Baked->Tool;
   const bool isKnown = state.HasOrientation || !state.Shell.Enabled;
   const ShellPose hand{ record.Tip, isKnown ? state.Orientation : state.Shell.Hand.Orientation };
-  ShellSettings settings = tool.ShellTouch;
-  settings.Scale = 1.0 / model.WorldUnitsPerMeter;
-  settings.ContactArea *= settings.Scale * settings.Scale;
   ShellRecord felt;
-  TickShell(model, *tool.Shell, settings, hand, state.Shell, memory, felt);
+  TickShell(model, *tool.Shell, FindShellSettings(model), hand, state.Shell, memory, felt);
+  WriteShellRecord(model, state, felt, record);
+}
 
+void WriteShellRecord(
+  const HapticModel& model, ServoState& state, const ShellRecord& felt, TickRecord& record) noexcept
+{
   // Of the method, which does not tick: where it would go on, and what it would read.
   state.Precise.ReachedTip = record.Tip;
   const double norm = Norm(felt.Force);
@@ -52,9 +54,11 @@ void StepShell(
 void CarryShellTool(
   const HapticModel& from, const HapticModel& to, ServoState& state, ToolMemory* tool) noexcept
 {
-  const bool wasShell = from.Baked->HasTool(ToolKind::Shell);
-  const bool isShell = to.Baked->HasTool(ToolKind::Shell);
+  const bool wasShell = from.Baked->HasShape();
+  const bool isShell = to.Baked->HasShape();
   CarryShell(from, to, state.Shell, tool ? tool->GetShell() : nullptr);
+  // A burr finds anew where it removes.
+  state.Burr = BurrState{};
   if ((wasShell || isShell) && !state.Shell.Enabled)
   {
     state.Enabled = false;

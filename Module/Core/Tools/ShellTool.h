@@ -18,10 +18,15 @@ namespace VolumeHaptics
 {
 class ShellMemory;
 class ToolMemory;
+struct ShellRecord;
 
 /** A tick of the tool of a model that has one. The proxy is the origin of the tool. */
 void StepShell(
   const HapticModel& model, ServoState& state, ShellMemory& memory, TickRecord& record) noexcept;
+
+/** What the record of a tick, and the state of the method, have of a tool with a shape. */
+void WriteShellRecord(const HapticModel& model, ServoState& state, const ShellRecord& felt,
+  TickRecord& record) noexcept;
 
 /** N m/rad, of the spring that turns the hand; 0 without such a tool. */
 inline double FindTurningStiffness(const HapticModel& model) noexcept

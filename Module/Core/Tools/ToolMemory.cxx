@@ -10,20 +10,25 @@ namespace VolumeHaptics
 ToolMemory::ToolMemory(std::shared_ptr<const BakedTool> tool)
   : Tool(std::move(tool))
 {
-  if (this->Tool->Kind == ToolKind::Shell)
+  if (this->Tool->Shell)
   {
     this->Shell.emplace(*this->Tool->Shell);
+  }
+  if (this->Tool->Burr)
+  {
+    this->Carver.emplace();
   }
 }
 
 std::shared_ptr<ToolMemory> ToolMemory::Provide(
   const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last)
 {
-  if (!baked.HasTool(ToolKind::Shell))
+  if (!baked.HasShape())
   {
     return nullptr;
   }
-  const bool isSame = last && last->Tool->Shell == baked.Tool->Shell;
+  const bool isSame = last && last->Tool->Shell == baked.Tool->Shell &&
+    last->Carver.has_value() == (baked.Tool->Burr != nullptr);
   return isSame ? last : std::make_shared<ToolMemory>(baked.Tool);
 }
 
@@ -53,6 +58,10 @@ std::vector<HapticModel::MemoryRange> ToolMemory::GetTables() const
   if (this->Shell)
   {
     this->Shell->AppendTables(tables);
+  }
+  if (this->Carver)
+  {
+    this->Carver->AppendTables(tables);
   }
   return tables;
 }

@@ -11,6 +11,7 @@
 #ifndef ToolMemory_h
 #define ToolMemory_h
 
+#include "Core/Tools/Burr/SphereCarver.h"
 #include "Core/Tools/PointShell/ShellCoupling.h"
 
 #include <memory>
@@ -32,6 +33,9 @@ public:
   /** Null if the tool has no shape. */
   ShellMemory* GetShell() noexcept { return this->Shell ? &*this->Shell : nullptr; }
 
+  /** Null if the tool removes nothing. */
+  SphereCarver* GetCarver() noexcept { return this->Carver ? &*this->Carver : nullptr; }
+
   ///@{
   /**
    * The thread that ticks keeps a copy of what belongs to the state before its next tick, once for
@@ -52,6 +56,7 @@ public:
 private:
   const std::shared_ptr<const BakedTool> Tool;
   std::optional<ShellMemory> Shell;
+  std::optional<SphereCarver> Carver;
 };
 
 } // namespace VolumeHaptics

@@ -20,9 +20,9 @@ TEST(BurrMemoryUse, NoTickAllocates)
     { return static_cast<std::int16_t>(70 * k + engine() % 100); });
   HapticModelDescription scene = Describe(volume);
   scene.Removal = std::make_shared<TissueRemoval>(20, 30);
-  BurrSettings settings = MakeBurr(2e8, 800.0);
+  BurrInHand settings = MakeBurr(2e8, 800.0);
   settings.Vibration = 0.1;
-  BurrHand hand(scene, settings, ConstantPolyline(0.05), 400);
+  BurrInVolume hand(scene, settings, ConstantPolyline(0.05), 400);
   Wanderer wanderer(24.0);
   const std::size_t before = CountAllocations().Calls;
   for (int i = 0; i < 4000; ++i)

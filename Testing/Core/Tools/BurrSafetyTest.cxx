@@ -58,7 +58,7 @@ protected:
 
   const TestVolume Bone = MakeBone();
   HapticModelDescription Scene;
-  BurrSettings Settings = MakeBurr(2e9, 1000.0);
+  BurrInHand Settings = MakeBurr(2e9, 1000.0);
   const Polyline Energies{ { 1000.0, 1.0 }, { 2000.0, 8.0 } };
 };
 } // namespace
@@ -73,7 +73,7 @@ TEST_F(BurrSafety, NoCycleCreatesEnergy)
     this->Settings.Vibration = cycle % 2 == 0 ? 0.0 : 0.3;
     this->Settings.Speed = cycle % 4 < 2 ? 1000.0 : 180.0;
     this->Scene.Removal = std::make_shared<TissueRemoval>(4096);
-    BurrHand hand(this->Scene, this->Settings, this->Energies, 600);
+    BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
     const Vector3 waves[2] = { RandomIn(engine, 1.0), RandomIn(engine, 1.0) };
     const int ticks = cycle % 3 == 0 ? 300 : 2000;
     double least = 0.0;
@@ -101,7 +101,7 @@ TEST_F(BurrSafety, NoCycleCreatesEnergy)
 TEST(BurrAtRest, TheForceOnlyFalls)
 {
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
-  BurrHand hand(half.Scene, MakeBurr(2e9, 100.0), ConstantPolyline(1.0), 2000);
+  BurrInVolume hand(half.Scene, MakeBurr(2e9, 100.0), ConstantPolyline(1.0), 2000);
   hand.IsSpinning = false;
   const Vector3 at{ 9.5, 9.3, half.Surface - 0.8 }; // 1.2 mm deep
   hand.Tick(at - Vector3{ 0.0, 0.0, 2.0 });
@@ -126,12 +126,12 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
   this->Settings = MakeBurr(2e8, 1000.0); // 0.2 MPa
   this->Settings.Vibration = 1.0;
   this->Settings.Speed = 170.0;
-  const double each = 0.5 / this->Settings.Shell.ContactArea * 4.0 * Pi * 4e-6 / 1000.0;
+  const double each = 0.5 / this->Settings.Shell.ContactArea * 4.0 * Pi * 4.0 / 1000.0;
   std::mt19937_64 engine(23);
   double most = 0.0;
   for (int cycle = 0; cycle < 6; ++cycle)
   {
-    BurrHand hand(this->Scene, this->Settings, this->Energies, 1000);
+    BurrInVolume hand(this->Scene, this->Settings, this->Energies, 1000);
     hand.Tick({ 29.0, 16.0, 16.0 });
     const Vector3 goal = Vector3{ 18.0, 16.0, 16.0 } + RandomIn(engine, 2.0);
     for (double step = 0.0; step <= 11.0; step += 0.01)
@@ -149,11 +149,11 @@ TEST_F(BurrSafety, NoForceIsLargerThanTheTissueBears)
 /// Its amplitude is its share of the force, its mean zero, its frequency that of the burr.
 TEST(BurrVibration, HasItsShareAndNoMean)
 {
-  BurrSettings settings = MakeBurr(2e9, 100.0);
+  BurrInHand settings = MakeBurr(2e9, 100.0);
   settings.Vibration = 0.2;
   settings.Speed = 125.0; // a period of 8 ticks
   HalfSpace half({ 48, 48, 40 }, 0.4, 16);
-  BurrHand hand(half.Scene, settings, ConstantPolyline(0.5), 2000);
+  BurrInVolume hand(half.Scene, settings, ConstantPolyline(0.5), 2000);
   hand.Tick({ 9.5, 9.3, half.Surface - 2.1 });
   for (int i = 0; i < 2000; ++i)
   {
@@ -188,13 +188,13 @@ TEST(BurrVibration, HasItsShareAndNoMean)
   }
   // 60 000/min are 1000 Hz, more than a tick can have: a quarter of it.
   settings.Speed = 1000.0;
-  EXPECT_EQ(Burr(settings, ConstantPolyline(1.0)).Frequency, 250.0);
+  EXPECT_EQ(BakedBurr({ settings, ConstantPolyline(1.0) }).Frequency, 250.0);
 }
 
 /// B4: undo, redo and reset to the bit; meanwhile nothing is felt.
 TEST_F(BurrSafety, StrokesAreUndoneAndDoneAgainToTheBit)
 {
-  BurrHand hand(this->Scene, this->Settings, this->Energies, 600);
+  BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
   TissueRemoval& removal = *this->Scene.Removal;
   std::vector<std::vector<std::uint8_t>> history = { this->GetShares() };
   for (int stroke = 0; stroke < 3; ++stroke)
@@ -239,7 +239,7 @@ TEST_F(BurrSafety, ARecordingRemovesTheSame)
   {
     this->Settings.Vibration = 0.1;
     this->Scene.Removal = std::make_shared<TissueRemoval>();
-    BurrHand hand(this->Scene, this->Settings, this->Energies, 600);
+    BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
     const Vector3 waves[2] = { { 0.3, -0.8, 0.4 }, { -0.6, 0.2, 0.7 } };
     for (int i = 0; i <= 2500; ++i)
     {
@@ -266,7 +266,7 @@ TEST_F(BurrSafety, ARecordingRemovesTheSame)
 
 TEST_F(BurrSafety, AHandThatIsNoPlaceIsNotFeltAndRemovesNothing)
 {
-  BurrHand hand(this->Scene, this->Settings, this->Energies, 600);
+  BurrInVolume hand(this->Scene, this->Settings, this->Energies, 600);
   hand.Tick({ 28.0, 16.0, 16.0 });
   hand.Lead({ 24.5, 16.0, 16.0 }, 0.01);
   EXPECT_GT(hand.Removed, 0.0);
@@ -279,7 +279,7 @@ TEST_F(BurrSafety, AHandThatIsNoPlaceIsNotFeltAndRemovesNothing)
   EXPECT_EQ(this->Scene.Removal->Journal.GetUndoable(), 1u) << "its stroke has ended";
   // Without a place to write to, tissue is only felt.
   this->Scene.Removal = nullptr;
-  BurrHand other(this->Scene, this->Settings, this->Energies, 600);
+  BurrInVolume other(this->Scene, this->Settings, this->Energies, 600);
   other.Tick({ 28.0, 16.0, 16.0 });
   EXPECT_GT(Norm(other.Lead({ 24.5, 16.0, 16.0 }, 0.01).Force), 0.3);
   EXPECT_EQ(other.Removed, 0.0);

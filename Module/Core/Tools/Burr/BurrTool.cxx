@@ -10,7 +10,6 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 /** Steps of a tick, and how often one is tried anew at half its length. */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
@@ -25,35 +24,6 @@ constexpr double StrokeEnd = 0.5;
 /** J: the vibration gives back no more at a time. */
 constexpr double MostGivenBack = 1e-3;
 
-/** Points of equal areas on a sphere, along a spiral by the golden angle. */
-std::vector<ShellPoint> MakePoints(double radius, std::size_t count)
-{
-  std::vector<ShellPoint> points;
-  points.reserve(count);
-  const auto number = static_cast<double>(count);
-  const double area = 4.0 * Pi * radius * radius / number;
-  const double golden = Pi * (3.0 - std::sqrt(5.0));
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto n = static_cast<double>(i);
-    const double z = 1.0 - (2.0 * n + 1.0) / number;
-    const double r = std::sqrt(1.0 - z * z);
-    points.push_back(
-      { radius * Vector3{ r * std::cos(golden * n), r * std::sin(golden * n), z }, area });
-  }
-  return points;
-}
-
-double FindFrequency(double speed)
-{
-  double frequency = speed;
-  while (frequency > Burr::MostFrequency && frequency < HUGE_VAL)
-  {
-    frequency *= 0.5;
-  }
-  return frequency < HUGE_VAL ? frequency : 0.0;
-}
-
 /** A wave from -1 to 1 of parabolas, nearly a sine, whose mean is zero. */
 double Wave(double phase) noexcept
 {
@@ -65,9 +35,9 @@ double Wave(double phase) noexcept
 class Removing
 {
 public:
-  Removing(const Burr& burr, TissueRemoval& removal, BurrState& state, SphereCarver& carver,
+  Removing(double radius, TissueRemoval& removal, BurrState& state, SphereCarver& carver,
     BurrRecord& record) noexcept
-    : Tool(burr)
+    : Radius(radius)
     , Removal(removal)
     , State(state)
     , Carver(carver)
@@ -119,8 +89,7 @@ private:
     for (int i = 0; i < MostTries; ++i, way *= 0.5)
     {
       const Vector3 next = way == distance ? goal : s.Carved + (way / distance) * lag;
-      const CarvingCost cost =
-        this->Carver.Try(this->Removal, next, this->Tool.Settings.Radius, from);
+      const CarvingCost cost = this->Carver.Try(this->Removal, next, this->Radius, from);
       this->Bricks += cost.Bricks;
       if (cost.IsUsedUp)
       {
@@ -169,7 +138,7 @@ private:
     this->Record.RemovedVolume += cost.Volume;
   }
 
-  const Burr& Tool;
+  const double Radius; ///< m
   TissueRemoval& Removal;
   BurrState& State;
   SphereCarver& Carver;
@@ -189,32 +158,34 @@ double FindDepth(ShellMemory& memory) noexcept
   return depth;
 }
 
-void Remove(const HapticModel& model, const Burr& burr, bool isSpinning, double step,
-  BurrState& state, BurrMemory& memory, BurrRecord& record) noexcept
+void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
+  const BurrMemory& memory, BurrRecord& record) noexcept
 {
   TissueRemoval& removal = *model.Baked->Removal;
-  state.Idle += step;
-  if (removal.Journal.IsOpen() && (!isSpinning || state.Idle > StrokeEnd))
+  state.Idle += hand.Step;
+  if (removal.Journal.IsOpen() && (!hand.IsSpinning || state.Idle > StrokeEnd))
   {
     removal.Journal.End();
   }
   const Vector3& head = record.Shell.Tool.Position;
   const double force = Norm(record.Shell.Force);
-  if (isSpinning && !(step > 0.0))
+  if (hand.IsSpinning && !(hand.Step > 0.0))
   {
     return;
   }
-  if (!isSpinning || !(force > 0.0))
+  if (!hand.IsSpinning || !(force > 0.0))
   {
     // Free, or at rest.
     state.IsCarving = false;
-    state.Unspent = isSpinning ? state.Unspent : 0.0;
+    state.Unspent = hand.IsSpinning ? state.Unspent : 0.0;
     return;
   }
-  const BurrSettings& settings = burr.Settings;
+  const BakedTool& tool = *model.Baked->Tool;
+  const BakedBurr& burr = *tool.Burr;
+  const double radius = burr.Settings.Radius / model.WorldUnitsPerMeter;
   memory.Carver.SetTissue(
-    model, { settings.Shell.Level, settings.Shell.IsBelow, &burr.SpecificEnergy });
-  if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * settings.Radius)
+    model, { tool.ShellTouch.Level, tool.ShellTouch.IsBelow, &burr.SpecificEnergy });
+  if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
     // It begins where it touches nothing yet.
     const double away = FindDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
@@ -223,12 +194,13 @@ void Remove(const HapticModel& model, const Burr& burr, bool isSpinning, double 
     state.Carved = head + (away / force) * record.Shell.Force;
     state.LastCost = state.LastWay = 0.0;
   }
-  Removing removing(burr, removal, state, memory.Carver, record);
+  Removing removing(radius, removal, state, memory.Carver, record);
   // The level that is felt in a cavity lies a little before the sphere that was removed: as long as
   // it is pressed, the burr goes on.
   const double beyond = 0.25 * memory.Carver.GetVoxel();
-  removing.Follow(
-    head - (beyond / force) * record.Shell.Force, settings.Friction * force * burr.RimSpeed * step);
+  const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
+  removing.Follow(head - (beyond / force) * record.Shell.Force,
+    burr.Settings.Friction * force * speed * hand.Step);
 }
 
 /** The energy (J) of the spring between the hand and the head. */
@@ -239,29 +211,31 @@ double SpringEnergy(const ShellRecord& record, const Vector3& head, const Vector
 }
 
 /** The force that vibrates (N). */
-Vector3 Vibrate(const HapticModel& model, const Burr& burr, bool isSpinning, double step,
-  const ShellState& before, BurrState& state, const BurrRecord& record) noexcept
+Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const BurrHand& by,
+  const ShellState& before, const ShellState& after, BurrState& state,
+  const ShellRecord& shell) noexcept
 {
-  const ShellRecord& shell = record.Shell;
-  if (!before.Enabled || !isSpinning)
+  if (!before.Enabled || before.IsCarried || !by.IsSpinning)
   {
     state.Lost = 0.0;
     return {};
   }
+  const BakedTool& tool = *model.Baked->Tool;
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
   // What the hand has put into the spring, less what it still has of it.
   const double work = SpringEnergy(shell, before.Tool.Position, hand) -
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
-  const double lost = before.Budget + work - state.Shell.Budget;
+  const double lost = before.Budget + work - after.Budget;
   state.Lost = std::min(state.Lost + lost - Dot(state.Vibration, moved), MostGivenBack);
-  state.Phase += burr.Frequency * step;
+  state.Phase += tool.Burr->Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
   // The way that the hand may go until the next tick.
   constexpr double leastWay = 1e-5; // m
   const double way = 2.0 * Norm(moved) + leastWay;
-  const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
+  const double most =
+    std::min(tool.Burr->Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
   if (!(most > 0.0))
   {
     return {};
@@ -270,42 +244,34 @@ Vector3 Vibrate(const HapticModel& model, const Burr& burr, bool isSpinning, dou
   const Vector3 vibration = (most * Wave(state.Phase)) * direction;
   // With it, what is pressed bears no more than the strongest tissue does.
   const double strength = model.Baked->Materials.GetRange(2).High *
-    model.Baked->Materials.GetRange(4).High / burr.Settings.Shell.ContactArea;
-  const double pressed = burr.Shell.GetArea() * shell.Contacts /
-    static_cast<double>(std::max<std::size_t>(burr.Shell.GetSize(), 1));
+    model.Baked->Materials.GetRange(4).High / settings.ContactArea;
+  const double pressed = settings.Scale * settings.Scale * tool.Shell->GetArea() * shell.Contacts /
+    static_cast<double>(std::max<std::size_t>(tool.Shell->GetSize(), 1));
   const double bound = strength * pressed;
   return ClampNorm(shell.Force + vibration, std::max(bound, force)) - shell.Force;
 }
 
 } // namespace
 
-Burr::Burr(const BurrSettings& settings, const Polyline& specificEnergy, std::size_t points)
-  : Settings(settings)
-  , SpecificEnergy({ specificEnergy, ConstantPolyline(0.0) })
-  , Shell(MakePoints(settings.Radius, points))
-  , RimSpeed(2.0 * Pi * settings.Radius * settings.Speed)
-  , Frequency(FindFrequency(settings.Speed))
-{
-}
-
-void TickBurr(const HapticModel& model, const Burr& burr, const Vector3& hand, bool isSpinning,
-  double step, BurrState& state, BurrMemory& memory, BurrRecord& record) noexcept
+void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell, BurrState& state,
+  const BurrMemory& memory, BurrRecord& record) noexcept
 {
   record = BurrRecord{};
   TissueRemoval* const removal = model.Baked->Removal.get();
   if (removal && removal->Serve())
   {
     // Tissue may come back in which the head is.
+    shell.Enabled = false;
     state = BurrState{};
     removal->SetUsedUp(false);
-    record.Shell.Hand.Position = record.Shell.Tool.Position = hand;
+    record.Shell.Hand.Position = record.Shell.Tool.Position = hand.Position;
     return;
   }
-  const ShellState before = state.Shell;
-  TickShell(
-    model, burr.Shell, burr.Settings.Shell, { hand, {} }, state.Shell, memory.Shell, record.Shell);
-  const double seconds = step > 0.0 ? std::min(step, LongestTick) : 0.0;
-  if (!state.Shell.Enabled)
+  const BakedTool& tool = *model.Baked->Tool;
+  const ShellSettings settings = FindShellSettings(model);
+  const ShellState before = shell;
+  TickShell(model, *tool.Shell, settings, { hand.Position, {} }, shell, memory.Shell, record.Shell);
+  if (!shell.Enabled)
   {
     state = BurrState{};
     if (removal)
@@ -314,11 +280,13 @@ void TickBurr(const HapticModel& model, const Burr& burr, const Vector3& hand, b
     }
     return;
   }
-  state.Vibration = Vibrate(model, burr, isSpinning, seconds, before, state, record);
+  BurrHand by = hand;
+  by.Step = hand.Step > 0.0 ? std::min(hand.Step, LongestTick) : 0.0;
+  state.Vibration = Vibrate(model, settings, by, before, shell, state, record.Shell);
   record.Force = record.Shell.Force + state.Vibration;
   if (removal)
   {
-    Remove(model, burr, isSpinning, seconds, state, memory, record);
+    Remove(model, by, state, memory, record);
   }
 }
 

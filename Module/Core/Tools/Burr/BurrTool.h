@@ -26,70 +26,26 @@
 #ifndef BurrTool_h
 #define BurrTool_h
 
+#include "Core/Solvers/BurrState.h"
 #include "Core/Tools/Burr/SphereCarver.h"
 #include "Core/Tools/PointShell/ShellCoupling.h"
 
 namespace VolumeHaptics
 {
 
-/** A burr; all numbers are at least 0. */
-struct BurrSettings
+/** The hand that holds a burr. */
+struct BurrHand
 {
-  ShellSettings Shell;
-  double Radius = 2e-3;   ///< a, m
-  double Speed = 1000.0;  ///< n, revolutions a second
-  double Friction = 0.3;  ///< mu, between burr and tissue
-  double Vibration = 0.0; ///< share of the force, 0 to 1
+  Vector3 Position; ///< m
+  bool IsSpinning = false;
+  double Step = 0.0; ///< s, since the last tick; without a step nothing is removed
 };
 
-/** A burr, baked for the servo tick. Immutable. */
-class Burr
+/** What passes from tick to tick and grows with the tool. */
+struct BurrMemory
 {
-public:
-  static constexpr std::size_t DefaultPoints = 1000;
-
-  /** @param specificEnergy U, J/mm^3, against the value */
-  Burr(const BurrSettings& settings, const Polyline& specificEnergy,
-    std::size_t points = DefaultPoints);
-
-  const BurrSettings Settings;
-  const SpecificEnergyTable SpecificEnergy;
-  const PointShell Shell;
-  const double RimSpeed; ///< v, m/s
-  /** Hz, that of the vibration: at most MostFrequency. */
-  const double Frequency;
-
-  static constexpr double MostFrequency = 250.0;
-};
-
-/** The state from which the next tick goes on, together with BurrMemory. */
-struct BurrState
-{
-  ShellState Shell;
-  bool IsCarving = false; ///< whether Carved is a place to go on from
-  bool IsRemoved = false; ///< whether the sphere at Carved was removed
-  Vector3 Carved;         ///< m, the centre of the sphere that is removed
-  double Unspent = 0.0;   ///< J
-  ///@{
-  /** J and m, of the last steps: what a step costs. */
-  double LastCost = 0.0;
-  double LastWay = 0.0;
-  ///@}
-  double Idle = 0.0;  ///< s, since the burr last removed something
-  double Phase = 0.0; ///< of the vibration, 0 to 1
-  double Lost = 0.0;  ///< J, that the hand has lost, and the vibration may give back
-  Vector3 Vibration;  ///< N, of the last tick
-};
-
-class BurrMemory
-{
-public:
-  explicit BurrMemory(const Burr& burr)
-    : Shell(burr.Shell)
-  {
-  }
-  ShellMemory Shell;
-  SphereCarver Carver;
+  ShellMemory& Shell;
+  SphereCarver& Carver;
 };
 
 /** The results of one tick. */
@@ -103,13 +59,11 @@ struct BurrRecord
 };
 
 /**
- * Advances the state by one tick: first the requests to the removal, in whose ticks nothing is
- * felt; then the forces; then what they remove.
- * @param hand only its position counts
- * @param step s, since the last tick; without a step nothing is removed
+ * Advances the state of the burr of a model by one tick: first the requests to the removal, in
+ * whose ticks nothing is felt; then the forces; then what they remove.
  */
-void TickBurr(const HapticModel& model, const Burr& burr, const Vector3& hand, bool isSpinning,
-  double step, BurrState& state, BurrMemory& memory, BurrRecord& record) noexcept;
+void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell, BurrState& state,
+  const BurrMemory& memory, BurrRecord& record) noexcept;
 
 } // namespace VolumeHaptics
 

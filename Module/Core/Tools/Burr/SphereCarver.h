@@ -26,7 +26,6 @@
 #define SphereCarver_h
 
 #include "Core/Carving/TissueRemoval.h"
-#include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/HapticModel.h"
 
 #include <cstddef>
@@ -35,9 +34,6 @@
 
 namespace VolumeHaptics
 {
-
-/** The energy (J/mm^3) that it takes to remove tissue, against the value: channel 0. */
-using SpecificEnergyTable = PiecewiseTable<2>;
 
 /** Which tissue is carved. */
 struct CarvedTissue
@@ -83,6 +79,8 @@ public:
    */
   CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
     const Vector3* from = nullptr) noexcept;
+  /** The memory that a tick writes. */
+  void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
   /** Removes what was tried last. */
   void Carve(TissueRemoval& removal) const noexcept;
 

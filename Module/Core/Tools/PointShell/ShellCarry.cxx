@@ -22,7 +22,7 @@ bool IsSameVolume(const BakedVolume& from, const BakedVolume& to) noexcept
 
 const PointShell* ShellOf(const BakedVolume& baked) noexcept
 {
-  return baked.HasTool(ToolKind::Shell) ? baked.Tool->Shell.get() : nullptr;
+  return baked.HasShape() ? baked.Tool->Shell.get() : nullptr;
 }
 
 /** From the frame of one model's device to that of another's. */

@@ -308,6 +308,14 @@ private:
 
 } // namespace
 
+ShellSettings FindShellSettings(const HapticModel& model) noexcept
+{
+  ShellSettings settings = model.Baked->Tool->ShellTouch;
+  settings.Scale = 1.0 / model.WorldUnitsPerMeter;
+  settings.ContactArea *= settings.Scale * settings.Scale;
+  return settings;
+}
+
 double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept
 {

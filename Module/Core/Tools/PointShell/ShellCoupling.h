@@ -86,6 +86,9 @@ struct ShellRecord
   bool IsUnfinished = false;  ///< the tool is still on its way
 };
 
+/** Those of a model's tool with a shape, in the device's units of length. */
+ShellSettings FindShellSettings(const HapticModel& model) noexcept;
+
 /** J, of the springs between hand and tool. */
 double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept;

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A burr in the servo: see Burr/BurrTool.h for what it does.
+ *
+ * Its centre is at the device's tip. Its head has its size in the world, as a tool with a shape has
+ * (ShellTool.h); forces, energies and volumes are those of the hand's space.
+ */
+#ifndef BurrInServo_h
+#define BurrInServo_h
+
+#include "Core/Model/HapticModel.h"
+#include "Core/Solvers/ServoState.h"
+
+namespace VolumeHaptics
+{
+class ToolMemory;
+
+/**
+ * A tick of the burr of a model that has one, a HapticSettings::TickPeriod long. The proxy is the
+ * centre of the head. Writes to BakedVolume::Removal.
+ */
+void StepBurr(
+  const HapticModel& model, ServoState& state, ToolMemory& tool, TickRecord& record) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif
