@@ -11,6 +11,7 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
 import volumehaptics
+from volumehaptics.arrays import arrays
 
 RADIUS = 3.0
 LEVEL = 800.0
@@ -39,7 +40,7 @@ def press(tool):
     depth = np.concatenate([down, np.full(60, down[-1])])
     tip = np.column_stack([np.full(160, 7.0), np.full(160, 7.0), depth])
     trace = volumehaptics.touch(make_ramp(16), tip, tool=tool, property=above())
-    return volumehaptics.arrays(trace)["Force"][-1, 2], trace
+    return arrays(trace)["Force"][-1, 2], trace
 
 
 def expected():
@@ -52,9 +53,9 @@ def expected():
 def test_a_mesh_is_a_tool():
     force, trace = press(ball())
     assert force == pytest.approx(expected(), rel=0.01)
-    arrays = volumehaptics.arrays(trace)
-    assert arrays["Torque"].shape == (160, 3)
-    assert np.allclose(np.linalg.norm(arrays["ToolOrientation"], axis=1), 1.0)
+    felt = arrays(trace)
+    assert felt["Torque"].shape == (160, 3)
+    assert np.allclose(np.linalg.norm(felt["ToolOrientation"], axis=1), 1.0)
 
 
 def test_a_file_is_a_tool(tmp_path):

@@ -10,16 +10,41 @@
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkCamera.h"
+#include "vtkHapticPointShell.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** World units: from the hand to what a tool with a shape touches first; 0 without one. */
+double FindToolReach(vtkVolumeHapticsFilter* filter)
+{
+  auto* const tool = vtkHapticPointShell::SafeDownCast(filter->GetTool());
+  if (!tool || !tool->GetMesh() || tool->GetMesh()->GetNumberOfPoints() == 0)
+  {
+    return 0.0;
+  }
+  double bounds[6];
+  tool->GetMesh()->GetBounds(bounds);
+  double reach = 0.0;
+  for (const double bound : bounds)
+  {
+    reach = std::max(reach, std::abs(bound));
+  }
+  return reach;
+}
+
+} // namespace
 
 void TouchMode::Set(bool on)
 {
@@ -93,9 +118,9 @@ void TouchMode::Begin(const Vector3* at)
       // A mesh that is made in the background is not waited for.
       const HapticBaker baker(filter);
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
-      if (this->IsBeginning)
+      if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
       {
-        FindFirstContact(renderer, start, filter, start);
+        start = start - FindToolReach(filter) * LineOfSight(renderer, start);
       }
     }
   }
@@ -188,8 +213,9 @@ Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) c
   const double voxel = SmallestSpacing(filter->GetTouchedImage());
   if (this->Scene.Device->GetContact() == 0)
   {
-    const bool isNear = isOver && depth > -highest * voxel;
-    return after + (isNear ? depth : 0.0) * sight;
+    const double reach = FindToolReach(filter);
+    const bool isNear = isOver && depth > -highest * voxel - reach;
+    return after + (isNear ? depth : -reach) * sight;
   }
   const double change = Dot(after - target, sight) + depth;
   const bool isEdge = std::abs(change) > steepest * Norm(target - this->Lead) + voxel;

@@ -7,6 +7,7 @@
  */
 
 #include "PlayedVendor.h"
+#include "Rigs/ShellRig.h"
 #include "VendorRig.h"
 
 #include <limits>
@@ -108,6 +109,7 @@ TEST_F(VendorDevice, HasItsLimitsNameAndIdentityAndIsInUse)
   ASSERT_NO_FATAL_FAILURE(this->OpenReady());
   const DeviceLimits limits = this->Bench.Device->GetLimits();
   EXPECT_EQ(limits.MaximumForce, 4.0);
+  EXPECT_EQ(limits.MaximumTorque, 0.1);
   EXPECT_EQ(limits.MaximumStiffness, 800.0);
   EXPECT_EQ(limits.WorkspaceRadius, 0.05);
   EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
@@ -162,6 +164,69 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
       this->Bench.Device->Read(0.001, sample);
       return sample.Alive && !sample.Fresh;
     }));
+}
+
+/// A ball of 3 mm that is held 1 mm beside its middle, 2 mm deep in solid material above z = 10 mm:
+/// the force goes down, and the torque is that of the arm, which turns with the stylus.
+TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
+{
+  const TestVolume volume = MakeRamp();
+  HapticModelDescription d = coretest::Describe(volume);
+  std::vector<ShellPoint> points = coretest::MakeSphere(3.0, 1000);
+  for (ShellPoint& point : points)
+  {
+    point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
+  }
+  d.Tool.Kind = ToolKind::Shell;
+  d.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
+  d.Tool.Shell.Touch.Level = 1000.0;
+  d.Tool.Shell.Touch.ContactArea = 25.0;
+  const auto place = [this](double z, const Quaternion& q)
+  {
+    this->Play(
+      [&](PlayedVendor& played)
+      {
+        played.Pose = { { 0.012, 0.012, z }, { q.W, q.X, q.Y, q.Z }, 0, 0, 1 };
+        played.ReadResult = VOLUME_HAPTICS_VENDOR_NEWS;
+      });
+    std::this_thread::sleep_for(std::chrono::milliseconds(4));
+  };
+  place(0.006, {});
+  ASSERT_NO_FATAL_FAILURE(this->OpenReady());
+  this->Bench.Start(std::make_shared<const HapticModel>(d));
+  SafetyLimits limits = servotest::QuickLimits();
+  limits.MaximumTorque = this->Bench.Device->GetLimits().MaximumTorque;
+  this->Bench->SetLimits(limits);
+  this->Bench->Arm();
+  const Quaternion turns[] = { {}, coretest::TurnAbout({ 0.0, 0.0, 1.0 }, 0.5 * coretest::Pi) };
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    for (int i = 0; i <= 60; ++i)
+    {
+      place(0.006 + 5e-5 * i, turns[turn]);
+    }
+    // k (2 mm - depth) = pi kappa a depth^2, and the arm times it.
+    const double b = 500.0 / (coretest::Pi * coretest::Kappa * 3e-3);
+    const double force = 500.0 * (2e-3 - 0.5 * (std::sqrt(b * b + 4.0 * b * 2e-3) - b));
+    const auto isFelt = [&]
+    {
+      place(0.009, turns[turn]);
+      return this->Ask(
+        [&](const PlayedVendor& played)
+        {
+          const double torque = turn == 0 ? played.Torque[1] : -played.Torque[0];
+          const double other = turn == 0 ? played.Torque[0] : played.Torque[1];
+          return std::abs(played.Force[2] + force) < 0.02 * force &&
+            std::abs(torque - 1e-3 * force) < 0.03e-3 * force && std::abs(other) < 1e-5;
+        });
+    };
+    EXPECT_TRUE(Eventually(isFelt)) << turn;
+    for (int i = 60; i >= 0; --i)
+    {
+      place(0.006 + 5e-5 * i, turns[turn]);
+    }
+  }
+  this->Bench.Stop();
 }
 
 TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)

@@ -120,6 +120,34 @@ TEST_F(StyleTool, TheTipStaysWhereItIs)
   EXPECT_NEAR(this->Device->GetTipPosition()[0], before[0] + 2.0, 1e-6) << "10 pixels";
 }
 
+/// A box of 1 mm begins in front of the ball, and is then pressed into it by the wheel.
+TEST_F(StyleTool, ItBeginsInFrontOfWhatIsTouched)
+{
+  this->Filter->SetTool(this->Tool);
+  this->Interactor->SetAltKey(0);
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  ASSERT_TRUE(this->Device->Start());
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  this->RunUntilFullyArmed();
+  // Half of the box in front of where a point feels the surface, a kernel radius above it.
+  EXPECT_GT(this->Device->GetTipPosition()[2], 30.5);
+  EXPECT_LT(this->Device->GetTipPosition()[2], 33.5);
+  EXPECT_EQ(this->Device->GetContact(), 0);
+  for (int i = 0; i < 8; ++i)
+  {
+    this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+    this->Run(30);
+  }
+  EXPECT_TRUE(Eventually(
+    [this]
+    {
+      this->Style->UpdateHaptics();
+      return Length(this->Device->GetForce()) > 0.1;
+    }));
+  EXPECT_GT(this->Device->GetForce()[2], 0.1);
+}
+
 TEST_F(StyleTool, APointAndAMeasuredHandAreNotTurned)
 {
   this->Begin();
