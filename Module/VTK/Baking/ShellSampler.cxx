@@ -128,12 +128,16 @@ public:
     }
   }
 
-  /** The member that is nearest to a place; the lowest of several. There is at least one. */
-  std::size_t FindNearest(const SurfacePlace& place) const
+  /**
+   * The member that is nearest to a place; the lowest of several. There is at least one, within
+   * this length or not, where the search begins.
+   */
+  std::size_t FindNearest(const SurfacePlace& place, double within) const
   {
     double least = std::numeric_limits<double>::max();
     std::size_t nearest = this->Members.front().second;
-    for (double radius = this->Cell;; radius *= 2.0)
+    constexpr double shortest = 0.05; // of a cube
+    for (double radius = std::max(within, shortest * this->Cell);; radius *= 2.0)
     {
       this->ForNear(place.Position, radius,
         [&](std::size_t member)
@@ -247,9 +251,12 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   return kept;
 }
 
-/** For each place, the number of the chosen one that is nearest. */
-std::vector<std::size_t> FindOwners(
-  const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& chosen, double spacing)
+/**
+ * For each place, the number of the chosen one that is nearest. The one of before, if they have
+ * only moved, is near, too.
+ */
+std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
+  const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before)
 {
   const PlaceGrid grid(places, chosen, spacing);
   std::vector<std::size_t> numbers(places.size(), 0);
@@ -259,9 +266,13 @@ std::vector<std::size_t> FindOwners(
   }
   std::vector<std::size_t> owners;
   owners.reserve(places.size());
-  for (const SurfacePlace& place : places)
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    owners.push_back(numbers[grid.FindNearest(place)]);
+    constexpr double rounding = 1.0 + 1e-9;
+    const double within = before.empty()
+      ? spacing
+      : rounding * std::sqrt(SquaredDistance(places[i], places[chosen[before[i]]]));
+    owners.push_back(numbers[grid.FindNearest(places[i], within)]);
   }
   return owners;
 }
@@ -330,11 +341,11 @@ std::vector<ShellPoint> SpreadShellPoints(
     members.push_back(i);
   }
   std::vector<std::size_t> chosen = Eliminate(places, members, count, area);
-  std::vector<std::size_t> owners = FindOwners(places, chosen, spacing);
+  std::vector<std::size_t> owners = FindOwners(places, chosen, spacing, {});
   for (int round = 0; round < LloydRounds; ++round)
   {
     MoveToMiddles(places, owners, chosen);
-    owners = FindOwners(places, chosen, spacing);
+    owners = FindOwners(places, chosen, spacing, owners);
   }
   // In the middle of its part, but on the surface: sums of what is linear along a plane are
   // integrals. On a curved surface that is pressed into a plane, what points on it have too much is

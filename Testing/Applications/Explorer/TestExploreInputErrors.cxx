@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever cannot be explored gets one message that says what is wrong and how to cure it.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"
 #include "Expectations.h"
@@ -57,6 +58,44 @@ Explore::Options ParseNewtons(std::string newtons)
   std::string words[] = { "explore", "head.vti", "--newtons", std::move(newtons) };
   char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
   return Explore::ParseOptions(4, arguments);
+}
+
+/// What --tool takes, and the surfaces in files.
+void ExpectTools()
+{
+  const auto expectError = [](const std::string& tool, bool isRead, const std::string& fault)
+  {
+    std::string words[] = { "explore", "head.vti", "--tool", tool };
+    char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
+    std::string message = "nothing";
+    try
+    {
+      const Explore::Options options = Explore::ParseOptions(4, arguments);
+      message = "the tool " + options.Tool;
+      isRead ? void(Explore::ReadToolFile(options.Tool)) : void();
+    }
+    catch (const Explore::InputError& error)
+    {
+      message = error.what();
+    }
+    Expect(message.find(fault) != std::string::npos, "--tool " + tool + " gives " + message);
+  };
+  expectError("needle", false, "the tool needle");
+  expectError("spoon", false, "take needle, or point, or a surface that ends in .stl");
+  expectError("tool.step", false, "is not known");
+  expectError(folder + "/missing.stl", true, "there is no such file");
+  expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
+  // A tetrahedron beside the origin, whose box is then in the middle.
+  const std::string corners = "10 0 0\n13 0 0\n10 4 0\n10 0 5\n";
+  const std::string file = WriteText("tool.ply",
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+      corners + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  const vtkSmartPointer<vtkPolyData> tool = Explore::ReadToolFile(file);
+  const double* const bounds = tool->GetBounds();
+  Expect(tool->GetNumberOfPolys() == 4, "a tetrahedron has four faces");
+  Expect(bounds[0] == -1.5 && bounds[1] == 1.5 && bounds[3] == 2.0 && bounds[5] == 2.5,
+    "a tool that does not have the origin is put around it");
 }
 
 /// The strength of a stick along its two axes, and what is none.
@@ -220,6 +259,7 @@ int TestExploreInputErrors(int argc, char* argv[])
 
   ExpectNewtons();
   ExpectWindowFiles();
+  ExpectTools();
   ExpectPresetFiles(head);
   // 0.30 of red, 0.59 of green and 0.11 of blue are 15, 59 and 16.5.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
