@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Carving/ShareImage.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr std::int64_t SideOfBrick = CarvedBricks::Side;
+
+/** The part of a brick in a box: indices in the volume, both ends included. */
+struct BrickPart
+{
+  std::int64_t Low[3];
+  std::int64_t High[3];
+
+  BrickPart(const BrickPlace& place, const ShareBox& box) noexcept
+  {
+    const std::int64_t places[3] = { place.X, place.Y, place.Z };
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::int64_t first = places[a] * SideOfBrick;
+      this->Low[a] = std::max(first, box.First[a]);
+      this->High[a] = std::min(first + SideOfBrick, box.First[a] + box.Size[a]) - 1;
+    }
+  }
+  /** Calls f(row, begin, place) for each row: its first sample in the brick, and in the image. */
+  template <typename F>
+  void ForEachRow(const ShareBox& box, F&& f) const
+  {
+    for (std::int64_t k = this->Low[2]; k <= this->High[2]; ++k)
+    {
+      for (std::int64_t j = this->Low[1]; j <= this->High[1]; ++j)
+      {
+        const auto row = static_cast<int>(j % SideOfBrick + SideOfBrick * (k % SideOfBrick));
+        const std::int64_t line = (k - box.First[2]) * box.Size[1] + (j - box.First[1]);
+        f(row, static_cast<int>(this->Low[0] % SideOfBrick),
+          line * box.Size[0] + this->Low[0] - box.First[0]);
+      }
+    }
+  }
+  int GetLength() const noexcept { return static_cast<int>(this->High[0] - this->Low[0] + 1); }
+};
+
+/** Calls f(place) for each brick of a box. */
+template <typename F>
+void ForEachPlace(const ShareBox& box, F&& f)
+{
+  const auto first = [&box](int a) { return box.First[a] / SideOfBrick; };
+  const auto last = [&box](int a) { return (box.First[a] + box.Size[a] - 1) / SideOfBrick; };
+  for (std::int64_t z = first(2); z <= last(2); ++z)
+  {
+    for (std::int64_t y = first(1); y <= last(1); ++y)
+    {
+      for (std::int64_t x = first(0); x <= last(0); ++x)
+      {
+        f(BrickPlace{ x, y, z });
+      }
+    }
+  }
+}
+
+bool IsUsable(const ShareBox& box) noexcept
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::int64_t end = CarvedBricks::PlaceLimit * SideOfBrick;
+    if (box.First[a] < 0 || box.Size[a] <= 0 || box.First[a] > end - box.Size[a])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Whether all tissue of a brick remains in the image. */
+bool IsWhole(const BrickPart& part, const ShareBox& box, const std::uint8_t* from) noexcept
+{
+  bool isWhole = true;
+  part.ForEachRow(box,
+    [&](int, int, std::int64_t place)
+    {
+      isWhole = isWhole &&
+        std::all_of(from + place, from + place + part.GetLength(),
+          [](std::uint8_t share) { return share == CarvedBricks::Whole; });
+    });
+  return isWhole;
+}
+
+} // namespace
+
+void WriteBrick(
+  const CarvedBricks& bricks, std::uint32_t brick, const ShareBox& box, std::uint8_t* to) noexcept
+{
+  const BrickPart part(CarvedBricks::PlaceOf(bricks.GetKey(brick)), box);
+  const int length = part.GetLength();
+  part.ForEachRow(box,
+    [&](int row, int begin, std::int64_t place)
+    {
+      const std::uint64_t shares = bricks.GetRow(brick, row);
+      for (int i = 0; i < length; ++i)
+      {
+        to[place + i] = static_cast<std::uint8_t>(shares >> (8 * (begin + i)));
+      }
+    });
+}
+
+void WriteShares(const CarvedBricks& bricks, const ShareBox& box, std::uint8_t* to) noexcept
+{
+  if (!IsUsable(box))
+  {
+    return;
+  }
+  std::memset(
+    to, CarvedBricks::Whole, static_cast<std::size_t>(box.Size[0] * box.Size[1] * box.Size[2]));
+  const std::uint32_t count = bricks.GetCount();
+  for (std::uint32_t brick = 0; brick < count; ++brick)
+  {
+    WriteBrick(bricks, brick, box, to);
+  }
+}
+
+bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* from) noexcept
+{
+  if (!IsUsable(box))
+  {
+    return false;
+  }
+  std::uint64_t needed = bricks.GetCount();
+  ForEachPlace(box,
+    [&](const BrickPlace& place)
+    {
+      const bool isThere = bricks.Find(CarvedBricks::KeyOf(place)) != CarvedBricks::None;
+      needed += !isThere && !IsWhole(BrickPart(place, box), box, from) ? 1 : 0;
+    });
+  if (needed > bricks.GetMost())
+  {
+    return false;
+  }
+  const std::uint32_t before = bricks.GetCount();
+  for (std::uint32_t brick = 0; brick < before; ++brick)
+  {
+    for (int row = 0; row < CarvedBricks::Rows; ++row)
+    {
+      bricks.SetRow(brick, row, CarvedBricks::WholeRow);
+    }
+    bricks.MarkChanged(brick);
+  }
+  ForEachPlace(box,
+    [&](const BrickPlace& place)
+    {
+      const BrickPart part(place, box);
+      if (IsWhole(part, box, from))
+      {
+        return;
+      }
+      const std::uint32_t brick = bricks.FindOrAdd(CarvedBricks::KeyOf(place));
+      const int length = part.GetLength();
+      part.ForEachRow(box,
+        [&](int row, int begin, std::int64_t at)
+        {
+          std::uint64_t shares = CarvedBricks::WholeRow;
+          for (int i = 0; i < length; ++i)
+          {
+            const int shift = 8 * (begin + i);
+            shares &= ~(std::uint64_t{ 255 } << shift);
+            shares |= std::uint64_t{ from[at + i] } << shift;
+          }
+          bricks.SetRow(brick, row, shares);
+        });
+      bricks.MarkChanged(brick);
+    });
+  return true;
+}
+
+} // namespace VolumeHaptics
