@@ -21,59 +21,69 @@ inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t shares, in
   }
 }
 
-/** Copies what is left of the samples of a box, all of which are in the bricks of a row along x. */
-template <typename T>
-void CopyLines(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
-  const std::int64_t* low, const std::int64_t* high, const std::uint32_t* bricks, double* to)
+/** The bricks of a box, by their numbers, x first. */
+struct BoxBricks
 {
-  constexpr std::int64_t mask = CarvedBricks::Side - 1;
-  const std::int64_t* const stride = whole.Stride;
-  const std::int64_t firstBrick = box.Low[0] >> CarvedBricks::Shift;
-  const std::int64_t lastBrick = box.High[0] >> CarvedBricks::Shift;
-  for (std::int64_t k = low[1]; k <= high[1]; ++k)
+  static constexpr std::int64_t MostAlong = CarvedBox::MostSide / CarvedBricks::Side + 1;
+
+  std::uint32_t Numbers[MostAlong * MostAlong * MostAlong];
+  std::int64_t First[3];
+  std::int64_t Count[3];
+
+  /** False if none is there. */
+  bool Find(const CarvedBricks& bricks, const CarvedBox& box) noexcept
   {
-    for (std::int64_t j = low[0]; j <= high[0]; ++j)
+    for (int a = 0; a < 3; ++a)
     {
-      const T* const from = static_cast<const T*>(whole.Data) + k * stride[2] + j * stride[1];
-      double* const line =
-        to + ((k - box.Low[2]) * box.Size(1) + (j - box.Low[1])) * box.Size(0) - box.Low[0];
-      const auto row = static_cast<int>((j & mask) + CarvedBricks::Side * (k & mask));
-      for (std::int64_t brick = firstBrick; brick <= lastBrick; ++brick)
+      this->First[a] = box.Low[a] >> CarvedBricks::Shift;
+      this->Count[a] = (box.High[a] >> CarvedBricks::Shift) - this->First[a] + 1;
+    }
+    bool isAny = false;
+    std::uint32_t* to = this->Numbers;
+    for (std::int64_t z = this->First[2]; z < this->First[2] + this->Count[2]; ++z)
+    {
+      for (std::int64_t y = this->First[1]; y < this->First[1] + this->Count[1]; ++y)
       {
-        const std::uint32_t number = bricks[brick - firstBrick];
-        const std::uint64_t shares = number == CarvedBricks::None
-          ? CarvedBricks::WholeRow
-          : carved.Bricks->GetRow(number, row);
-        const std::int64_t begin = std::max(box.Low[0], brick * CarvedBricks::Side);
-        const std::int64_t end =
-          std::min(box.High[0], brick * CarvedBricks::Side + CarvedBricks::Side - 1);
-        CopyRun(from + begin * stride[0], stride[0], shares >> (8 * (begin & mask)),
-          static_cast<int>(end - begin), carved, line + begin);
+        for (std::int64_t x = this->First[0]; x < this->First[0] + this->Count[0]; ++x)
+        {
+          *to = bricks.Find(CarvedBricks::KeyOf({ x, y, z }));
+          isAny = isAny || *to != CarvedBricks::None;
+          ++to;
+        }
       }
     }
+    return isAny;
   }
-}
+};
 
+/** Copies what is left of the samples of a box. */
 template <typename T>
-void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to)
+void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
+  const BoxBricks& bricks, double* to)
 {
-  constexpr std::int64_t side = CarvedBricks::Side;
-  const auto brickOf = [](std::int64_t index) { return index >> CarvedBricks::Shift; };
-  std::uint32_t bricks[CarvedBox::MostSide / side + 2];
-  for (std::int64_t z = brickOf(box.Low[2]); z <= brickOf(box.High[2]); ++z)
+  constexpr std::int64_t mask = CarvedBricks::Side - 1;
+  const std::int64_t stride = whole.Stride[0];
+  for (std::int64_t k = box.Low[2]; k <= box.High[2]; ++k)
   {
-    for (std::int64_t y = brickOf(box.Low[1]); y <= brickOf(box.High[1]); ++y)
+    const std::int64_t z = (k >> CarvedBricks::Shift) - bricks.First[2];
+    for (std::int64_t j = box.Low[1]; j <= box.High[1]; ++j)
     {
-      const std::int64_t first = brickOf(box.Low[0]);
-      for (std::int64_t x = first; x <= brickOf(box.High[0]); ++x)
+      const std::int64_t y = (j >> CarvedBricks::Shift) - bricks.First[1];
+      const std::uint32_t* number = bricks.Numbers + (z * bricks.Count[1] + y) * bricks.Count[0];
+      const auto row = static_cast<int>((j & mask) + CarvedBricks::Side * (k & mask));
+      const T* const from =
+        static_cast<const T*>(whole.Data) + k * whole.Stride[2] + j * whole.Stride[1];
+      for (std::int64_t i = box.Low[0]; i <= box.High[0]; ++number)
       {
-        bricks[x - first] = carved.Bricks->Find(CarvedBricks::KeyOf({ x, y, z }));
+        const std::uint64_t shares = *number == CarvedBricks::None
+          ? CarvedBricks::WholeRow
+          : carved.Bricks->GetRow(*number, row);
+        const std::int64_t last = std::min(box.High[0], i | mask);
+        CopyRun(from + i * stride, stride, shares >> (8 * (i & mask)), static_cast<int>(last - i),
+          carved, to);
+        to += last - i + 1;
+        i = last + 1;
       }
-      const std::int64_t low[2] = { std::max(box.Low[1], y * side),
-        std::max(box.Low[2], z * side) };
-      const std::int64_t high[2] = { std::min(box.High[1], y * side + side - 1),
-        std::min(box.High[2], z * side + side - 1) };
-      CopyLines<T>(whole, carved, box, low, high, bricks, to);
     }
   }
 }
@@ -102,12 +112,13 @@ CarvedBox FindBox(const VolumeView& view, const double* position, int before, in
 bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box, double* to,
   VolumeView& copy) noexcept
 {
-  if (!carved.Bricks->HasBricks(box.Low, box.High))
+  BoxBricks bricks;
+  if (!bricks.Find(*carved.Bricks, box))
   {
     return false;
   }
   WithSampleType(
-    whole.Type, [&](auto sample) { CopyBox<decltype(sample)>(whole, carved, box, to); });
+    whole.Type, [&](auto sample) { CopyBox<decltype(sample)>(whole, carved, box, bricks, to); });
   copy = whole;
   copy.Type = ScalarType::Float64;
   copy.Stride[0] = 1;

@@ -16,7 +16,7 @@ constexpr int MostTries = 6;
 /** Voxels: so little is not felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
 /** Bricks that a tick has time to look at. */
-constexpr std::size_t MostBricks = 600;
+constexpr std::size_t MostBricks = 128;
 /** s: no tick is longer. */
 constexpr double LongestTick = 0.1;
 /** s without removal, after which a stroke ends. */
@@ -86,7 +86,7 @@ private:
     BurrState& s = this->State;
     const Vector3* const from = s.IsRemoved ? &s.Carved : nullptr;
     double way = longest;
-    for (int i = 0; i < MostTries; ++i, way *= 0.5)
+    for (int i = 0; i < MostTries && this->Bricks < MostBricks; ++i, way *= 0.5)
     {
       const Vector3 next = way == distance ? goal : s.Carved + (way / distance) * lag;
       const CarvingCost cost = this->Carver.Try(this->Removal, next, this->Radius, from);
