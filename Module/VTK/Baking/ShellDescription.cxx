@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -26,7 +27,10 @@ namespace
 /** A tick of more takes too long for any servo, and their memory must stay there. */
 constexpr int MostShellPoints = 100000;
 
-/** Points that models use, so that those of a mesh that has not changed are not spread again. */
+/**
+ * Points that models use, and the last few that were made, so that those of a mesh that has not
+ * changed are not spread again.
+ */
 class ShellsInUse
 {
 public:
@@ -45,6 +49,8 @@ public:
                                   SpreadShellPoints(triangles, static_cast<std::size_t>(count)))
                               : nullptr;
     this->Shells[key] = shell;
+    this->Last[this->Next] = shell;
+    this->Next = (this->Next + 1) % this->Last.size();
     for (auto i = this->Shells.begin(); i != this->Shells.end();)
     {
       i = i->second.expired() ? this->Shells.erase(i) : std::next(i);
@@ -57,6 +63,8 @@ private:
 
   std::mutex Mutex;
   std::map<Key, std::weak_ptr<const PointShell>> Shells;
+  std::array<std::shared_ptr<const PointShell>, 4> Last;
+  std::size_t Next = 0;
 };
 
 ShellsInUse& GetShellsInUse()
