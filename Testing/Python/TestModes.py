@@ -3,13 +3,11 @@
 """Modes from Python: what is seen is what is felt, and the demonstrations show what they say."""
 
 import re
-import subprocess
-import sys
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
+from demonstration import run
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -17,12 +15,9 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkTensorGlyph
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGReader
 from volumehaptics import (
     touch, vtkHapticDevice, vtkHapticGuideMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode,
     vtkVolumeHapticsFilter)
-
-DEMONSTRATIONS = Path(__file__).resolve().parents[2] / "Examples" / "Python"
 
 
 def make_image(name, components, function):
@@ -224,18 +219,6 @@ def test_grids_that_can_not_be_felt_say_why():
         touch(vtkMultiBlockDataSet(), path)
     with pytest.raises(TypeError):
         touch(vtkPolyData(), path)
-
-
-def run(name, picture, *words):
-    command = [sys.executable, DEMONSTRATIONS / name, *words, "--picture", picture]
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=250, check=False)
-    assert done.returncode == 0, done.stderr
-    reader = vtkPNGReader()
-    reader.SetFileName(str(picture))
-    reader.Update()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
-    assert len(np.unique(pixels, axis=0)) > 1000, "there is something to see"
-    return done.stdout
 
 
 def write_foam(folder, size, flow):

@@ -3,9 +3,11 @@
 """Tools with a shape in touch(): of meshes, of files, and what can't be one."""
 
 import math
+import re
 
 import numpy as np
 import pytest
+from demonstration import run
 from ramp import make_ramp
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
@@ -97,3 +99,22 @@ def test_an_open_mesh_is_refused():
     plane.Update()
     with pytest.raises(ValueError, match="is not closed"):
         press(plane.GetOutput())
+
+
+@pytest.mark.parametrize("is_file", [False, True])
+def test_a_spoon_lies_on_the_head(is_file, tmp_path):
+    """It turns by less than the hand goes around the head, 1 rad, and with the torque of its spring, 30 mN m/rad."""
+    words = []
+    if is_file:
+        writer = vtkSTLWriter()
+        writer.SetFileName(str(tmp_path / "ball.stl"))
+        writer.SetInputData(ball())
+        writer.Write()
+        words = ["--tool", tmp_path / "ball.stl"]
+    said = run("shaped_tool.py", tmp_path / "picture.png", *words)
+    found = re.match(r"at most ([\d.]+) N, ([\d.]+) mN m, and ([\d.]+) degrees out of the hand", said)
+    assert found, said
+    force, torque, tilt = map(float, found.groups())
+    assert 0.5 < force < 4.0, said
+    assert torque == pytest.approx(30.0 * math.sin(math.radians(tilt)), abs=0.1), said
+    assert (25.0 < tilt < 57.3) if not is_file else tilt < 57.3, said
