@@ -131,6 +131,7 @@ def test_stylus_turns_is_recorded_and_replayed(tmp_path):
 
     recording = str(tmp_path / "turn.vtp")
     assert device.StartRecording(recording)
+    device.UpdateState()  # no tick of before counts
     first = device.GetTick()
     wait(device, lambda: device.GetTick() > first + 3)
     angle = 0.8  # about x

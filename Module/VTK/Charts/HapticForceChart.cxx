@@ -320,6 +320,10 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
   const auto modes = static_cast<int>(std::min(this->Modes.size(), ModeColorCount));
   for (int c = 0; c < HapticForceTable::Curves + modes; ++c)
   {
+    if (!this->Plots[c])
+    {
+      continue; // of a mode that was never active
+    }
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
     if (this->Lines[c]->GetNumberOfRows() < 2)
