@@ -9,34 +9,17 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 from paraview import simple  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkPoints  # noqa: E402
 from vtkmodules.vtkCommonDataModel import vtkPolyData  # noqa: E402
 
 
-def expect(touch, *words):
-    """An update says all the words, and the output is empty; without words, it says nothing."""
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(log)
-    touch.UpdatePipeline()
-    vtkOutputWindow.SetInstance(console)
-    text = log.GetOutput()
-    for word in words:
-        assert word in text, f"{word} is not in: {text}"
-    assert words or "ERROR" not in text, text
-    if words:
-        assert touch.GetDataInformation().GetNumberOfPoints() == 0
-
-
 def path_through(*points):
-    source = simple.PVTrivialProducer()
     path = vtkPolyData()
     path.SetPoints(vtkPoints())
     path.GetPoints().SetDataTypeToDouble()
     for point in points:
         path.GetPoints().InsertNextPoint(point)
-    source.GetClientSideObject().SetOutput(path)
-    source.UpdatePipeline()
-    return source
+    return rig.produce(path)
 
 
 def touch(**inputs):
@@ -49,13 +32,13 @@ line = rig.HapticPath(Point1=[0, 0, 115], Point2=[0, 0, 98])
 
 # Applied without a path: empty, and no error; with one and without it again.
 haptics = touch(Input=head)
-expect(haptics)
+rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
 haptics.Path = line
-expect(haptics)
+rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 171
 haptics.Path = None
-expect(haptics)
+rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 0
 
 # A path that is no polygonal data is not in the list that the panel offers.
@@ -69,21 +52,21 @@ chooser.ClearUncheckedElements()
 wavelet = simple.Wavelet()
 cells = simple.PointDatatoCellData(Input=wavelet)
 cells.UpdatePipeline()
-expect(touch(Input=cells, Path=line), "no point scalars", "active scalars")
+rig.expect(touch(Input=cells, Path=line), "no point scalars", "active scalars")
 wrong = touch(Input=head, Path=line)
 wrong.Scalars = ["POINTS", "Nothing"]
-expect(wrong, "Nothing", "numeric point array")
+rig.expect(wrong, "Nothing", "numeric point array")
 thin = simple.Wavelet(WholeExtent=[-5, 5, 0, 0, -5, 5])
 thin.UpdatePipeline()
-expect(touch(Input=thin, Path=line), "voxel")
-expect(touch(Input=head, Path=path_through((0, 0, 115), (math.nan, 0, 98))), "NaN", "point 1")
-expect(touch(Input=head, Path=line, Component=3), "omponent")
-expect(touch(Input=head, Path=line, Preset="Wood"), "Wood", "CT contrast")
-expect(rig.HapticPath(Point1=[1, 2, 3], Point2=[1, 2, 3]), "Point1 and Point2", "Move")
-expect(rig.HapticPath(Shape="From file", FileName="nowhere.vtp"), "nowhere.vtp", "does not exist")
-expect(rig.HapticPath(Shape="Spiral", Radius=-1.0), "Radius", "more than 0")
+rig.expect(touch(Input=thin, Path=line), "voxel")
+rig.expect(touch(Input=head, Path=path_through((0, 0, 115), (math.nan, 0, 98))), "NaN", "point 1")
+rig.expect(touch(Input=head, Path=line, Component=3), "omponent")
+rig.expect(touch(Input=head, Path=line, Preset="Wood"), "Wood", "CT contrast")
+rig.expect(rig.HapticPath(Point1=[1, 2, 3], Point2=[1, 2, 3]), "Point1 and Point2", "Move")
+rig.expect(rig.HapticPath(Shape="From file", FileName="nowhere.vtp"), "nowhere.vtp", "does not exist")
+rig.expect(rig.HapticPath(Shape="Spiral", Radius=-1.0), "Radius", "more than 0")
 
 # And what is right still works.
 haptics.Path = line
-expect(haptics)
+rig.expect(haptics)
 assert haptics.GetDataInformation().GetNumberOfPoints() == 171

@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 from paraview import simple  # noqa: E402
 from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkPoints  # noqa: E402
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData  # noqa: E402
 
 LAYERS = ((3, 20, 0.3), (12, 5, 0.1), (20, 25, 0.3), (3, 60, 0.8), (100, 0, 0))
@@ -25,20 +25,13 @@ EXPECTED = ((2.5, 0.35, 0.05), (14.5, 0.1 + 0.06 + 0.0575, 0.06 + 0.0575), (25, 
             (37.5, 1.57, 0.77), (40, 0.8, 0.8))
 
 
-def produce(data):
-    source = simple.PVTrivialProducer()
-    source.GetClientSideObject().SetOutput(data)
-    source.UpdatePipeline()
-    return source
-
-
 def stack(values):
     image = vtkImageData()
     image.SetDimensions(16, 16, 56)
     samples = numpy.repeat(numpy.array([values(k) for k in range(56)], numpy.int16), 256)
     image.GetPointData().SetScalars(numpy_to_vtk(samples, deep=True))
     image.GetPointData().GetScalars().SetName("values")
-    return produce(image)
+    return rig.produce(image)
 
 
 def label_at(depth):
@@ -52,7 +45,7 @@ def path(*places):
     points.SetData(numpy_to_vtk(numpy.stack([numpy.full_like(z, 7.0), numpy.full_like(z, 7.0), z], 1), deep=True))
     line = vtkPolyData()
     line.SetPoints(points)
-    return produce(line)
+    return rig.produce(line)
 
 
 def forces(touch):
@@ -72,15 +65,8 @@ def at(curve, depth):
 
 
 def refuse(touch, name, value, *words):
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     before = touch.GetProperty(name).GetData()
-    vtkOutputWindow.SetInstance(log)
-    setattr(touch, name, value)
-    touch.UpdatePipeline()
-    vtkOutputWindow.SetInstance(console)
-    for word in words:
-        assert word in log.GetOutput(), f"{word} is not in: {log.GetOutput()}"
-    assert touch.GetDataInformation().GetNumberOfPoints() == 0
+    rig.expect(touch, *words, **{name: value})
     setattr(touch, name, before)
 
 

@@ -15,17 +15,10 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
 from paraview import simple  # noqa: E402
 from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringOutputWindow  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkPoints  # noqa: E402
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData  # noqa: E402
 
 RADIUS, SURFACE, STIFFNESS, COUPLING, AREA = 3.0, 8.0, 500.0, 500.0, 25.0  # mm, mm, N/m, N/m, mm^2
-
-
-def produce(data):
-    source = simple.PVTrivialProducer()
-    source.GetClientSideObject().SetOutput(data)
-    source.UpdatePipeline()
-    return source
 
 
 def ramp():
@@ -33,7 +26,7 @@ def ramp():
     image.SetDimensions(16, 16, 16)
     image.GetPointData().SetScalars(numpy_to_vtk(numpy.repeat(100.0 * numpy.arange(16.0), 256), deep=True))
     image.GetPointData().GetScalars().SetName("values")
-    return produce(image)
+    return rig.produce(image)
 
 
 def path():
@@ -42,17 +35,7 @@ def path():
     points.SetData(numpy_to_vtk(numpy.stack([numpy.full_like(z, 7.0), numpy.full_like(z, 7.0), z], 1), deep=True))
     line = vtkPolyData()
     line.SetPoints(points)
-    return produce(line)
-
-
-def refuse(touch, *words):
-    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(log)
-    touch.UpdatePipeline()
-    vtkOutputWindow.SetInstance(console)
-    for word in words:
-        assert word in log.GetOutput(), f"{word} is not in: {log.GetOutput()}"
-    assert touch.GetDataInformation().GetNumberOfPoints() == 0
+    return rig.produce(line)
 
 
 image = ramp()
@@ -66,7 +49,7 @@ touch.SurfaceStrength.Points = [0, 0, 0.5, 0, 799, 0, 0.5, 0, 801, 1, 0.5, 0, 15
 touch.SurfaceStrengthScale = 1000.0
 
 touch.Tool = "Point shell"
-refuse(touch, "Choose closed polygons as Surface")
+rig.expect(touch, "Choose closed polygons as Surface")
 touch.Surface = ball
 arrays = rig.arrays_of(touch)
 kappa = STIFFNESS / (AREA * 1e-6)
@@ -82,7 +65,7 @@ ball.Radius = 3.5
 touch.UpdatePipeline()
 assert abs(rig.arrays_of(touch)["Force"][-1, 2]) > 1.1 * force
 ball.EndTheta = 180.0
-refuse(touch, "closed")
+rig.expect(touch, "closed")
 ball.EndTheta = 360.0
 touch.Tool = "None"
 assert "Torque" not in rig.arrays_of(touch)

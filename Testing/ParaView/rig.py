@@ -14,6 +14,7 @@ import numpy
 from paraview import servermanager, simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 PLUGIN, REFERENCE, SOURCE, OUTPUT = sys.argv[1:5]
 simple.LoadPlugin(PLUGIN, remote=False, ns=globals())
@@ -37,6 +38,30 @@ def read(name):
     source = reader(FileName=[file])
     source.UpdatePipeline()
     return source
+
+
+def produce(data):
+    """A pipeline source of data that a test has made."""
+    source = simple.PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    source.UpdatePipeline()
+    return source
+
+
+def expect(touch, *words, **settings):
+    """Settings and an update say all the words, and the output is empty; without words, they say nothing."""
+    log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(log)
+    for name, value in settings.items():
+        setattr(touch, name, value)
+    touch.UpdatePipeline()
+    vtkOutputWindow.SetInstance(console)
+    text = log.GetOutput()
+    for word in words:
+        assert word in text, f"{word} is not in: {text}"
+    assert words or "ERROR" not in text, text
+    if words:
+        assert touch.GetDataInformation().GetNumberOfPoints() == 0
 
 
 def arrays_of(proxy):

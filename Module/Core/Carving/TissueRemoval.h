@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tool has removed from a volume: the one thing that a tick writes beside its own state.
+ * The tissue that a tool has removed from a volume. A tick writes nothing else but its own state.
  */
 #ifndef TissueRemoval_h
 #define TissueRemoval_h

@@ -28,7 +28,7 @@ struct BurrSettings
 /** The energy (J/mm^3) that it takes to remove tissue, against the value: channel 0. */
 using SpecificEnergyTable = PiecewiseTable<2>;
 
-/** What a burr has beside the shell of its head. */
+/** A burr, but for the points of its head. */
 struct BurrDescription
 {
   BurrSettings Settings;

@@ -40,7 +40,7 @@ Vector3 TorqueStage::Apply(
   growth.IsMeasured = input.IsMeasured;
   growth.Share = gate.GetShare();
   growth.Growth = limits.MaximumTorqueRate * input.Period;
-  // What a spring gives back that pulls with all of the torque, of which no more than this is felt.
+  // The energy of a spring that pulls with the whole torque, of which `most` is felt at most.
   growth.Recoverable = k > 0.0 ? 0.5 * most * (2.0 * Norm(input.Torque) - most) / k : -1.0;
   return this->Growth.Apply(growth);
 }

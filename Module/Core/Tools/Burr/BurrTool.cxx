@@ -109,7 +109,7 @@ private:
     s.Unspent = std::min(s.Unspent, s.LastCost);
     if (!(s.LastCost < HUGE_VAL))
     {
-      // What cannot be removed at all teaches nothing of what is beside it.
+      // Tissue that cannot be removed: its cost does not estimate that of the next step.
       s.Unspent = s.LastCost = s.LastWay = 0.0;
     }
     return false;
@@ -223,7 +223,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   const BakedTool& tool = *model.Baked->Tool;
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
-  // What the hand has put into the spring, less what it still has of it.
+  // The work of the hand on the spring; what is not stored after it is lost.
   const double work = SpringEnergy(shell, before.Tool.Position, hand) -
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
   const double lost = before.Budget + work - after.Budget;
