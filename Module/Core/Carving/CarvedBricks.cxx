@@ -26,7 +26,7 @@ CarvedBricks::CarvedBricks(std::uint32_t most)
   this->Shares.reset(new std::atomic<std::uint64_t>[rows]);
   std::for_each(this->Shares.get(), this->Shares.get() + rows,
     [](auto& row) { row.store(WholeRow, std::memory_order_relaxed); });
-  const std::size_t words = (std::size_t{ this->Most } + 63) / 64;
+  const std::size_t words = this->Most / BricksOfWord + 1;
   this->Changed.reset(new std::atomic<std::uint64_t>[words]);
   std::for_each(this->Changed.get(), this->Changed.get() + words,
     [](auto& word) { word.store(0, std::memory_order_relaxed); });
@@ -87,11 +87,38 @@ std::uint32_t CarvedBricks::FindOrAdd(std::uint64_t key) noexcept
   return brick;
 }
 
+int CarvedBricks::AddFollower() noexcept
+{
+  std::uint32_t all = this->Followers.load(std::memory_order_relaxed);
+  int follower = 0;
+  do
+  {
+    for (follower = 0; (all >> follower & 1) != 0; ++follower)
+    {
+    }
+    if (follower == MostFollowers)
+    {
+      return -1;
+    }
+  } while (!this->Followers.compare_exchange_weak(
+    all, all | 1U << follower, std::memory_order_acq_rel, std::memory_order_relaxed));
+  // Bricks that come later are marked when they are written.
+  const std::uint32_t count = this->GetCount();
+  for (std::uint32_t brick = 0; brick < count; ++brick)
+  {
+    this->Changed[brick / BricksOfWord].fetch_or(
+      std::uint64_t{ 1 } << (MostFollowers * (brick % BricksOfWord) + follower),
+      std::memory_order_acquire);
+  }
+  return follower;
+}
+
 std::size_t CarvedBricks::GetMemorySize() const noexcept
 {
   const std::size_t bricks = this->Most;
   return sizeof(*this) + (this->SlotMask + 1) * sizeof(std::uint32_t) +
-    bricks * (Rows + 1) * sizeof(std::uint64_t) + (bricks + 63) / 64 * sizeof(std::uint64_t);
+    bricks * (Rows + 1) * sizeof(std::uint64_t) +
+    (bricks / BricksOfWord + 1) * sizeof(std::uint64_t);
 }
 
 } // namespace VolumeHaptics

@@ -9,8 +9,8 @@
  * that nothing grows with the volume.
  *
  * One thread writes, without a lock or an allocation. Any other thread may read at any time; what
- * it reads of a brick may be of different moments. One of them may follow the changes: it takes the
- * bricks that were written since it last asked, and misses none, however slow it is.
+ * it reads of a brick may be of different moments. A few of them may follow the changes: each takes
+ * the bricks that were written since it last asked, and misses none, however slow it is.
  */
 #ifndef CarvedBricks_h
 #define CarvedBricks_h
@@ -42,6 +42,7 @@ public:
   static constexpr std::uint8_t Whole = 255;
   static constexpr std::uint32_t None = ~std::uint32_t{ 0 };
   static constexpr std::uint32_t DefaultMost = 16384; ///< 8 MiB
+  static constexpr int MostFollowers = 8;
   /** A brick's place has 21 bits along each axis. */
   static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
 
@@ -100,26 +101,43 @@ public:
   /** After rows of a brick were set. */
   void MarkChanged(std::uint32_t brick) noexcept
   {
-    this->Changed[brick / 64].fetch_or(std::uint64_t{ 1 } << brick % 64, std::memory_order_release);
+    this->Changed[brick / BricksOfWord].fetch_or(
+      AllFollowers << MostFollowers * (brick % BricksOfWord), std::memory_order_release);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * From any thread: the number of a new follower, to which all bricks are changed; -1 if there are
+   * as many as there can be.
+   */
+  int AddFollower() noexcept;
+  void RemoveFollower(int follower) noexcept
+  {
+    this->Followers.fetch_and(~(1U << follower), std::memory_order_release);
   }
   ///@}
 
   /**
-   * Called by one reader: calls f(brick) for each brick that was changed since the last call. What
+   * Called by a follower: calls f(brick) for each brick that was changed since the last call. What
    * it reads then is at least as new as the change.
    */
   template <typename F>
-  void TakeChanged(F&& f)
+  void TakeChanged(int follower, F&& f)
   {
+    constexpr std::uint64_t first = 0x0101010101010101; // a follower's bits
+    const std::uint64_t mine = first << follower;
     const std::uint32_t count = this->GetCount();
-    for (std::uint32_t word = 0; 64 * word < count; ++word)
+    for (std::uint32_t word = 0; BricksOfWord * word < count; ++word)
     {
-      if (this->Changed[word].load(std::memory_order_relaxed) == 0)
+      if ((this->Changed[word].load(std::memory_order_relaxed) & mine) == 0)
       {
         continue;
       }
-      std::uint64_t changed = this->Changed[word].exchange(0, std::memory_order_acquire);
-      for (std::uint32_t brick = 64 * word; changed != 0; changed >>= 1, ++brick)
+      std::uint64_t changed =
+        (this->Changed[word].fetch_and(~mine, std::memory_order_acquire) & mine) >> follower;
+      for (std::uint32_t brick = BricksOfWord * word; changed != 0;
+           changed >>= MostFollowers, ++brick)
       {
         if ((changed & 1) != 0)
         {
@@ -132,6 +150,9 @@ public:
   std::size_t GetMemorySize() const noexcept; ///< bytes
 
 private:
+  static constexpr std::uint32_t BricksOfWord = 64 / MostFollowers;
+  static constexpr std::uint64_t AllFollowers = (1U << MostFollowers) - 1;
+
   static std::size_t RowAt(std::uint32_t brick, int row) noexcept
   {
     return std::size_t{ brick } * Rows + static_cast<std::size_t>(row);
@@ -147,7 +168,9 @@ private:
   std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< twice as many as bricks, at least
   std::unique_ptr<std::uint64_t[]> Keys;               ///< each is written before its slot
   std::unique_ptr<std::atomic<std::uint64_t>[]> Shares;
-  std::unique_ptr<std::atomic<std::uint64_t>[]> Changed; ///< a bit for each brick
+  /** For each brick, a bit for each follower, whether there is such a one or not. */
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;
+  std::atomic<std::uint32_t> Followers{ 0 }; ///< a bit for each that there is
   std::atomic<std::uint32_t> Count{ 0 };
 };
 

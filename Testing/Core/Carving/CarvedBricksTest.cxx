@@ -111,11 +111,13 @@ TEST(CarvedBricks, NeedNoMemoryThatGrowsWithTheVolume)
 TEST(CarvedBricks, TellEachChangeOnce)
 {
   CarvedBricks bricks(300);
+  const int follower = bricks.AddFollower();
   std::set<std::uint32_t> changed;
   const auto take = [&]()
   {
     std::set<std::uint32_t> taken;
-    bricks.TakeChanged([&](std::uint32_t brick) { EXPECT_TRUE(taken.insert(brick).second); });
+    bricks.TakeChanged(
+      follower, [&](std::uint32_t brick) { EXPECT_TRUE(taken.insert(brick).second); });
     return taken;
   };
   EXPECT_TRUE(take().empty());
@@ -131,4 +133,34 @@ TEST(CarvedBricks, TellEachChangeOnce)
     }
     EXPECT_EQ(take(), expected);
   }
+}
+
+TEST(CarvedBricks, TellEachFollowerByItself)
+{
+  CarvedBricks bricks(300);
+  const auto take = [&](int follower)
+  {
+    std::set<std::uint32_t> taken;
+    bricks.TakeChanged(follower, [&](std::uint32_t brick) { taken.insert(brick); });
+    return taken;
+  };
+  const auto change = [&](std::uint64_t key) { bricks.MarkChanged(bricks.FindOrAdd(key)); };
+  const int first = bricks.AddFollower();
+  change(7);
+  change(8);
+  const int second = bricks.AddFollower();
+  ASSERT_NE(first, second);
+  const std::set<std::uint32_t> both{ 0, 1 };
+  EXPECT_EQ(take(second), both) << "that were changed before it came";
+  EXPECT_EQ(take(first), both);
+  change(8);
+  EXPECT_EQ(take(first), std::set<std::uint32_t>{ 1 });
+  EXPECT_TRUE(take(first).empty());
+  EXPECT_EQ(take(second), std::set<std::uint32_t>{ 1 });
+  bricks.RemoveFollower(first);
+  for (int i = 1; i < CarvedBricks::MostFollowers; ++i)
+  {
+    EXPECT_GE(bricks.AddFollower(), 0);
+  }
+  EXPECT_EQ(bricks.AddFollower(), -1);
 }

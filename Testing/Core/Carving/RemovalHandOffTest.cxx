@@ -35,10 +35,10 @@ Rows CopyRows(const CarvedBricks& bricks, std::uint32_t brick)
 /// What the reader has seen of it at last.
 using Mirror = std::map<std::uint64_t, Rows>;
 
-void Follow(CarvedBricks& bricks, Mirror& mirror)
+void Follow(CarvedBricks& bricks, int follower, Mirror& mirror)
 {
   bricks.TakeChanged(
-    [&](std::uint32_t brick) { mirror[bricks.GetKey(brick)] = CopyRows(bricks, brick); });
+    follower, [&](std::uint32_t brick) { mirror[bricks.GetKey(brick)] = CopyRows(bricks, brick); });
 }
 } // namespace
 
@@ -77,11 +77,18 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
       isDone = true;
     });
   Mirror mirror;
+  Mirror late;
+  const int first = removal.Bricks.AddFollower();
+  int second = -1;
   std::mt19937_64 engine(3);
   int asked = 0;
   while (!isDone)
   {
-    Follow(removal.Bricks, mirror);
+    Follow(removal.Bricks, first, mirror);
+    if (second < 0 && removal.Bricks.GetCount() > 50)
+    {
+      second = removal.Bricks.AddFollower();
+    }
     // Any thread may look a share up.
     const std::uint8_t share =
       removal.Bricks.GetShare(static_cast<std::int64_t>(engine() % 4000), 0, 0);
@@ -95,7 +102,10 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
   }
   servo.join();
   EXPECT_GT(removal.Bricks.GetCount(), 100u);
-  Follow(removal.Bricks, mirror);
+  Follow(removal.Bricks, first, mirror);
+  second = second < 0 ? removal.Bricks.AddFollower() : second;
+  Follow(removal.Bricks, second, late);
+  EXPECT_EQ(late, mirror);
   EXPECT_EQ(mirror.size(), removal.Bricks.GetCount());
   for (std::uint32_t brick = 0; brick < removal.Bricks.GetCount(); ++brick)
   {

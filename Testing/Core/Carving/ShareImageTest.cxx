@@ -69,11 +69,12 @@ TEST(ShareImage, IsReadToTheBit)
   CarvedBricks other(100);
   RemoveSome(other, 3, 500);
   SetShare(other, 90, 0, 0, 3);
+  const int follower = other.AddFollower();
   ASSERT_TRUE(ReadShares(other, WholeBox, image.data()));
   EXPECT_EQ(CopyShares(other, Lengths), CopyShares(bricks, Lengths));
   EXPECT_EQ(other.GetShare(90, 0, 0), CarvedBricks::Whole);
   std::size_t changed = 0;
-  other.TakeChanged([&changed](std::uint32_t) { ++changed; });
+  other.TakeChanged(follower, [&changed](std::uint32_t) { ++changed; });
   EXPECT_EQ(changed, other.GetCount());
 }
 
@@ -101,10 +102,12 @@ TEST(ShareImage, IsFollowedBrickByBrick)
   CarvedBricks bricks(100);
   const ShareBox box{ { 2, 3, 1 }, { 30, 25, 19 } };
   std::vector<std::uint8_t> image = Write(bricks, box);
+  const int follower = bricks.AddFollower();
   for (std::uint64_t round = 0; round < 20; ++round)
   {
     RemoveSome(bricks, 10 + round, 40);
-    bricks.TakeChanged([&](std::uint32_t brick) { WriteBrick(bricks, brick, box, image.data()); });
+    bricks.TakeChanged(
+      follower, [&](std::uint32_t brick) { WriteBrick(bricks, brick, box, image.data()); });
     ASSERT_EQ(image, Write(bricks, box));
   }
 }
