@@ -166,6 +166,7 @@ void vtkHapticDevice::Halt()
   }
   d.Orders.EndPreparing();
   d.Session.Stop();
+  d.Models.LetRemovalsGo();
 }
 
 //------------------------------------------------------------------------------
@@ -523,6 +524,24 @@ void vtkHapticDevice::SetTipOrientation(double w, double x, double y, double z)
 {
   auto& d = *this->Internals;
   d.Orders.TellError(d.Tip.TurnHand({ w, x, y, z }, d.Models.GetPlacement()));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticDevice::SetSpinning(bool spinning)
+{
+  this->Internals->Session.Spin(spinning);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::GetSpinning()
+{
+  return this->Internals->Session.IsSpinOrdered();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticDevice::IsSpinning()
+{
+  return this->Internals->Session.GetState().Before.IsSpinning;
 }
 
 //------------------------------------------------------------------------------

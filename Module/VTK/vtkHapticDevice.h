@@ -389,8 +389,8 @@ public:
    * Of the latest state, with a tool that has a shape (vtkHapticPointShell): the torque on the hand
    * about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
    * whose origin is the proxy: a unit quaternion (w, x, y, z) that turns from the world's axes to
-   * those of the tool. All are zeros without such a tool. A device that gives no torque is sent
-   * none.
+   * those of the tool. All are zeros without such a tool; the head of a vtkHapticBurr does not
+   * turn, and gives no torque. A device that gives no torque is sent none.
    */
   double* GetTorque() VTK_SIZEHINT(3);
   double* GetComputedTorque() VTK_SIZEHINT(3);
@@ -417,6 +417,16 @@ public:
    * and after four zeros, there is none. It holds for later servos, too.
    */
   void SetTipOrientation(double w, double x, double y, double z);
+  ///@{
+  /**
+   * Whether a vtkHapticBurr spins without its SpinButton, for this and later servos. Default: off.
+   */
+  void SetSpinning(bool spinning);
+  bool GetSpinning();
+  vtkBooleanMacro(Spinning, bool);
+  ///@}
+  /** Of the latest state: whether a vtkHapticBurr spins, by SetSpinning() or its button. */
+  bool IsSpinning();
   int GetButtons(); ///< Of the latest state: bit 0 is the main button.
   /**
    * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse turns the volume.
@@ -586,7 +596,8 @@ public:
    * Torque (N m, of tools; computed) and TorqueCommand (N m, sent), Orientation (world) and
    * DeviceOrientation (w, x, y, z; all 0 if the device has none), Tick, Buttons, Armed, Fault,
    * Share (0 to 1: how much of Force the gate let through) and Reason (why not all of it; numbers
-   * in Documentation/devices.md).
+   * in Documentation/devices.md). Of a vtkHapticBurr: Spinning, RemovedVolume and RemovalRequest (1
+   * undo, 2 redo, 3 reset that began), and the tissue that was removed before as field arrays.
    *
    * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
    * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), 65 more while the stylus turns,

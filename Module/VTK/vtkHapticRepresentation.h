@@ -117,7 +117,8 @@ public:
   ///@{
   /**
    * Whether a stylus is shown at the proxy. Default on. A vtkHapticNeedle in tissue is shown
-   * instead, with its track in the colours of the labels, and a vtkHapticPointShell with its mesh.
+   * instead, with its track in the colours of the labels, a vtkHapticPointShell with its mesh, and
+   * a vtkHapticBurr with its head, which turns while it spins.
    */
   vtkSetMacro(StylusVisibility, bool);
   vtkGetMacro(StylusVisibility, bool);

@@ -11,6 +11,7 @@
  *
  *   vtkHapticNeedle      punctures surfaces, and is then held by the tissue along its shaft
  *   vtkHapticPointShell  any closed surface, which feels force and torque
+ *   vtkHapticBurr        removes the tissue that it is pressed into while it spins
  *
  * A tool turns with the stylus, if the device measures how it is held
  * (vtkHapticDevice::GetTipOrientation). A stylus points along its own -z. Offline, the path may

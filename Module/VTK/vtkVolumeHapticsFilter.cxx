@@ -18,6 +18,7 @@
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/RecordedLabels.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/ShareArrays.h"
 #include "VTK/Trace/TipPaths.h"
 #include "VTK/Trace/TipPathsWalk.h"
 #include "vtkVolumeHapticsCompat.h"
@@ -28,6 +29,7 @@
 #include "vtkHapticMode.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticRemoval.h"
 #include "vtkHapticTool.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -62,6 +64,7 @@ vtkVolumeHapticsFilter::vtkVolumeHapticsFilter()
   , MotionWarning(new VolumeHaptics::FastMotionWarning)
   , Regions(new VolumeHaptics::RegionSeries)
   , Hashes(new VolumeHaptics::ArrayHash[2])
+  , Removal(vtkSmartPointer<vtkHapticRemoval>::New())
   , Cut(new VolumeHaptics::HapticCut)
 {
   this->SetNumberOfInputPorts(4);
@@ -96,6 +99,26 @@ void vtkVolumeHapticsFilter::SetLabelData(vtkImageData* labels)
 vtkHapticLabelTable* vtkVolumeHapticsFilter::GetLabelTable()
 {
   return this->LabelTable;
+}
+
+//------------------------------------------------------------------------------
+void vtkVolumeHapticsFilter::SetRemoval(vtkHapticRemoval* removal)
+{
+  if (!removal)
+  {
+    this->SetRemoval(vtkNew<vtkHapticRemoval>());
+  }
+  else if (this->Removal != removal)
+  {
+    this->Removal = removal;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRemoval* vtkVolumeHapticsFilter::GetRemoval()
+{
+  return this->Removal;
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +242,8 @@ bool vtkVolumeHapticsFilter::GetFeelCutFaces()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkVolumeHapticsFilter::GetMTime()
 {
-  const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Cut->GetMTime());
+  const vtkMTimeType time =
+    std::max({ this->Superclass::GetMTime(), this->Cut->GetMTime(), this->Removal->GetMTime() });
   return this->LabelTable ? std::max(time, this->LabelTable->GetMTime()) : time;
 }
 
@@ -379,8 +403,8 @@ int vtkVolumeHapticsFilter::TouchPath(
   std::string error;
   const double period = 1.0 / this->ServoRate;
   TipPaths paths;
-  const bool readable = !path ||
-    (paths.Read(path, period, error) && (!this->Tool || paths.ReadOrientations(path, error)));
+  const bool readable =
+    !path || (paths.Read(path, period, error) && (!this->Tool || paths.ReadHand(path, error)));
   const RecordedPath* const recording = paths.GetRecording();
   vtkHapticRegionSource* const source = this->GetRegionSource();
   if (source && (!path || !readable || recording))
@@ -469,6 +493,10 @@ int vtkVolumeHapticsFilter::TouchPath(
   }
   walk.Finish();
   trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
+  if (const auto* const shares = walk.GetFinalShares())
+  {
+    AddShareArrays(*shares, FinalShareNames, output->GetFieldData());
+  }
   // Ticks of a recording are points of the path, one for one, unless the user ended this.
   vtkDataArray* const orientations =
     recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;

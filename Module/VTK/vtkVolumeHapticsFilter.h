@@ -132,6 +132,7 @@
  *   ShaftForce         N; the most that the tissue along its shaft holds. Only with a tool
  *   ToolOrientation (4)  of a vtkHapticPointShell in the world: w, x, y, z. Its origin is the
  *                      output point. Only with one
+ *   RemovedVolume      mm^3 of the hand's space; by a vtkHapticBurr in this tick. Only with one
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the
@@ -157,6 +158,7 @@
 #include <string> // for std::string
 
 class vtkHapticLabelTable;
+class vtkHapticRemoval;
 class vtkHapticRegionSource;
 class vtkImageData;
 class vtkInformation;
@@ -269,7 +271,20 @@ public:
   vtkBooleanMacro(FeelCutFaces, bool);
   ///@}
 
-  /** Includes the property, its functions, the label table and the clipping planes. */
+  ///@{
+  /**
+   * What a vtkHapticBurr has removed from the volume. Every tool feels it; a path feels what was
+   * left when the filter ran, so that Modified() is needed after the hand has removed more. nullptr
+   * makes a new one, of all tissue. Default: one of this filter's own.
+   */
+  void SetRemoval(vtkHapticRemoval* removal);
+  vtkHapticRemoval* GetRemoval();
+  ///@}
+
+  /**
+   * Includes the property, its functions, the label table, the clipping planes, and the settings of
+   * the removal.
+   */
   vtkMTimeType GetMTime() override;
 
   /**
@@ -312,6 +327,7 @@ private:
   std::unique_ptr<VolumeHaptics::RegionSeries> Regions;
   std::unique_ptr<VolumeHaptics::ArrayHash[]> Hashes; // of scalars and labels
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
+  vtkSmartPointer<vtkHapticRemoval> Removal;
   std::unique_ptr<VolumeHaptics::HapticCut> Cut;
 #endif
 

@@ -5,6 +5,7 @@
 #include "HapticFunctionText.h"
 
 #include "vtkDataObject.h"
+#include "vtkHapticBurr.h"
 #include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
 #include "vtkNew.h"
@@ -18,10 +19,11 @@ namespace
 
 constexpr const char* NeedleKind = "Needle";
 constexpr const char* ShellKind = "Point shell";
+constexpr const char* BurrKind = "Burr";
 constexpr const char* NoKind = "None";
 
-void ReadNeedleText(const std::string& name, const std::string& text,
-  vtkPiecewiseFunction* function, std::string& error)
+void ReadToolText(const std::string& name, const std::string& text, vtkPiecewiseFunction* function,
+  std::string& error)
 {
   if (!ReadFunctionText(text, function))
   {
@@ -54,12 +56,16 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
   {
     this->SetNeedle(filter, error);
   }
+  else if (this->Kind == BurrKind)
+  {
+    this->SetBurr(filter, error);
+  }
   else
   {
     filter->SetTool(nullptr);
     error = this->Kind == NoKind ? ""
                                  : "There is no tool \"" + this->Kind + "\". Use \"" + NoKind +
-        "\", \"" + NeedleKind + "\" or \"" + ShellKind + "\".";
+        "\", \"" + NeedleKind + "\", \"" + ShellKind + "\" or \"" + BurrKind + "\".";
   }
   this->IsMade = error.empty();
   return error;
@@ -70,8 +76,8 @@ void HapticToolChoice::SetNeedle(vtkVolumeHapticsFilter* filter, std::string& er
 {
   vtkNew<vtkHapticNeedle> needle;
   needle->SetLateralStrength(this->LateralStrength);
-  ReadNeedleText("Needle Shaft Friction", this->ShaftFriction, needle->GetShaftFriction(), error);
-  ReadNeedleText("Needle Cutting Force", this->CuttingForce, needle->GetCuttingForce(), error);
+  ReadToolText("Needle Shaft Friction", this->ShaftFriction, needle->GetShaftFriction(), error);
+  ReadToolText("Needle Cutting Force", this->CuttingForce, needle->GetCuttingForce(), error);
   filter->SetTool(needle);
 }
 
@@ -92,6 +98,16 @@ void HapticToolChoice::SetShell(vtkVolumeHapticsFilter* filter, std::string& err
 }
 
 //------------------------------------------------------------------------------
+void HapticToolChoice::SetBurr(vtkVolumeHapticsFilter* filter, std::string& error) const
+{
+  vtkNew<vtkHapticBurr> burr;
+  burr->SetRadius(this->BurrRadius);
+  burr->SetSpeed(this->BurrSpeed);
+  ReadToolText("Burr Specific Energy", this->SpecificEnergy, burr->GetSpecificEnergy(), error);
+  filter->SetTool(burr);
+}
+
+//------------------------------------------------------------------------------
 void HapticToolChoice::Print(std::ostream& os, vtkIndent indent) const
 {
   os << indent << "ToolKind: " << this->Kind << "\n";
@@ -100,4 +116,7 @@ void HapticToolChoice::Print(std::ostream& os, vtkIndent indent) const
   os << indent << "NeedleLateralStrength: " << this->LateralStrength << " N\n";
   os << indent << "ShellPoints: " << this->Points << "\n";
   os << indent << "ShellContactArea: " << this->ContactArea << "\n";
+  os << indent << "BurrRadius: " << this->BurrRadius << "\n";
+  os << indent << "BurrSpeed: " << this->BurrSpeed << " 1/min\n";
+  os << indent << "BurrSpecificEnergy: " << this->SpecificEnergy << "\n";
 }

@@ -33,6 +33,12 @@ public:
   int Points = 2000;
   double ContactArea = 25.0; ///< square world units
   ///@}
+  ///@{
+  /** Of a burr. */
+  double BurrRadius = 2.0;    ///< world units
+  double BurrSpeed = 60000.0; ///< 1/min
+  std::string SpecificEnergy;
+  ///@}
 
   /** After a setting has changed. */
   void Note() { this->IsDirty = true; }
@@ -47,6 +53,7 @@ public:
 private:
   void SetNeedle(vtkVolumeHapticsFilter* filter, std::string& error) const;
   void SetShell(vtkVolumeHapticsFilter* filter, std::string& error) const;
+  void SetBurr(vtkVolumeHapticsFilter* filter, std::string& error) const;
 
   vtkWeakPointer<vtkDataObject> Shape; ///< of the shell that was made last
   bool IsDirty = false;

@@ -380,6 +380,24 @@ void vtkPVVolumeHapticsFilter::SetShellContactArea(double area)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetBurrRadius(double radius)
+{
+  this->ChooseTool(this->Tools.BurrRadius, radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetBurrSpeed(double speed)
+{
+  this->ChooseTool(this->Tools.BurrSpeed, speed);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetBurrSpecificEnergy(const char* energy)
+{
+  this->ChooseTool(this->Tools.SpecificEnergy, std::string(energy ? energy : ""));
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::FillTool()
 {
   const std::string error = this->Tools.Fill(this);

@@ -85,7 +85,7 @@ allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
 
-allow(VTK/Baking Core/Math Core/Field Core/Model Core/Solvers VTK/Files VTK/Work)
+allow(VTK/Baking Core/Math Core/Carving Core/Field Core/Model Core/Solvers VTK/Files VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking VTK/Work)
 allow(VTK/Files)
 allow(VTK/Labels VTK/Files)

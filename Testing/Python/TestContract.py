@@ -189,7 +189,17 @@ def test_tools():
     assert issubclass(volumehaptics.vtkHapticPointShell, volumehaptics.vtkHapticTool)
     check(volumehaptics.vtkHapticPointShell, documented, ("SetSolidToFromStrength", "SetSolidToAbove",
                                                           "SetSolidToBelow", "GetText"))
+    documented = {"SetRadius": ("world units", "Default 2"), "SetSpeed": ("1/min", "60000"),
+                  "SetFriction": ("friction", "0.3"), "SetSpecificEnergy": ("J/mm^3", "default"),
+                  "SetVibration": ("0 to 1", "Default 0"), "SetSpinButton": ("button", "Default 0"),
+                  "SetContactArea": ("Default 0.1",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
+                  "SetContactValue": ("scalars", "Default"), "SetSolid": ("FROM_STRENGTH (default)", "half")}
+    assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticTool)
+    check(volumehaptics.vtkHapticBurr, documented, ("SetSolidToFromStrength", "SetSolidToAbove", "SetSolidToBelow"))
+    check(volumehaptics.vtkHapticRemoval, {"SetAutoAirValue": ("Default: on",), "SetAirValue": ("-1000",)},
+          ("Undo", "Redo", "Reset", "MakeShares", "WriteFile", "ReadFile", "ReadTrace", "GetRemovedVolume"))
     haptics = vtkVolumeHapticsFilter()
+    assert haptics.GetRemoval().IsEmpty()
     assert haptics.GetTool() is None
     haptics.SetTool(volumehaptics.vtkHapticNeedle())
     assert haptics.GetTool().GetText() == "needle"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tools with a shape in touch(): of meshes, of files, and what can't be one."""
+"""Tools with a shape in touch(): of meshes, of files, a burr, and what can't be one."""
 
 import math
 import re
@@ -118,3 +118,30 @@ def test_a_spoon_lies_on_the_head(is_file, tmp_path):
     assert 0.5 < force < 4.0, said
     assert torque == pytest.approx(30.0 * math.sin(math.radians(tilt)), abs=0.1), said
     assert (25.0 < tilt < 57.3) if not is_file else tilt < 57.3, said
+
+
+def test_a_burr_removes_by_its_energy():
+    """Q = mu F v/U, F that of the trace (Archard's law by energy)."""
+    burr = volumehaptics.vtkHapticBurr()
+    burr.SetRadius(RADIUS)
+    burr.SetSpeed(30000.0)
+    burr.SetSolidToAbove()
+    burr.SetContactValue(LEVEL)
+    burr.GetSpecificEnergy().AddPoint(0.0, 5.0)
+    depth = np.linspace(4.0, 8.0, 2000)
+    tip = np.column_stack([np.full(2000, 7.1), np.full(2000, 7.2), depth])
+    felt = arrays(volumehaptics.touch(make_ramp(16), tip, tool=burr, property=above()))
+    rim = 2.0 * math.pi * 1e-3 * RADIUS * 30000.0 / 60.0
+    expected_volume = 0.3 * rim * 1e-3 * felt["NormalForce"].sum() / 5.0
+    assert expected_volume > 0.5
+    assert felt["RemovedVolume"].sum() == pytest.approx(expected_volume, rel=0.02)
+    assert burr.GetText() == "burr"
+
+
+def test_the_bone_behind_an_ear_is_drilled(tmp_path):
+    said = run("drilling.py", tmp_path / "picture.png")
+    found = re.match(r"(\d+) mm\^3 in (\d+) s, with ([\d.]+) N on average, ([\d.]+) N at most", said)
+    assert found, said
+    volume, _, average, most = map(float, found.groups())
+    assert volume > 500.0, said
+    assert 0.2 < average < most < 10.0, said

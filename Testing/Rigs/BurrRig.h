@@ -70,6 +70,16 @@ public:
     const BurrRecord last = this->Record;
     const bool wasEnabled = this->Shell.Enabled;
     const Vector3 hand = 0.001 * position;
+    TissueRemoval* const removal = this->Model.Baked->Removal.get();
+    if (removal && removal->Serve())
+    {
+      // As the servo does (ServoTick.h).
+      this->Shell.Enabled = false;
+      this->State = BurrState{};
+      this->Record = BurrRecord{};
+      this->Record.Shell.Hand.Position = this->Record.Shell.Tool.Position = hand;
+      return this->Record;
+    }
     if (wasEnabled)
     {
       this->Work += this->EnergyOfSpring(last.Shell.Tool.Position, hand) -

@@ -224,10 +224,10 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--tool")
   {
-    if (value != "needle" && value != "point" && !Explore::IsToolFile(value))
+    if (value != "needle" && value != "burr" && value != "point" && !Explore::IsToolFile(value))
     {
       throw InputError("--tool '" + value + "'", "is not known",
-        "take needle, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
+        "take needle, burr, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
     }
     options.Tool = value == "point" ? std::string() : value;
   }
@@ -426,10 +426,12 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --cut NAME        of the window: cut open at first by a plane or a box (default: not cut). The mouse drags the
                     handles; keys: x plane, box, none; X swaps the kept and the hidden part; z feels the
                     cut faces
-  --tool NAME       of the window: what the hand holds, point (default) or needle, which punctures surfaces,
-                    and rubs and is held in tissue; keys: N needle, point; T saves its track
+  --tool NAME       of the window: what the hand holds: point (default); needle, which punctures surfaces, and
+                    rubs and is held in tissue; burr, which removes tissue while the left button, or the
+                    device's, is pressed. Keys: N the next one; T saves the track of a needle, or what was
+                    removed; U undoes a stroke of the burr, J does it again
   --tool FILE.stl   the closed surface of a tool, also .ply, .obj or .vtp, in the volume's units: its shape is
-                    felt where it meets the outer surface. Alt + mouse turns it; key N: also needle, point
+                    felt where it meets the outer surface. Alt + mouse turns it; key N: the next one
   --sound           of the window: what is touched can be heard, a click where a surface is touched or
                     pierced, and noise while the tip slides; the harder, the brighter
   --sound FILE.wav  the sound along the path, in a file

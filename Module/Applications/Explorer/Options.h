@@ -39,7 +39,7 @@ struct Options
   bool Slices = false;         // of the window
   CutKind Cut = CutKind::None; // of the window
   bool Sound = false;          // of the window
-  std::string Tool;            // of the window: "needle", a file, or empty for a point
+  std::string Tool;            // of the window: "needle", "burr", a file, or empty for a point
   std::string SoundFile;       // for the sound along the path
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;

@@ -25,7 +25,7 @@ void RemovalJournal::Begin() noexcept
   {
     ++this->First;
   }
-  this->At(this->Last) = { this->Head, this->Head };
+  this->At(this->Last) = { this->Head, this->Head, 0.0 };
   this->HasOpen = true;
   this->IsTooLarge = false;
   if (++this->Stamp == 0)
@@ -48,17 +48,32 @@ void RemovalJournal::Keep(std::uint32_t brick) noexcept
     if (this->First == this->Last)
     {
       this->IsTooLarge = true;
+      this->Tell();
       return;
     }
     ++this->First;
     this->Tell();
   }
+  const bool isFirst = this->Head == this->At(this->Last).Begin;
   Entry& entry = this->Entries[this->Head++ % this->Entries.size()];
   entry.Brick = brick;
   for (int row = 0; row < CarvedBricks::Rows; ++row)
   {
     entry.Rows[row] = this->Bricks.GetRow(brick, row);
   }
+  if (isFirst)
+  {
+    this->Tell();
+  }
+}
+
+void RemovalJournal::Count(double volume) noexcept
+{
+  if (this->HasOpen)
+  {
+    this->At(this->Last).Volume += volume;
+  }
+  this->AddVolume(volume);
 }
 
 void RemovalJournal::End() noexcept
@@ -81,6 +96,13 @@ void RemovalJournal::End() noexcept
     this->Applied = ++this->Last;
     this->Tell();
   }
+}
+
+void RemovalJournal::Forget() noexcept
+{
+  this->End();
+  this->First = this->Applied = this->Last;
+  this->Tell();
 }
 
 bool RemovalJournal::StartUndo() noexcept
@@ -118,8 +140,7 @@ bool RemovalJournal::StartReset() noexcept
   {
     return false;
   }
-  this->First = this->Applied = this->Last;
-  this->Tell();
+  this->Forget();
   this->Work = Kind::Reset;
   this->Next = 0;
   this->Stop = this->Bricks.GetCount();
@@ -160,8 +181,22 @@ void RemovalJournal::Continue(std::size_t bricks) noexcept
   }
   if (this->Next == this->Stop)
   {
-    this->Applied += this->Work == Kind::Redo ? 1 : 0;
-    this->Applied -= this->Work == Kind::Undo ? 1 : 0;
+    switch (this->Work)
+    {
+      case Kind::Undo:
+        --this->Applied;
+        this->AddVolume(-this->At(this->Applied).Volume);
+        break;
+      case Kind::Redo:
+        this->AddVolume(this->At(this->Applied).Volume);
+        ++this->Applied;
+        break;
+      case Kind::Reset:
+        this->Volume.store(0.0, std::memory_order_relaxed);
+        break;
+      case Kind::None:
+        break;
+    }
     this->Work = Kind::None;
     this->Tell();
   }
@@ -169,7 +204,8 @@ void RemovalJournal::Continue(std::size_t bricks) noexcept
 
 void RemovalJournal::Tell() noexcept
 {
-  this->Undoable.store(static_cast<std::size_t>(this->Applied - this->First));
+  const bool hasOne = this->HasOpen && !this->IsTooLarge && this->Head > this->At(this->Last).Begin;
+  this->Undoable.store(static_cast<std::size_t>(this->Applied - this->First) + (hasOne ? 1 : 0));
   this->Redoable.store(static_cast<std::size_t>(this->Last - this->Applied));
 }
 

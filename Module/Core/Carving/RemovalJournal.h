@@ -38,7 +38,11 @@ public:
   void Begin() noexcept;
   bool IsOpen() const noexcept { return this->HasOpen; }
   void Keep(std::uint32_t brick) noexcept;
+  /** Counts a volume (mm^3) that was removed, to the open stroke if there is one. */
+  void Count(double volume) noexcept;
   void End() noexcept;
+  /** Ends an open stroke; none of those so far can be undone or redone. Not while there is work. */
+  void Forget() noexcept;
   ///@}
 
   ///@{
@@ -53,10 +57,12 @@ public:
   void Continue(std::size_t bricks) noexcept;
 
   ///@{
-  /** From any thread: how many strokes can be undone and redone. */
+  /** From any thread: how many strokes can be undone, with an open one, and redone. */
   std::size_t GetUndoable() const noexcept { return this->Undoable.load(); }
   std::size_t GetRedoable() const noexcept { return this->Redoable.load(); }
   ///@}
+  /** From any thread: what was counted (mm^3), less what was undone. */
+  double GetVolume() const noexcept { return this->Volume.load(std::memory_order_relaxed); }
   std::size_t GetMemorySize() const noexcept; ///< bytes
 
 private:
@@ -77,11 +83,16 @@ private:
   {
     std::uint64_t Begin;
     std::uint64_t End;
+    double Volume; ///< mm^3
   };
 
   Stroke& At(std::uint64_t stroke) noexcept { return this->Strokes[stroke % MostStrokes]; }
   void Exchange(Entry& entry) noexcept;
   void Tell() noexcept;
+  void AddVolume(double volume) noexcept
+  {
+    this->Volume.store(this->GetVolume() + volume, std::memory_order_relaxed);
+  }
 
   CarvedBricks& Bricks;
   std::vector<Entry> Entries;
@@ -102,6 +113,7 @@ private:
   std::uint64_t Stop = 0;
   std::atomic<std::size_t> Undoable{ 0 };
   std::atomic<std::size_t> Redoable{ 0 };
+  std::atomic<double> Volume{ 0.0 };
 };
 
 } // namespace VolumeHaptics

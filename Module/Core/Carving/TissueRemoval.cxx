@@ -17,17 +17,21 @@ bool TissueRemoval::Request(RemovalRequest request) noexcept
   return true;
 }
 
-bool TissueRemoval::Serve() noexcept
+bool TissueRemoval::Serve(RemovalRequest* begun) noexcept
 {
   const std::size_t done = this->Done.load(std::memory_order_relaxed);
+  RemovalRequest request = RemovalRequest::None;
   if (!this->Journal.HasWork())
   {
     if (done == this->Head.load(std::memory_order_acquire))
     {
       return false;
     }
-    switch (this->Requests[done % MostRequests].load(std::memory_order_relaxed))
+    request = this->Requests[done % MostRequests].load(std::memory_order_relaxed);
+    switch (request)
     {
+      case RemovalRequest::None:
+        break;
       case RemovalRequest::Undo:
         this->Journal.StartUndo();
         break;
@@ -39,12 +43,38 @@ bool TissueRemoval::Serve() noexcept
         break;
     }
   }
+  if (begun)
+  {
+    *begun = request;
+  }
+  this->SetUsedUp(false);
   this->Journal.Continue(BricksPerTick);
   if (!this->Journal.HasWork())
   {
     this->Done.store(done + 1, std::memory_order_release);
   }
   return true;
+}
+
+bool TissueRemoval::TakeSnapshot() noexcept
+{
+  if (!this->Snapshot || this->Journal.HasWork() || !this->Snapshot->Complete())
+  {
+    return false;
+  }
+  this->Journal.Forget();
+  return true;
+}
+
+std::vector<BrickShares> TissueRemoval::EndSnapshot()
+{
+  std::vector<BrickShares> shares;
+  if (this->Snapshot)
+  {
+    shares = this->Snapshot->Collect();
+    this->Snapshot.reset();
+  }
+  return shares;
 }
 
 } // namespace VolumeHaptics

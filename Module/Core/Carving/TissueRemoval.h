@@ -9,19 +9,23 @@
 
 #include "Core/Carving/CarvedBricks.h"
 #include "Core/Carving/RemovalJournal.h"
+#include "Core/Carving/ShareSnapshot.h"
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace VolumeHaptics
 {
 
 enum class RemovalRequest : std::uint8_t
 {
-  Undo, ///< the last stroke
-  Redo,
-  Reset ///< all strokes
+  None = 0,
+  Undo = 1, ///< the last stroke
+  Redo = 2,
+  Reset = 3 ///< all strokes
 };
 
 /**
@@ -52,14 +56,32 @@ public:
 
   ///@{
   /** Called by the thread that ticks, at the beginning of a tick. */
-  /** Carries out a piece of a request; false if there was none. Tissue may have come back then. */
-  bool Serve() noexcept;
+  /**
+   * Carries out a piece of a request; false if there was none. Tissue may have come back then.
+   * @param begun if not null, the request of which this was the first piece, or None
+   */
+  bool Serve(RemovalRequest* begun = nullptr) noexcept;
   /** Whether the next Serve has something to do. */
   bool HasWork() const noexcept { return this->GetPending() > 0; }
   void SetUsedUp(bool isUsedUp) noexcept
   {
     this->UsedUp.store(isUsedUp, std::memory_order_relaxed);
   }
+  ///@}
+
+  ///@{
+  /**
+   * A copy of all shares at one tick. Another thread, one at a time, begins it, which allocates;
+   * then the thread that ticks completes it, at the beginning of a tick and before it serves, with
+   * TakeSnapshot. It returns false if that is not possible now: there was none to complete, or a
+   * request is being carried out, or so much has changed that it has to be begun again
+   * (IsSnapshotLate). From then on, strokes of before can no longer be undone or redone.
+   */
+  void BeginSnapshot() { this->Snapshot = std::make_unique<ShareSnapshot>(this->Bricks); }
+  bool TakeSnapshot() noexcept;
+  bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
+  /** Ends it; empty if it was not completed. */
+  std::vector<BrickShares> EndSnapshot();
   ///@}
 
   CarvedBricks Bricks;
@@ -74,6 +96,7 @@ private:
   std::atomic<std::size_t> Head{ 0 }; ///< the number of requests so far
   std::atomic<std::size_t> Done{ 0 }; ///< of them, those that were carried out
   std::atomic<bool> UsedUp{ false };
+  std::unique_ptr<ShareSnapshot> Snapshot;
 };
 
 } // namespace VolumeHaptics

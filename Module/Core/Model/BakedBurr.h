@@ -16,13 +16,14 @@
 namespace VolumeHaptics
 {
 
-/** All numbers are at least 0. */
+/** All numbers but SpinButton are at least 0. */
 struct BurrSettings
 {
   double Radius = 2.0;    ///< a, world units
   double Speed = 1000.0;  ///< n, revolutions a second
   double Friction = 0.3;  ///< mu, between burr and tissue
   double Vibration = 0.0; ///< share of the force, 0 to 1
+  int SpinButton = 0;     ///< of the device, from 0 to 31: it spins while that is pressed; -1: none
 };
 
 /** The energy (J/mm^3) that it takes to remove tissue, against the value: channel 0. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -165,6 +166,31 @@ BakedVolume::BakedVolume(
   , ResidentShare(other.ResidentShare)
   , Samples(frames.front().Samples)
   , Mesh(other.Mesh ? frames.front().Mesh : nullptr)
+  , Labels(other.Labels)
+  , Walls(other.Walls)
+  , Cut(other.Cut)
+  , HasOtherSurfaces(other.HasOtherSurfaces)
+  , Modes(other.Modes)
+  , Tool(other.Tool)
+  , Number(other.Number)
+{
+}
+
+BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal)
+  : Kernel(other.Kernel)
+  , Removal(std::move(removal))
+  , Field(other.Field.GetView(), this->Kernel,
+      CarvedView{ &this->Removal->Bricks, other.Field.GetCarved().Air })
+  , Series(other.Series)
+  , Frames(other.Frames)
+  , Materials(other.Materials)
+  , Distinctness(other.Distinctness)
+  , IndexToWorld(other.IndexToWorld)
+  , LargestSpacing(other.LargestSpacing)
+  , Settings(other.Settings)
+  , ResidentShare(other.ResidentShare)
+  , Samples(other.Samples)
+  , Mesh(other.Mesh)
   , Labels(other.Labels)
   , Walls(other.Walls)
   , Cut(other.Cut)

@@ -235,12 +235,42 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
   this->HasSample = this->HasSample || sample.Fresh;
   this->State.Orientation = this->Snapshot.Orientation;
   this->State.HasOrientation = sample.HasOrientation;
+  this->State.IsSpinning = this->IsSpinning(sample.Buttons);
   this->Snapshot.Before = this->State;
-  this->Snapshot.IsKept = this->Current->Model && this->KeepWanted.exchange(false);
-  if (this->Snapshot.IsKept && this->Current->Tool)
+  this->Snapshot.IsKept = this->KeepForRecording();
+}
+
+bool ServoLoop::IsSpinning(std::uint32_t buttons) const noexcept
+{
+  const HapticModel* const model = this->Current->Model.get();
+  if (!model || !model->Baked->HasTool(ToolKind::Burr))
+  {
+    return false;
+  }
+  const int button = model->Baked->Tool->Burr->Settings.SpinButton;
+  return this->SpinOrdered.load(std::memory_order_relaxed) ||
+    (button >= 0 && (buttons >> button & 1U) != 0);
+}
+
+bool ServoLoop::KeepForRecording() noexcept
+{
+  const HapticModel* const model = this->Current->Model.get();
+  if (!model || !this->KeepWanted.load(std::memory_order_acquire))
+  {
+    return false;
+  }
+  TissueRemoval* const removal = model->Baked->Removal.get();
+  const bool isKept = !removal || removal->TakeSnapshot();
+  if (!isKept && !removal->IsSnapshotLate())
+  {
+    return false; // the next tick tries again
+  }
+  if (isKept && this->Current->Tool)
   {
     this->Current->Tool->Keep();
   }
+  this->KeepWanted.store(false, std::memory_order_release);
+  return isKept;
 }
 
 void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept

@@ -218,6 +218,9 @@ public:
   void ForgetTurn() noexcept { this->Hand.Forget(); }
   ///@}
 
+  /** A burr spins, whether its button is pressed or not. */
+  void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
+
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
   void SetDataClock(const DataClockOrders& orders) noexcept { this->ClockOrders.Write(orders); }
 
@@ -225,10 +228,13 @@ public:
   const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
 
   /**
-   * The memory of the tool is kept (ToolMemory::Keep) in the next tick that has a model: a
-   * recording begins with that tick. Not before the last one that was kept has been read.
+   * The memory of the tool is kept (ToolMemory::Keep), and the snapshot of a removal completed, in
+   * the next tick that has a model and can do so: a recording begins with that tick. Not before the
+   * last one that was kept has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
+  /** Takes the order back; holds from the tick on that begins next. */
+  void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
   std::uint64_t GetLostRecords() const noexcept { return this->Trace.GetLost(); }
@@ -345,6 +351,8 @@ private:
   DeviceSample ReadDevice(std::int64_t woken, double period) noexcept;
   void FollowDataClock(double period) noexcept;
   void PlaceProxy(const DeviceSample& sample, double elapsed) noexcept;
+  bool IsSpinning(std::uint32_t buttons) const noexcept;
+  bool KeepForRecording() noexcept;
   void Touch(const DeviceSample& sample, double period) noexcept;
   Vector3 Confirm(const DeviceSample& sample, double elapsed) noexcept;
   void SendForce(const DeviceSample& sample, double period, double elapsed) noexcept;
@@ -363,6 +371,7 @@ private:
   std::atomic<bool> StopRequested{ false };
   std::atomic<bool> Recording{ false };
   std::atomic<bool> KeepWanted{ false };
+  std::atomic<bool> SpinOrdered{ false };
   std::atomic<bool> ResetRequested{ false };
   std::atomic<bool> HoldWanted{ false };
   std::atomic<bool> AtRest{ false };

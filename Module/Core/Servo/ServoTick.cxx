@@ -82,6 +82,20 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
   }
 }
 
+/** Nothing is felt: tissue may come back where the hand is. */
+void Rest(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+{
+  record.Proxy = record.Tip;
+  record.Normal = model.FallbackNormal;
+  record.GradientMagnitude = record.Stiffness = record.Friction = record.Viscosity =
+    record.SurfaceStrength = 0.0;
+  record.Value = record.SurfaceValue = record.MediumValue = model.ValueAtDevice(record.Tip);
+  state.Proxy = state.PreviousTip = record.Tip;
+  state.Enabled = state.Shell.Enabled = false;
+  state.Burr = BurrState{};
+  state.Needle = NeedleState{};
+}
+
 } // namespace
 
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
@@ -101,11 +115,18 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
   record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
+  record.Request = RemovalRequest::None;
   record.Torque = Vector3{};
   record.ToolOrientation = NoOrientation;
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
+  TissueRemoval* const removal = model.Baked->Removal.get();
+  if (removal && removal->Serve(&record.Request))
+  {
+    Rest(model, state, record);
+    return;
+  }
   if (model.Baked->Tool)
   {
     StepWithTool(model, state, record, result, memory, tool);
@@ -113,6 +134,11 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   else
   {
     StepMethod(model, state, record, result, memory);
+  }
+  if (removal)
+  {
+    // Tissue may be removed until somebody asks for it.
+    record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;
   state.PreviousTip = tip;

@@ -22,6 +22,9 @@ namespace VolumeHaptics
  * Advances the state by one tick and writes what happened: all of the record, whose old contents do
  * not matter.
  *
+ * First, if the volume's tissue may be removed, a piece of the requests to its removal is carried
+ * out; in such a tick nothing is felt.
+ *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
  * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it. So may

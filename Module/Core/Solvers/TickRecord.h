@@ -7,6 +7,7 @@
 #ifndef TickRecord_h
 #define TickRecord_h
 
+#include "Core/Carving/TissueRemoval.h"
 #include "Core/Math/Quaternion.h"
 #include "Core/Solvers/MaterialPoint.h"
 
@@ -40,11 +41,13 @@ struct TickRecord : MaterialPoint
   double Depth = 0.0;         ///< m, of a needle that is inserted; 0: it is not
   double ShaftForce = 0.0;    ///< N, the most that the tissue along a needle's shaft holds
   double RemovedVolume = 0.0; ///< mm^3 of the hand's space, by a burr in this tick
+  double Value = 0.0;         ///< V at the proxy, only of a volume whose tissue may be removed
   ContactState Contact = ContactState::Free;
   /// J, in this tick: of a surface that moves, on the spring that pulls the hand
   double WallWork = 0.0;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of an earlier tip
   bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop
+  RemovalRequest Request = RemovalRequest::None; ///< that began to be carried out
 };
 
 } // namespace VolumeHaptics

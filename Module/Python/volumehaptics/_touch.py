@@ -329,9 +329,9 @@ def touch(
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
         vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand, and
-        tool="drill.stl", or a vtkPolyData, that closed surface, in world units: see vtkHapticPointShell. A tuple is
-        several arguments. trace_arrays=["Force", "Contact"] are the only arrays that the trace gets, which takes less
-        time and memory.
+        tool="drill.stl", or a vtkPolyData, that closed surface, in world units: see vtkHapticPointShell;
+        tool=vtkHapticBurr() removes tissue. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the
+        only arrays that the trace gets, which takes less time and memory.
 
     The trace has a point for each tick, at the proxy (world units), and point arrays such as "Force" (N, on the
     hand): see vtkVolumeHapticsFilter. arrays.arrays(trace) has them as NumPy arrays; so have trace.point_data["Force"]

@@ -13,6 +13,7 @@
 #include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
+#include "VTK/Baking/RemovalAccess.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -349,6 +350,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   if (!DescribeTool(options.Tool, d, error))
   {
     return nullptr;
+  }
+  if (options.Removal)
+  {
+    const int* const extent = whole.IsThere ? whole.Extent : image->GetExtent();
+    DescribeRemoval(options.Removal, image, extent, scalars, component, whole.IsThere, d);
   }
   BakeNoiseRamp(property, image, scalars, component, whole, d);
   if (!d.Frames.empty())

@@ -16,6 +16,7 @@
 
 class vtkDataArray;
 class vtkHapticProperty;
+class vtkHapticRemoval;
 class vtkHapticTool;
 class vtkImageData;
 class vtkPolyData;
@@ -41,7 +42,8 @@ struct HapticModelOptions
   FrameSeries Series;                ///< of which Frames are a part
   HapticModes Modes;                 ///< for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr;     ///< null for a point
-  const HapticCut* Cut = nullptr;    ///< null if nothing is cut away
+  vtkHapticRemoval* Removal = nullptr;
+  const HapticCut* Cut = nullptr; ///< null if nothing is cut away
 };
 
 /** The shape that all frames of a volume have. */

@@ -9,6 +9,7 @@
 
 #include "VTK/Baking/HapticSetting.h"
 
+#include "vtkHapticBurr.h"
 #include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
 #include "vtkHapticTool.h"
@@ -68,12 +69,49 @@ inline constexpr PointShellSetting All[] = {
 
 inline constexpr const auto& PointShellSettings = PointShellSettingRows::All;
 
+using BurrSetting = HapticSetting<vtkHapticBurr>;
+
+namespace BurrSettingRows
+{
+using Owner = vtkHapticBurr;
+
+inline constexpr const auto& SolidNames = PointShellSettingRows::SolidNames;
+
+inline constexpr BurrSetting All[] = {
+  HapticNumberMacro(Radius, 0.0, VTK_DOUBLE_MAX, 2.0, "", NotBaked,
+    "The radius of the head (world units), more than 0."),
+  HapticNumberMacro(Speed, 0.0, VTK_DOUBLE_MAX, 60000.0, "1/min", NotBaked,
+    "The speed of the rotation (1/min), 0 or more."),
+  HapticNumberMacro(Friction, 0.0, VTK_DOUBLE_MAX, 0.3, "", NotBaked,
+    "The friction between the head and the tissue, 0 or more, which sets the power of the "
+    "rotation. It does not pull the hand aside."),
+  HapticNumberMacro(Vibration, 0.0, 1.0, 0.0, "", NotBaked,
+    "The share of the force that vibrates while it spins in tissue, 0 to 1."),
+  HapticIntegerMacro(SpinButton, -1.0, 31.0, 0.0, "", NotBaked,
+    "The button of the device that makes it spin while it is pressed, 0 to 31; -1: none."),
+  HapticNumberMacro(ContactArea, 0.0, VTK_DOUBLE_MAX, 0.1, "", NotBaked,
+    "The area (square world units) on which the stiffness and the surface strength of the "
+    "materials act, more than 0. A smaller one makes tissue feel harder."),
+  HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", NotBaked,
+    "The stiffness of the spring between hand and burr (N/m), more than 0. Devices may cap it."),
+  HapticChoiceMacro(Solid, 0.0, NotBaked,
+    "Which values of the scalars are solid: From strength (default) finds the contact value at "
+    "which the surface strength of vtkHapticProperty, where something is visible, passes half of "
+    "its largest, if it does so once. Above and Below are beyond the ContactValue."),
+  HapticNumberMacro(ContactValue, -LargestNumber, LargestNumber, 0.0, "", NotBaked,
+    "The value of the scalars at the surface of what is solid, if Solid is Above or Below."),
+};
+} // namespace BurrSettingRows
+
+inline constexpr const auto& HapticBurrSettings = BurrSettingRows::All;
+
 /** A function of a tool against the scalar value. Its values are 0 or more. */
 struct ToolFunction
 {
   const char* Name; ///< as in Get... and Set...
   const char* Unit;
   vtkPiecewiseFunction* (*Get)(vtkHapticTool*);
+  double Default = 0.0; ///< without points
 };
 
 /** A kind of tool; its class is vtkHapticNAME. */

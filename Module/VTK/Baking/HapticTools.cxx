@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Baking/BurrDescription.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Baking/ShellDescription.h"
@@ -28,7 +29,7 @@ std::size_t IndexOfTool(vtkHapticTool* tool)
 bool ReadToolFunction(const ToolKindRow& kind, const ToolFunction& function, vtkHapticTool* tool,
   Polyline& line, std::string& error)
 {
-  line = ToPolyline(function.Get(tool), 0.0);
+  line = ToPolyline(function.Get(tool), function.Default);
   const std::string name = std::string("vtkHaptic") + kind.Name;
   error = FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of the " + name,
     std::string("0 ") + function.Unit + " or more", name + "::Get" + function.Name + "()");
@@ -80,6 +81,11 @@ const std::vector<ToolKindRow>& GetToolKinds()
     { "PointShell", "tool with a shape",
       [] { return vtkSmartPointer<vtkHapticTool>(vtkSmartPointer<vtkHapticPointShell>::New()); },
       {} },
+    { "Burr", "burr",
+      [] { return vtkSmartPointer<vtkHapticTool>(vtkSmartPointer<vtkHapticBurr>::New()); },
+      { { "SpecificEnergy", "J/mm^3",
+        [](vtkHapticTool* tool) { return vtkHapticBurr::SafeDownCast(tool)->GetSpecificEnergy(); },
+        10.0 } } },
   };
   return *kinds;
 }
@@ -114,6 +120,10 @@ void PrintTool(std::ostream& os, vtkIndent indent, vtkHapticTool* tool)
          : os << "(none)";
     os << "\n";
   }
+  if (auto* const burr = vtkHapticBurr::SafeDownCast(tool))
+  {
+    PrintSettings(os, indent, burr, HapticBurrSettings);
+  }
   for (const ToolFunction& function : FindToolKind(tool).Functions)
   {
     os << indent << function.Name << ":\n";
@@ -126,6 +136,12 @@ bool DescribeTool(vtkHapticTool* tool, HapticModelDescription& description, std:
   if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
   {
     return DescribePointShell(shell, description, error);
+  }
+  if (auto* const burr = vtkHapticBurr::SafeDownCast(tool))
+  {
+    const ToolKindRow& kind = FindToolKind(burr);
+    return DescribeBurr(burr, description, error) &&
+      ReadToolFunction(kind, kind.Functions[0], burr, description.Tool.Burr.SpecificEnergy, error);
   }
   auto* const needle = vtkHapticNeedle::SafeDownCast(tool);
   return !needle || DescribeNeedle(needle, description, error);

@@ -49,6 +49,15 @@ bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
     AreSame(a.GuideSurface, b.GuideSurface) && a.Side == b.Side;
 }
 
+bool IsSameBurr(const BurrDescription& a, const BurrDescription& b)
+{
+  const BurrSettings& s = a.Settings;
+  const BurrSettings& t = b.Settings;
+  return s.Radius == t.Radius && s.Speed == t.Speed && s.Friction == t.Friction &&
+    s.Vibration == t.Vibration && s.SpinButton == t.SpinButton &&
+    IsSameLine(a.SpecificEnergy, b.SpecificEnergy);
+}
+
 bool IsSameTool(const ToolDescription& a, const ToolDescription& b)
 {
   const NeedleDescription& n = a.Needle;
@@ -59,7 +68,8 @@ bool IsSameTool(const ToolDescription& a, const ToolDescription& b)
     s.IsBelow == t.IsBelow && s.ContactArea == t.ContactArea &&
     s.CouplingStiffness == t.CouplingStiffness && s.TurningStiffness == t.TurningStiffness &&
     IsSameLine(n.ShaftFriction, m.ShaftFriction) && IsSameLine(n.CuttingForce, m.CuttingForce) &&
-    n.HasCuttingForce == m.HasCuttingForce && n.LateralStrength == m.LateralStrength;
+    n.HasCuttingForce == m.HasCuttingForce && n.LateralStrength == m.LateralStrength &&
+    IsSameBurr(a.Burr, b.Burr);
 }
 
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
@@ -81,7 +91,8 @@ bool RegionSeries::IsSame(const Entry& entry, const HapticModelDescription& e,
     entry.Facts.Time == facts.Time && entry.Facts.Share == facts.Share && entry.Array == array &&
     d.View.Type == e.View.Type && IsIdentical(d.IndexToWorld, e.IndexToWorld);
   return isSameWhole && IsSameMaterial(d.Material, e.Material) && IsSameSetup(d, e) &&
-    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels && AreSame(d.Cut, e.Cut);
+    (d.Settings.HasIsoSurface || d.Mesh == e.Mesh) && d.Labels == e.Labels &&
+    AreSame(d.Cut, e.Cut) && d.Removal == e.Removal && d.AirValue == e.AirValue;
 }
 
 std::uint64_t RegionSeries::Find(

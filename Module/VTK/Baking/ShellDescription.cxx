@@ -119,28 +119,21 @@ Polyline FindFeltStrength(const HapticMaterial& material)
 
 bool Check(vtkHapticPointShell* shell, const HapticModelDescription& d, std::string& error)
 {
-  std::ostringstream text;
-  const struct
-  {
-    const char* Name;
-    double Value;
-    const char* Unit;
-  } amounts[] = { { "ContactArea", shell->GetContactArea(), "square world units" },
+  constexpr const char* name = "vtkHapticPointShell";
+  const ToolNumber numbers[] = { { "ContactArea", shell->GetContactArea(), "square world units" },
     { "CouplingStiffness", shell->GetCouplingStiffness(), "N/m" },
     { "TurningStiffness", shell->GetTurningStiffness(), "N m/rad" } };
-  for (const auto& amount : amounts)
+  for (const ToolNumber& number : numbers)
   {
-    if (!(amount.Value > 0.0) || !std::isfinite(amount.Value))
+    if (!CheckToolNumber(name, number, error))
     {
-      text << "The " << amount.Name << " of the vtkHapticPointShell is " << amount.Value << " "
-           << amount.Unit << ". Set it to more than 0 with Set" << amount.Name << "().";
-      error = text.str();
       return false;
     }
   }
   const int points = shell->GetNumberOfPoints();
   if (points < 1 || points > MostShellPoints)
   {
+    std::ostringstream text;
     text << "The NumberOfPoints of the vtkHapticPointShell is " << points
          << ". A tick has time for "
          << "1 to " << MostShellPoints << ": set it with SetNumberOfPoints(), to at most 10000 at "
@@ -148,24 +141,61 @@ bool Check(vtkHapticPointShell* shell, const HapticModelDescription& d, std::str
     error = text.str();
     return false;
   }
+  return CheckToolVolume(name, "is pressed out of what is solid", d, error);
+}
+
+} // namespace
+
+bool CheckToolNumber(const char* tool, const ToolNumber& number, std::string& error)
+{
+  if (number.Value > 0.0 && std::isfinite(number.Value))
+  {
+    return true;
+  }
+  std::ostringstream text;
+  text << "The " << number.Name << " of the " << tool << " is " << number.Value << " "
+       << number.Unit << ". Set it to more than 0 with Set" << number.Name << "().";
+  error = text.str();
+  return false;
+}
+
+bool CheckToolVolume(
+  const char* tool, const char* deed, const HapticModelDescription& d, std::string& error)
+{
+  const std::string begin = std::string("A ") + tool;
   if (d.Settings.Method != HapticMethod::Proxy)
   {
-    error = "A vtkHapticPointShell is pressed out of what is solid, which only the method PROXY "
-            "knows. Choose it with SetMethodToProxy(), or take the tool away with "
-            "SetTool(nullptr).";
+    error = begin + " " + deed +
+      ", which only the method PROXY knows. Choose it with SetMethodToProxy(), or take the tool "
+      "away with SetTool(nullptr).";
     return false;
   }
   if (!d.Frames.empty())
   {
-    error = "A vtkHapticPointShell can't feel a volume that moves, and the image on input port 0 "
-            "has several frames. Stop time with SetTimeUnitsPerSecond(0), or take the tool away "
-            "with SetTool(nullptr).";
+    error = begin +
+      " can't feel a volume that moves, and the image on input port 0 has several frames. Stop "
+      "time with SetTimeUnitsPerSecond(0), or take the tool away with SetTool(nullptr).";
     return false;
   }
   return true;
 }
 
-} // namespace
+bool FindSolid(const char* tool, int choice, double contactValue, const HapticMaterial& material,
+  SolidLevel& level, std::string& error)
+{
+  if (choice == vtkHapticPointShell::FROM_STRENGTH)
+  {
+    return FindSolidLevel(material, level, error) ||
+      ((error = std::string("The ") + tool + error), false);
+  }
+  level = { contactValue, choice == vtkHapticPointShell::BELOW };
+  if (!std::isfinite(contactValue))
+  {
+    error = std::string("The ContactValue of the ") + tool +
+      " is not a finite number. Set it with SetContactValue().";
+  }
+  return std::isfinite(contactValue);
+}
 
 bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error)
 {
@@ -192,7 +222,7 @@ bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::stri
     return true;
   }
   std::ostringstream text;
-  text << "The vtkHapticPointShell can't tell what is solid: the surface strength of the "
+  text << " can't tell what is solid: the surface strength of the "
           "vtkHapticProperty passes half of its largest "
        << (passes == 0 ? "nowhere" : std::to_string(passes) + " times")
        << ". Set the value at the surface with SetContactValue(), and SetSolidToAbove() or "
@@ -203,22 +233,11 @@ bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::stri
 
 bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, std::string& error)
 {
-  if (!Check(shell, d, error))
+  SolidLevel solid;
+  if (!Check(shell, d, error) ||
+    !FindSolid(
+      "vtkHapticPointShell", shell->GetSolid(), shell->GetContactValue(), d.Material, solid, error))
   {
-    return false;
-  }
-  SolidLevel solid{ shell->GetContactValue(), shell->GetSolid() == vtkHapticPointShell::BELOW };
-  if (shell->GetSolid() == vtkHapticPointShell::FROM_STRENGTH)
-  {
-    if (!FindSolidLevel(d.Material, solid, error))
-    {
-      return false;
-    }
-  }
-  else if (!std::isfinite(solid.Level))
-  {
-    error = "The ContactValue of the vtkHapticPointShell is not a finite number. Set it with "
-            "SetContactValue().";
     return false;
   }
   ShellDescription& described = d.Tool.Shell;

@@ -17,6 +17,7 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticRemoval.h"
 #include "vtkHapticTool.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -183,6 +184,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Displacements = this->Filter->DisplacementArrayName;
   options.Modes = this->Filter->Modes;
   options.Tool = this->Filter->Tool;
+  options.Removal = this->Filter->Removal;
   options.Cut = this->Filter->Cut.get();
   vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
   options.Surface = vtkPolyData::SafeDownCast(surface);

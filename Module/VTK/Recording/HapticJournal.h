@@ -5,14 +5,16 @@
  * The journal of a running recording: FILE.part, from which FILE is made at the end.
  *
  * A journal is written from beginning to end, in chunks that each carry a checksum: facts about the
- * recording, the first state with its contacts, placements, and groups of ticks. A group holds the
- * columns one after the other, each compressed as a block of VTK's XML format, so that a .vtp is
- * made by copying blocks. If a full disk or a crash ends a journal, all chunks before that can be
- * read. A journal is only for the machine that wrote it: numbers are stored as in memory.
+ * recording, the first state with its contacts and removed tissue, placements, and groups of ticks.
+ * A group holds the columns one after the other, each compressed as a block of VTK's XML format, so
+ * that a .vtp is made by copying blocks. If a full disk or a crash ends a journal, all chunks
+ * before that can be read. A journal is only for the machine that wrote it: numbers are stored as
+ * in memory.
  */
 #ifndef HapticJournal_h
 #define HapticJournal_h
 
+#include "Core/Carving/ShareSnapshot.h"
 #include "Core/Solvers/ServoStateNumbers.h"
 #include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/TraceRow.h"

@@ -10,6 +10,7 @@
  * - Hashes: the texts of RecordingHashes, each after its length, once they are known;
  * - Begin: a RecordingBegin;
  * - Contacts: ContactRows, after Begin;
+ * - Shares: BrickShares of removed tissue, after Begin;
  * - Placements: PlacementRows;
  * - Ticks: the number of lost ticks so far (64 bits), the number of these (32 bits), the size of
  *   each column's block (32 bits), and the blocks.
@@ -27,13 +28,14 @@ namespace VolumeHaptics
 
 /** The last byte counts the changes of this format. */
 constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 't', 'i', 'c', 's',
-  'J', '\0', '\3' };
+  'J', '\0', '\4' };
 
 constexpr std::uint32_t AboutChunk =
   0x41744856; // no chunk begins with zeros, as a file after a power cut may
 constexpr std::uint32_t HashesChunk = 0x48744856;
 constexpr std::uint32_t BeginChunk = 0x42744856;
 constexpr std::uint32_t ContactsChunk = 0x43744856;
+constexpr std::uint32_t SharesChunk = 0x53744856;
 constexpr std::uint32_t PlacementsChunk = 0x50744856;
 constexpr std::uint32_t TicksChunk = 0x54744856;
 

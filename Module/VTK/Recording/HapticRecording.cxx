@@ -114,7 +114,8 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   }
   const HapticModel& model = *found->second.Model;
   const ToolMemory* const tool = found->second.Tool.get();
-  if (this->LastPlacement < 0 && tool && !snapshot.IsKept)
+  TissueRemoval* const removal = model.Baked->Removal.get();
+  if (this->IsAwaited() && (tool || removal) && !snapshot.IsKept)
   {
     return true;
   }
@@ -132,6 +133,10 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
     if (tool && tool->GetKept() && snapshot.Before.Shell.Enabled)
     {
       this->BeginContacts = ToRows(*tool->GetKept());
+    }
+    if (removal)
+    {
+      this->BeginShares = removal->EndSnapshot();
     }
   }
   // A placement for every generation, even if it is equal: the servo carries its state across each.
@@ -193,6 +198,7 @@ bool HapticRecording::WriteGroup(bool isEnd)
   std::vector<PlacementRow> placements;
   std::unique_ptr<RecordingBegin> begin;
   std::vector<ContactRow> contacts;
+  std::vector<BrickShares> shares;
   {
     const std::lock_guard<std::mutex> lock(this->QueueMutex);
     const std::size_t least = isEnd ? 1 : GroupSize;
@@ -206,9 +212,11 @@ bool HapticRecording::WriteGroup(bool isEnd)
     placements.swap(this->NewPlacements);
     begin.swap(this->Begin);
     contacts.swap(this->BeginContacts);
+    shares.swap(this->BeginShares);
   }
   int failure = begin ? this->Writer->WriteBegin(*begin) : 0;
   failure = failure ? failure : this->Writer->WriteContacts(contacts);
+  failure = failure ? failure : this->Writer->WriteShares(shares);
   failure = failure ? failure : this->Writer->WritePlacements(placements);
   failure =
     failure ? failure : this->Writer->WriteTicks(rows.data(), rows.size(), this->GetLostTicks());

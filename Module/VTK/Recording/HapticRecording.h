@@ -64,10 +64,12 @@ public:
     std::shared_ptr<const ToolMemory> tool = nullptr);
   /**
    * Takes a tick; false if it is lost. Ticks without a model are left out, because they have no
-   * world. So are ticks before that at which the memory of the tool was kept
-   * (ServoLoop::KeepTool), as long as none has come.
+   * world. So are ticks before that at which the memory of the tool and the removed tissue were
+   * kept (ServoLoop::KeepTool), as long as none has come.
    */
   bool Append(const ServoSnapshot& snapshot);
+  /** Whether no tick has been taken yet. */
+  bool IsAwaited() const { return this->LastPlacement < 0; }
   /** Tells the hashes, once, when they are known; from the owner's thread. */
   void SetHashes(const RecordingHashes& hashes);
 
@@ -118,6 +120,7 @@ private:
   std::unique_ptr<RecordingHashes> Hashes; // until they are written
   std::unique_ptr<RecordingBegin> Begin;   // until it is written
   std::vector<ContactRow> BeginContacts;   // of Begin
+  std::vector<BrickShares> BeginShares;    // of Begin
   std::atomic<std::uint64_t> Missed{ 0 };
   std::atomic<std::uint64_t> Dropped{ 0 };
   std::atomic<bool> StopRequested{ false };

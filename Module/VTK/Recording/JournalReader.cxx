@@ -27,7 +27,7 @@ constexpr std::uint64_t MostPayload = 1 << 24;
 bool IsKind(std::uint32_t kind)
 {
   return kind == AboutChunk || kind == HashesChunk || kind == BeginChunk || kind == ContactsChunk ||
-    kind == PlacementsChunk || kind == TicksChunk;
+    kind == SharesChunk || kind == PlacementsChunk || kind == TicksChunk;
 }
 
 /** Whether a whole chunk begins behind the first byte. */
@@ -246,6 +246,11 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
     this->Contacts += payload.size() / sizeof(ContactRow);
     return this->HasBegin && payload.size() % sizeof(ContactRow) == 0;
   }
+  if (chunk.Kind == SharesChunk)
+  {
+    this->Bricks += payload.size() / sizeof(BrickShares);
+    return this->HasBegin && payload.size() % sizeof(BrickShares) == 0;
+  }
   if (chunk.Kind == PlacementsChunk)
   {
     this->Placements += payload.size() / sizeof(PlacementRow);
@@ -352,16 +357,27 @@ bool JournalReader::ReadCaps(std::vector<double>& caps)
   return isRead;
 }
 
-bool JournalReader::ReadContacts(std::vector<ContactRow>& contacts)
+template <typename Row>
+bool JournalReader::ReadRows(std::uint32_t kind, std::vector<Row>& rows)
 {
-  contacts.clear();
-  return this->ForEachChunk(ContactsChunk,
+  rows.clear();
+  return this->ForEachChunk(kind,
     [&](const Chunk& chunk)
     {
-      const std::size_t before = contacts.size();
-      contacts.resize(before + chunk.Size / sizeof(ContactRow));
-      return this->ReadAt(chunk.Payload, contacts.data() + before, chunk.Size);
+      const std::size_t before = rows.size();
+      rows.resize(before + chunk.Size / sizeof(Row));
+      return this->ReadAt(chunk.Payload, rows.data() + before, chunk.Size);
     });
+}
+
+bool JournalReader::ReadContacts(std::vector<ContactRow>& contacts)
+{
+  return this->ReadRows(ContactsChunk, contacts);
+}
+
+bool JournalReader::ReadShares(std::vector<BrickShares>& shares)
+{
+  return this->ReadRows(SharesChunk, shares);
 }
 
 bool JournalReader::ForEachPlacement(const std::function<void(const PlacementRow&)>& visit)

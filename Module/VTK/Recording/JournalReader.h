@@ -54,6 +54,8 @@ public:
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
   /** That a tool with a shape had in the first state. */
   std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
+  /** Of which tissue had been removed at the first state. */
+  std::uint64_t GetNumberOfBricks() const { return this->Bricks; }
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
@@ -62,8 +64,11 @@ public:
    * reading failed.
    */
   bool ReadCaps(std::vector<double>& caps);
+  ///@{
   /** False if reading failed. */
   bool ReadContacts(std::vector<ContactRow>& contacts);
+  bool ReadShares(std::vector<BrickShares>& shares);
+  ///@}
   ///@{
   /** Visits one after the other; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
@@ -89,6 +94,8 @@ private:
   bool TakeIn(const Chunk& chunk, const std::string& payload, std::string& error);
   bool TakeHashes(const std::string& payload);
   bool TakeAbout(const std::string& payload, std::string& error);
+  template <typename Row>
+  bool ReadRows(std::uint32_t kind, std::vector<Row>& rows);
   bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
 
   int Descriptor = -1;
@@ -103,6 +110,7 @@ private:
   bool HasLastGroup = false;
   std::uint64_t Ticks = 0;
   std::uint64_t Contacts = 0;
+  std::uint64_t Bricks = 0;
   std::uint64_t Placements = 0;
   std::uint64_t Lost = 0;
 };

@@ -229,19 +229,30 @@ int JournalWriter::WriteBegin(const RecordingBegin& begin)
   return this->WriteChunk(BeginChunk, payload);
 }
 
-int JournalWriter::WriteContacts(const std::vector<ContactRow>& contacts)
+template <typename Row>
+int JournalWriter::WriteRows(std::uint32_t kind, const std::vector<Row>& rows)
 {
-  constexpr std::size_t mostRows = 100000; // a chunk of 8 MB
-  for (std::size_t first = 0; first < contacts.size(); first += mostRows)
+  constexpr std::size_t most = 8000000 / sizeof(Row); // of a chunk of 8 MB
+  for (std::size_t first = 0; first < rows.size(); first += most)
   {
     std::string payload;
-    for (std::size_t i = first; i < std::min(first + mostRows, contacts.size()); ++i)
+    for (std::size_t i = first; i < std::min(first + most, rows.size()); ++i)
     {
-      Put(payload, contacts[i]);
+      Put(payload, rows[i]);
     }
-    this->WriteChunk(ContactsChunk, payload);
+    this->WriteChunk(kind, payload);
   }
   return this->Failure;
+}
+
+int JournalWriter::WriteContacts(const std::vector<ContactRow>& contacts)
+{
+  return this->WriteRows(ContactsChunk, contacts);
+}
+
+int JournalWriter::WriteShares(const std::vector<BrickShares>& shares)
+{
+  return this->WriteRows(SharesChunk, shares);
 }
 
 int JournalWriter::WritePlacements(const std::vector<PlacementRow>& placements)

@@ -41,6 +41,7 @@ public:
   int WriteHashes(const RecordingHashes& hashes);
   int WriteBegin(const RecordingBegin& begin);
   int WriteContacts(const std::vector<ContactRow>& contacts);
+  int WriteShares(const std::vector<BrickShares>& shares);
   int WritePlacements(const std::vector<PlacementRow>& placements);
   int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);
   ///@}
@@ -50,6 +51,9 @@ private:
   friend class JournalReader; // reads from the same descriptor
   bool OpenNew(const std::string& file, std::string& error, std::string& warning);
   int WriteChunk(std::uint32_t kind, const std::string& payload);
+  /** As chunks of that kind; none without rows. */
+  template <typename Row>
+  int WriteRows(std::uint32_t kind, const std::vector<Row>& rows);
 
   std::string Name;
   int Descriptor = -1;

@@ -9,6 +9,7 @@
 #include "VTK/Recording/JournalReader.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/ShareArrays.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkBase64Utilities.h"
@@ -207,6 +208,7 @@ private:
     this->WriteNumbers(
       RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
     this->WriteContacts();
+    this->WriteShares();
     this->WriteNumbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
     this->WriteCaps();
     const auto lost = static_cast<std::int64_t>(this->Journal.GetLostTicks());
@@ -240,6 +242,29 @@ private:
       static_cast<int>(std::tuple_size<ContactRow>::value),
       static_cast<std::int64_t>(contacts.size()));
     this->WriteBlock(contacts.data(), contacts.size() * sizeof(ContactRow));
+    this->File.Write("\n</DataArray>\n");
+  }
+  void WriteShares()
+  {
+    if (this->Journal.GetNumberOfBricks() == 0)
+    {
+      return;
+    }
+    std::vector<BrickShares> bricks;
+    this->Require(this->Journal.ReadShares(bricks));
+    std::vector<decltype(PlaceOfBrick(bricks[0]))> places;
+    std::vector<decltype(SharesAsBytes(bricks[0]))> shares;
+    for (const BrickShares& brick : bricks)
+    {
+      places.push_back(PlaceOfBrick(brick));
+      shares.push_back(SharesAsBytes(brick));
+    }
+    const auto count = static_cast<std::int64_t>(bricks.size());
+    this->BeginArray("Int32", InitialShareNames.Bricks, 3, count);
+    this->WriteBlock(places.data(), places.size() * sizeof(places[0]));
+    this->File.Write("\n</DataArray>\n");
+    this->BeginArray("UInt8", InitialShareNames.Shares, SharesOfBrick, count);
+    this->WriteBlock(shares.data(), shares.size() * sizeof(shares[0]));
     this->File.Write("\n</DataArray>\n");
   }
   void WritePlacements()

@@ -9,6 +9,7 @@
 #include "VTK/Recording/JournalReader.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/ShareArrays.h"
 #include "VTK/Trace/TraceRow.h"
 #include "VTK/Trace/TraceTable.h"
 
@@ -152,6 +153,26 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
     }
     file.Write("]");
   }
+  std::vector<BrickShares> bricks;
+  const bool areSharesRead = journal.ReadShares(bricks);
+  const auto list = [&](const char* name, const auto& getRow)
+  {
+    key(name);
+    file.Write("[");
+    NumberList rows(file);
+    for (const BrickShares& brick : bricks)
+    {
+      const auto row = getRow(brick);
+      const std::vector<double> asDoubles(row.begin(), row.end());
+      rows.Add(asDoubles.data(), asDoubles.size());
+    }
+    file.Write("]");
+  };
+  if (!bricks.empty())
+  {
+    list(InitialShareNames.Bricks, PlaceOfBrick);
+    list(InitialShareNames.Shares, SharesAsBytes);
+  }
   const auto lost = static_cast<double>(journal.GetLostTicks());
   numbers("LostTicks", &lost, 1);
   words("Settings", journal.GetAbout().Settings);
@@ -159,7 +180,7 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   words("Units", RecordingUnits);
   words("VolumeHash", journal.GetAbout().VolumeHash);
   file.Write("\n}\n");
-  return isRead && areCapsRead && areContactsRead;
+  return isRead && areCapsRead && areContactsRead && areSharesRead;
 }
 
 } // namespace VolumeHaptics

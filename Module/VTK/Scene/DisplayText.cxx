@@ -4,6 +4,7 @@
 
 #include "vtkHapticDevice.h"
 #include "vtkHapticMode.h"
+#include "vtkHapticRemoval.h"
 #include "vtkHapticSurfaceMode.h"
 #include "vtkMath.h"
 #include "vtkPlaneCollection.h"
@@ -76,7 +77,14 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
   }
   std::ostringstream text;
   const double depth = device->GetNeedleDepth();
-  if (depth > 0.0)
+  if (device->IsSpinning())
+  {
+    vtkHapticRemoval* const removal = device->GetVolumeHaptics()->GetRemoval();
+    text << "Drills " << (tissue.empty() ? "the volume" : tissue) << ", " << std::fixed
+         << std::setprecision(1) << removal->GetRemovedVolume() << " mm^3 removed"
+         << (removal->IsUsedUp() ? " (no more can be)" : "");
+  }
+  else if (depth > 0.0)
   {
     text << "Needle " << std::fixed << std::setprecision(1) << depth << " deep"
          << (tissue.empty() ? "" : " in ") << tissue;

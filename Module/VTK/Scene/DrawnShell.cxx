@@ -3,14 +3,16 @@
 #include "VTK/Scene/DrawnShell.h"
 
 #include "Core/Math/Quaternion.h"
+#include "VTK/Scene/HeldTool.h"
 #include "VTK/Scene/SceneMarker.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkHapticBurr.h"
 #include "vtkHapticDevice.h"
-#include "vtkHapticPointShell.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkVolumeHapticsFilter.h"
+
+#include <cmath>
 
 namespace VolumeHaptics
 {
@@ -19,12 +21,25 @@ namespace
 
 /** Degrees; edges of a tool that are sharper are drawn as edges. */
 constexpr double FeatureAngle = 40.0;
+constexpr double Pi = 3.14159265358979323846;
 
-vtkPolyData* FindMesh(vtkHapticDevice* device)
+/** Turns a second, as it looks like while it spins: faster could not be seen. */
+constexpr double SeenTurns = 1.7;
+
+/** What turns the tool to the world's axes; NoOrientation if it is not felt. */
+Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool)
 {
-  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
-  auto* const tool = vtkHapticPointShell::SafeDownCast(filter ? filter->GetTool() : nullptr);
-  return tool ? tool->GetMesh() : nullptr;
+  const double* const wxyz = device->GetToolOrientation();
+  const Quaternion felt{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] };
+  if (IsIdentical(felt, NoOrientation) || !vtkHapticBurr::SafeDownCast(tool))
+  {
+    return felt;
+  }
+  // Its head is a ball, which is felt without an orientation: the stylus has one.
+  const double* const held = device->GetTipOrientation();
+  const double half = device->IsSpinning() ? Pi * SeenTurns * device->GetTime() : 0.0;
+  return Quaternion{ held[0], held[1], held[2], held[3] } *
+    Quaternion{ std::cos(half), 0.0, 0.0, std::sin(half) };
 }
 
 } // namespace
@@ -52,17 +67,18 @@ DrawnShell::DrawnShell()
 
 void DrawnShell::Update(vtkHapticDevice* device)
 {
-  vtkPolyData* const mesh = FindMesh(device);
-  const double* const wxyz = mesh ? device->GetToolOrientation() : nullptr;
-  const Quaternion q = wxyz ? Quaternion{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] } : NoOrientation;
+  vtkHapticTool* const tool = FindHeldTool(device);
+  const Quaternion q = tool ? FindTurn(device, tool) : NoOrientation;
   this->Shown = !IsIdentical(q, NoOrientation);
   if (!this->Shown)
   {
     return;
   }
-  if (this->Normals->GetInput() != mesh)
+  if (this->Tool != tool || this->ToolTime != tool->GetMTime())
   {
-    this->Normals->SetInputData(mesh);
+    this->Tool = tool;
+    this->ToolTime = tool->GetMTime();
+    this->Normals->SetInputData(MakeToolShape(tool));
   }
   const Matrix3 rotation = ToMatrix(q);
   const double* const at = device->GetProxyPosition();

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape in the scene: its mesh where the tool is, which lags behind the hand.
+ * A tool with a shape in the scene: its mesh where the tool is, which lags behind the hand. The
+ * head of a burr turns while it spins.
  */
 #ifndef DrawnShell_h
 #define DrawnShell_h
 
 #include "vtkActor.h"
+#include "vtkHapticTool.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
 
 class vtkBoundingBox;
 class vtkHapticDevice;
@@ -43,6 +47,8 @@ private:
   vtkNew<vtkMatrix4x4> Pose;
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;
+  vtkWeakPointer<vtkHapticTool> Tool; ///< whose shape is drawn
+  vtkMTimeType ToolTime = 0;
   bool Shown = false;
 };
 

@@ -3,15 +3,14 @@
 #include "VTK/Scene/ToolTurn.h"
 
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Scene/HeldTool.h"
 
 #include "vtkCamera.h"
-#include "vtkHapticPointShell.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
-#include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
 
@@ -30,9 +29,8 @@ constexpr double SameMotion = 0.5;     ///< s, at most between two events of the
 bool ToolTurn::HasTool() const
 {
   vtkHapticDevice* const device = this->Scene.Device;
-  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
-  return filter && device->IsRunning() && !device->IsTipOrientationMeasured() &&
-    vtkHapticPointShell::SafeDownCast(filter->GetTool()) && this->Scene.FindRenderer();
+  return device && device->IsRunning() && !device->IsTipOrientationMeasured() &&
+    IsTurnable(FindHeldTool(device)) && this->Scene.FindRenderer();
 }
 
 bool ToolTurn::IsOn() const

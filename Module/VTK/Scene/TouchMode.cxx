@@ -6,13 +6,12 @@
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/HeldTool.h"
 #include "VTK/Scene/WorkspaceControl.h"
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkCamera.h"
-#include "vtkHapticPointShell.h"
 #include "vtkInteractorStyleHaptic.h"
-#include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -23,29 +22,6 @@
 
 namespace VolumeHaptics
 {
-namespace
-{
-
-/** World units: from the hand to what a tool with a shape touches first; 0 without one. */
-double FindToolReach(vtkVolumeHapticsFilter* filter)
-{
-  auto* const tool = vtkHapticPointShell::SafeDownCast(filter->GetTool());
-  if (!tool || !tool->GetMesh() || tool->GetMesh()->GetNumberOfPoints() == 0)
-  {
-    return 0.0;
-  }
-  double bounds[6];
-  tool->GetMesh()->GetBounds(bounds);
-  double reach = 0.0;
-  for (const double bound : bounds)
-  {
-    reach = std::max(reach, std::abs(bound));
-  }
-  return reach;
-}
-
-} // namespace
-
 void TouchMode::Set(bool on)
 {
   if (!on)
@@ -120,7 +96,7 @@ void TouchMode::Begin(const Vector3* at)
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
       {
-        start = start - FindToolReach(filter) * LineOfSight(renderer, start);
+        start = start - FindToolReach(filter->GetTool()) * LineOfSight(renderer, start);
       }
     }
   }
@@ -213,7 +189,7 @@ Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) c
   const double voxel = SmallestSpacing(filter->GetTouchedImage());
   if (this->Scene.Device->GetContact() == 0)
   {
-    const double reach = FindToolReach(filter);
+    const double reach = FindToolReach(filter->GetTool());
     const bool isNear = isOver && depth > -highest * voxel - reach;
     return after + (isNear ? depth : -reach) * sight;
   }

@@ -237,6 +237,7 @@ void DeviceRecorder::Follow()
   {
     return;
   }
+  ticks->FollowRecording();
   if (const RecordingHashes* const hashes = this->Felt ? this->FindHashes(this->Felt) : nullptr)
   {
     ticks->SetRecordingHashes(*hashes);

@@ -139,6 +139,15 @@ void DeviceSession::TurnHand(const std::optional<Quaternion>& orientation)
   }
 }
 
+void DeviceSession::Spin(bool on)
+{
+  this->Spinning = on;
+  if (ServoLoop* const loop = this->GetLoop())
+  {
+    loop->Spin(on);
+  }
+}
+
 void DeviceSession::Start(double rate, const SafetyLimits& limits,
   std::shared_ptr<const HapticModel> model, const Affine3& deviceToWorld)
 {
@@ -173,6 +182,7 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
   }
   this->Servo->GetLoop().SetClutched(this->Clutched);
   this->TurnHand(std::optional<Quaternion>(this->HandTurn));
+  this->Spin(this->Spinning);
   if (std::exchange(this->ArmsAtStart, false))
   {
     this->Servo->GetLoop().Arm();

@@ -96,6 +96,11 @@ public:
    * this and later servos: see HandTurn.h. Nothing takes it away.
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
+  ///@{
+  /** See vtkHapticDevice::SetSpinning. */
+  void Spin(bool on);
+  bool IsSpinOrdered() const { return this->Spinning; }
+  ///@}
   TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
   ///@}
 
@@ -237,6 +242,7 @@ private:
   bool ArmsAtStart = false;           ///< Arm was ordered before the servo ran
   bool Clutched = false;              ///< as ordered
   std::optional<Quaternion> HandTurn; ///< see TurnHand
+  bool Spinning = false;              ///< as ordered
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
   std::map<std::string, double> BackgroundWorks; // with the share that is done

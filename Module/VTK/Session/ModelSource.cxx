@@ -5,14 +5,17 @@
 #include "Core/Servo/ServoClock.h"
 #include "VTK/Baking/HapticMethods.h"
 #include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Baking/RemovalAccess.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Session/HapticChangeTime.h"
 #include "VTK/Session/HapticLongWork.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticRemoval.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace VolumeHaptics
@@ -37,7 +40,10 @@ ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
 {
 }
 
-ModelSource::~ModelSource() = default;
+ModelSource::~ModelSource()
+{
+  this->LetRemovalsGo();
+}
 
 bool ModelSource::SetFilter(vtkVolumeHapticsFilter* filter)
 {
@@ -94,10 +100,45 @@ bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
       this->Playback.Forget();
       model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
     }
+    if (model && !this->HoldRemovalOf(*model, filter))
+    {
+      model = nullptr;
+    }
     this->IsMadeOfFrames = isMoving;
     this->MadeTime = this->IsBehind() ? 0 : FindChangeTime(filter, isMoving);
   }
   return !filter || model;
+}
+
+bool ModelSource::HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter)
+{
+  vtkHapticRemoval* const removal = filter->GetRemoval();
+  if (!model.Baked->Removal || model.Baked->Removal != GetTissueRemoval(removal))
+  {
+    return true;
+  }
+  if (!HoldRemoval(removal, this))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      "Another vtkHapticDevice ticks with the removed tissue of this filter, and only one at a "
+      "time can. Give the filter of this device one of its own with SetRemoval(nullptr), or Stop() "
+      "the other device.");
+    return false;
+  }
+  if (std::find(this->Held.begin(), this->Held.end(), removal) == this->Held.end())
+  {
+    this->Held.emplace_back(removal);
+  }
+  return true;
+}
+
+void ModelSource::LetRemovalsGo()
+{
+  for (vtkHapticRemoval* const removal : this->Held)
+  {
+    LetRemovalGo(removal, this);
+  }
+  this->Held.clear();
 }
 
 const char* ModelSource::Prepare(double rate)

@@ -19,8 +19,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkHapticDevice;
+class vtkHapticRemoval;
 class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
@@ -89,6 +91,9 @@ public:
   double GetFrameTime() const { return this->Playback.GetShown(this->Filter).Time; }
   ///@}
 
+  /** Lets go of all that Make() held: when the servo has ended. */
+  void LetRemovalsGo();
+
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
@@ -96,6 +101,8 @@ public:
   Affine3 GetPlacement() const;
 
 private:
+  /** Takes what a model changes for this device. False, after an error, if another has it. */
+  bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
   /** Tells the source of regions how long it took to make a model of its last one. */
   void NoteRegionMade();
 
@@ -105,6 +112,8 @@ private:
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
   RegionMesher Regions;
+  /** That the servo's models have had: an older model may still tick. */
+  std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
   FrameImage Shown;
   std::int64_t RegionTime = 0; ///< ServoClock; when the region came that no model is made of yet

@@ -39,6 +39,13 @@ void TickCollector::Drain()
 void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
+  TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
+  if (this->Recording && this->Recording->IsAwaited() && removal &&
+    removal != this->GetLatestRemoval())
+  {
+    // Before the loop has it.
+    removal->BeginSnapshot();
+  }
   const std::uint64_t generation = this->Loop.Publish(model);
   const PublishedTouch touch{ std::move(model), this->Loop.GetTool() };
   if (this->Recording)
@@ -134,12 +141,39 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
   }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
-  this->Loop.KeepTool(); // after it: the tick that keeps it is among those that come
+  this->Keep(); // after it: the tick that keeps it is among those that come
+}
+
+void TickCollector::FollowRecording()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  TissueRemoval* const removal = this->GetLatestRemoval();
+  if (this->Recording && this->Recording->IsAwaited() && removal && removal->IsSnapshotLate())
+  {
+    this->Keep();
+  }
+}
+
+TissueRemoval* TickCollector::GetLatestRemoval() const
+{
+  const HapticModel* const model =
+    this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
+  return model ? model->Baked->Removal.get() : nullptr;
+}
+
+void TickCollector::Keep()
+{
+  if (TissueRemoval* const removal = this->GetLatestRemoval())
+  {
+    removal->BeginSnapshot();
+  }
+  this->Loop.KeepTool();
 }
 
 std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
+  this->Loop.KeepNothing();
   // The tick that runs now belongs to it, too.
   const std::uint64_t last = this->Loop.GetTickCount();
   for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)

@@ -47,6 +47,8 @@ public:
   /** Takes over a recording that was started; Drain fills it until it is handed back. */
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
+  /** To be called now and then: a recording may wait for a copy of what was removed. */
+  void FollowRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
   /** See HapticRecording::SetHashes; a recording is under way. */
   void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
@@ -72,6 +74,10 @@ public:
   void Drain();
 
 private:
+  /** Of the model that was last published; null if nothing is removed. */
+  TissueRemoval* GetLatestRemoval() const;
+  /** The loop keeps what a recording begins with. */
+  void Keep();
   /** Drops the states that all readers have got. Call it under the mutex. */
   void ForgetStates();
   /** Drops the models of older generations, which no reader can ask for any more. */

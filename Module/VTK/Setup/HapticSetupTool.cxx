@@ -47,6 +47,10 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
     shell->SetMesh(before ? before->GetMesh() : nullptr);
     PassSettings(node, shell, PointShellSettings);
   }
+  if (auto* const burr = vtkHapticBurr::SafeDownCast(tool))
+  {
+    PassSettings(node, burr, HapticBurrSettings);
+  }
   for (const ToolFunction& function : FindToolKind(tool).Functions)
   {
     PassFunction(

@@ -107,23 +107,27 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
   }
   if (volume.Tool)
   {
-    this->AddToolArrays(ticks, choice, volume.HasTool(ToolKind::Shell));
+    this->AddToolArrays(ticks, choice, volume);
   }
 }
 
 HapticTrace::~HapticTrace() = default;
 
-void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, bool isShaped)
+void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume)
 {
+  // Those that only some tools have.
+  const bool isShaped = volume.HasTool(ToolKind::Shell);
+  const bool removes = volume.HasTool(ToolKind::Burr);
   constexpr ColumnType number = ColumnType::Float64;
   constexpr TraceColumn columns[] = { { ToolColumns[0], "", number, 4, 0 },
     { ToolColumns[1], "", number, 3, offsetof(TraceRow, Torque) },
     { ToolColumns[2], "", number, 1, offsetof(TraceRow, Depth) },
     { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) },
-    { ToolColumns[4], "", number, 4, offsetof(TraceRow, ToolOrientation) } };
+    { ToolColumns[4], "", number, 4, offsetof(TraceRow, ToolOrientation) },
+    { ToolColumns[5], "", number, 1, offsetof(TraceRow, RemovedVolume) } };
   for (std::size_t i = 0; i < std::size(columns); ++i)
   {
-    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped))
+    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped) || (i == 5 && !removes))
     {
       continue;
     }

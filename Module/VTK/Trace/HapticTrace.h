@@ -67,8 +67,7 @@ public:
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
 private:
-  /** Only tools with a shape have an orientation of their own. */
-  void AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, bool isShaped);
+  void AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume);
   void CloseGaps(const std::vector<Rows>& paths);
 
   vtkNew<vtkPoints> Proxies;

@@ -72,6 +72,8 @@ const std::vector<TraceColumn>& GetRecordingColumns()
       { "Fault", "", UInt8, 1, offsetof(RecordingRow, Fault) },
       { "Share", "", Float64, 1, offsetof(RecordingRow, Share) },
       { "Reason", "", UInt8, 1, offsetof(RecordingRow, Reason) },
+      { RecordingNames::Spinning, "", UInt8, 1, offsetof(RecordingRow, Spinning) },
+      { RecordingNames::RemovalRequest, "", UInt8, 1, offsetof(RecordingRow, RemovalRequest) },
     };
     const auto add = [all](TraceColumn column)
     {
@@ -85,6 +87,7 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     add({ DataTimeColumn, "", Float64, 1, offsetof(TraceRow, DataTime) });
     add({ "Torque", " (N m)", Float64, 3, offsetof(TraceRow, Torque) });
     add({ "ToolOrientation", "", Float64, 4, offsetof(TraceRow, ToolOrientation) });
+    add({ "RemovedVolume", " (mm^3)", Float64, 1, offsetof(TraceRow, RemovedVolume) });
     add({ "Proxy", " (world)", Float64, 3, offsetof(TraceRow, Proxy) });
     return all;
   }();

@@ -25,7 +25,10 @@ struct RecordedPath
   std::vector<double> DataTimes; ///< per tick; empty if the volume did not move
   /// per tick, in device space; NoOrientation where there was none; empty if there never was one
   std::vector<Quaternion> Orientations;
+  std::vector<bool> Spinning;           ///< per tick, of a burr; empty if it never did
+  std::vector<RemovalRequest> Requests; ///< per tick; empty if there never was one
   ServoState InitialState;
+  std::vector<BrickShares> InitialShares; ///< of removed tissue, with the state
   ///@{
   /** With the state: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;

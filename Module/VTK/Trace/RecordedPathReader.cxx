@@ -7,6 +7,7 @@
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Trace/ContactRows.h"
 #include "VTK/Trace/RecordingNames.h"
+#include "VTK/Trace/ShareArrays.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkDataArray.h"
@@ -46,6 +47,7 @@ std::string RecordedPathReader::Read()
   this->ReadTicks();
   this->ReadOrientations();
   this->ReadContacts();
+  this->ReadRemoval();
   return this->Flaw;
 }
 
@@ -213,6 +215,37 @@ void RecordedPathReader::ReadOrientations()
   if (!isTurned)
   {
     this->Result.Orientations.clear();
+  }
+}
+
+void RecordedPathReader::ReadRemoval()
+{
+  std::string flaw;
+  if (!ReadShareArrays(
+        this->Path->GetFieldData(), InitialShareNames, this->Result.InitialShares, flaw) &&
+    this->Flaw.empty())
+  {
+    this->Flaw = flaw;
+  }
+  // Older recordings, and those of files that a user has made smaller, lack them.
+  vtkPointData* const data = this->Path->GetPointData();
+  const auto find = [&](const char* name)
+  { return data->GetArray(name) ? this->FindOfTicks(name, 1) : nullptr; };
+  vtkDataArray* const spinning = find(RecordingNames::Spinning);
+  vtkDataArray* const requests = find(RecordingNames::RemovalRequest);
+  for (vtkIdType i = 0; spinning && this->Flaw.empty() && i < this->Ticks; ++i)
+  {
+    const double spins = spinning->GetComponent(i, 0);
+    this->Require(spins == 0.0 || spins == 1.0, RecordingNames::Spinning, i, "0 or 1");
+    this->Result.Spinning.push_back(spins != 0.0);
+  }
+  for (vtkIdType i = 0; requests && this->Flaw.empty() && i < this->Ticks; ++i)
+  {
+    const double request = requests->GetComponent(i, 0);
+    const bool isOne = request == 0.0 || request == 1.0 || request == 2.0 || request == 3.0;
+    this->Require(isOne, RecordingNames::RemovalRequest, i, "0, 1, 2 or 3");
+    this->Result.Requests.push_back(
+      isOne ? static_cast<RemovalRequest>(request) : RemovalRequest::None);
   }
 }
 

@@ -46,6 +46,7 @@ private:
   void ReadTicks();
   void ReadOrientations();
   void ReadContacts();
+  void ReadRemoval();
 
   vtkPolyData* const Path;
   RecordedPath& Result;

@@ -16,10 +16,13 @@ namespace RecordingNames
 constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in device space (m)
 /// point array: w, x, y, z of the stylus in device space; all 0: none
 constexpr const char* DeviceOrientation = "DeviceOrientation";
-constexpr const char* Orientation = "Orientation";     ///< point array: the same in the world
-constexpr const char* Enabled = "Enabled";             ///< point array: 1 if the tick enabled
-constexpr const char* Placement = "Placement";         ///< point array: tuple of DeviceToWorld
-constexpr const char* Renewed = "Renewed";             ///< point array: 1 if a local surface came
+constexpr const char* Orientation = "Orientation"; ///< point array: the same in the world
+constexpr const char* Enabled = "Enabled";         ///< point array: 1 if the tick enabled
+constexpr const char* Placement = "Placement";     ///< point array: tuple of DeviceToWorld
+constexpr const char* Renewed = "Renewed";         ///< point array: 1 if a local surface came
+constexpr const char* Spinning = "Spinning";       ///< point array: 1 if a burr was to spin
+/// point array: 1 undo, 2 redo, 3 reset of removed tissue that began then; 0: none
+constexpr const char* RemovalRequest = "RemovalRequest";
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
 constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap;

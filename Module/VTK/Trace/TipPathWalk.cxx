@@ -41,7 +41,7 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
   // What ResidentServo does where all samples are there.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
-  this->TakeOrientation(model);
+  this->TakeHand(model);
   this->ProvideTool(model);
   VolumeHaptics::Tick(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
     this->Tool.get());
@@ -62,7 +62,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     const Vector3 tip = model->WorldToDevice(this->Tips->Next());
     this->State.DataTime = FindDataTime(*model, this->Tips->GetTime());
-    this->TakeOrientation(*model);
+    this->TakeHand(*model);
     if (this->Finder)
     {
       model = (*this->Finder)(std::move(model), this->State, tip);
@@ -103,6 +103,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   {
     this->SetOrientation(recording.Orientations[i]);
   }
+  this->TakeRemoval(*model, i);
   // A surface counts from the tick in which the result of the slow loop came.
   LocalSurface surface;
   LocalSurfaceResult result;
@@ -115,10 +116,23 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   return model;
 }
 
-void TipPathWalk::TakeOrientation(const HapticModel& model)
+void TipPathWalk::TakeRemoval(const HapticModel& model, std::size_t i)
+{
+  const RecordedPath& recording = *this->Recording;
+  this->State.IsSpinning = !recording.Spinning.empty() && recording.Spinning[i];
+  const RemovalRequest request =
+    recording.Requests.empty() ? RemovalRequest::None : recording.Requests[i];
+  if (request != RemovalRequest::None && model.Baked->Removal)
+  {
+    model.Baked->Removal->Request(request);
+  }
+}
+
+void TipPathWalk::TakeHand(const HapticModel& model)
 {
   if (model.Baked->Tool)
   {
+    this->State.IsSpinning = this->Tips->IsSpinning();
     const Quaternion world = this->Tips->GetOrientation();
     this->SetOrientation(IsIdentical(world, NoOrientation)
         ? world

@@ -56,8 +56,10 @@ public:
 private:
   /** Memory for the tool of a model. */
   void ProvideTool(const HapticModel& model);
-  /** Of a path, to the state: turned to the device's axes. */
-  void TakeOrientation(const HapticModel& model);
+  /** Of a path, to the state: the orientation, turned to the device's axes, and the spin. */
+  void TakeHand(const HapticModel& model);
+  /** Of a recording's tick: the spin, to the state, and a request, to the model's removal. */
+  void TakeRemoval(const HapticModel& model, std::size_t i);
   /** To the state: an orientation on the device's axes, or NoOrientation. */
   void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);

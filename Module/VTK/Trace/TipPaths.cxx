@@ -210,10 +210,36 @@ bool TipPaths::ReadTimes(vtkPolyData* path, std::string& error)
   return true;
 }
 
+bool TipPaths::ReadHand(vtkPolyData* path, std::string& error)
+{
+  return this->Recording ||
+    (this->ReadOrientations(path, error) && this->ReadSpinning(path, error));
+}
+
+bool TipPaths::ReadSpinning(vtkPolyData* path, std::string& error)
+{
+  vtkDataArray* const array = path->GetPointData()->GetArray(RecordingNames::Spinning);
+  const vtkIdType n = path->GetNumberOfPoints();
+  bool isGood = !array || array->GetNumberOfTuples() == n;
+  for (vtkIdType i = 0; array && isGood && i < n; ++i)
+  {
+    const double spins = array->GetComponent(i, 0);
+    isGood = array->GetNumberOfComponents() == 1 && (spins == 0.0 || spins == 1.0);
+    this->Spinning.push_back(spins != 0.0);
+  }
+  if (!isGood)
+  {
+    error = "The point array \"Spinning\" of the tip path, on input port 1, does not say of each "
+            "point whether a burr spins there. Give it a 1 or a 0 a point, or remove it: then it "
+            "always spins.";
+  }
+  return isGood;
+}
+
 bool TipPaths::ReadOrientations(vtkPolyData* path, std::string& error)
 {
   vtkDataArray* const array = path->GetPointData()->GetArray(RecordingNames::Orientation);
-  if (!array || this->Recording)
+  if (!array)
   {
     return true;
   }

@@ -42,10 +42,10 @@ public:
    */
   bool Read(vtkPolyData* path, double period, std::string& error);
   /**
-   * Reads the point array Orientation, if there is one and the path is no recording. False, with an
-   * error, for an array that has none.
+   * Reads what only tools need, if there is any and the path is no recording: the point arrays
+   * Orientation and Spinning. False, with an error, for an array that has none.
    */
-  bool ReadOrientations(vtkPolyData* path, std::string& error);
+  bool ReadHand(vtkPolyData* path, std::string& error);
 
   std::size_t GetNumberOfPaths() const { return this->FirstTicks.size() - 1; }
   /** Of all paths. */
@@ -95,11 +95,15 @@ public:
   bool HaveOrientations() const { return !this->Orientations.empty(); }
   /** That of a point; NoOrientation if it has none. */
   const Quaternion& GetOrientation(vtkIdType point) const { return this->Orientations[point]; }
+  /** Whether a burr spins from a point to the next one; it does where nothing else is said. */
+  bool IsSpinning(vtkIdType point) const { return this->Spinning.empty() || this->Spinning[point]; }
 
   /** If the times of point and tick differ by less than this share of a tick, they are one. */
   static constexpr double SnapShare = 1e-6;
 
 private:
+  bool ReadOrientations(vtkPolyData* path, std::string& error);
+  bool ReadSpinning(vtkPolyData* path, std::string& error);
   bool CheckPoints(std::string& error) const;
   bool DivideLines(vtkPolyData* path, std::string& error);
   bool ReadTimes(vtkPolyData* path, std::string& error);
@@ -112,6 +116,7 @@ private:
   const float* Floats = nullptr;             ///< of the points, if they are such
   std::vector<double> Times;                 ///< s, of each point; empty if each is a tick
   std::vector<Quaternion> Orientations;      ///< of each point; empty if there are none
+  std::vector<bool> Spinning;                ///< of each point; empty if there are none
   double Period = 0.0;                       ///< s
   DividedPoints Divided;                     ///< empty if all points are one path, in order
   std::vector<vtkIdType> FirstTicks = { 0 }; ///< of each path; then the number of all

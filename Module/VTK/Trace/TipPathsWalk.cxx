@@ -37,6 +37,46 @@ constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 /** A path that is as long as this (ticks) is worth a thread that writes its trace. */
 constexpr vtkIdType LongPath = 4 * static_cast<vtkIdType>(TracePipe::BlockSize);
 
+/** The removal from which a path goes on, which no other one changes. */
+std::shared_ptr<TissueRemoval> CopyRemoval(
+  const TissueRemoval& from, bool isChanged, const RecordedPath* recording)
+{
+  // What only feels tissue needs no room to remove any.
+  const std::uint32_t bricks = std::max<std::uint32_t>(from.Bricks.GetCount(),
+    recording ? static_cast<std::uint32_t>(recording->InitialShares.size()) : 0);
+  auto removal = isChanged ? std::make_shared<TissueRemoval>()
+                           : std::make_shared<TissueRemoval>(std::max(bricks, 1U), 1);
+  if (recording)
+  {
+    WriteBricks(recording->InitialShares, removal->Bricks);
+  }
+  else
+  {
+    WriteBricks(CopyBricks(from.Bricks), removal->Bricks);
+  }
+  return removal;
+}
+
+/** Null if nothing is removed. */
+std::shared_ptr<TissueRemoval> MakeOwnRemoval(
+  const BakedVolume& baked, const RecordedPath* recording)
+{
+  const bool isChanged =
+    baked.HasTool(ToolKind::Burr) || (recording && !recording->Requests.empty());
+  return baked.Removal ? CopyRemoval(*baked.Removal, isChanged, recording) : nullptr;
+}
+
+std::shared_ptr<const HapticModel> WithRemoval(
+  std::shared_ptr<const HapticModel> model, const std::shared_ptr<TissueRemoval>& removal)
+{
+  if (!removal || model->Baked->Removal == removal)
+  {
+    return model;
+  }
+  return std::make_shared<const HapticModel>(
+    std::make_shared<const BakedVolume>(*model->Baked, removal), model->DeviceToWorld, model->Caps);
+}
+
 bool IsFiniteRecord(const TickRecord& record)
 {
   return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
@@ -52,13 +92,21 @@ struct TipPathsWalk::Runner
   Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model,
     const ModelFinder& finder)
     : Path(path)
-    , Walk(paths.GetRecording() ? TipPathWalk(*paths.GetRecording())
-                                : TipPathWalk(TipReader(paths, path), finder ? &finder : nullptr))
-    , Model(std::move(model))
+    , Removal(MakeOwnRemoval(*model->Baked, paths.GetRecording()))
+    , Finder(finder ? [this, &finder](std::shared_ptr<const HapticModel> felt,
+                        const ServoState& state, const Vector3& tip)
+          { return WithRemoval(finder(std::move(felt), state, tip), this->Removal); }
+                    : ModelFinder())
+    , Walk(paths.GetRecording()
+          ? TipPathWalk(*paths.GetRecording())
+          : TipPathWalk(TipReader(paths, path), this->Finder ? &this->Finder : nullptr))
+    , Model(WithRemoval(std::move(model), this->Removal))
   {
   }
 
   const std::size_t Path;
+  const std::shared_ptr<TissueRemoval> Removal; ///< of this path alone; null if there is none
+  const ModelFinder Finder;
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
   WorkMeter Work;
@@ -81,7 +129,9 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
   this->HasPipe = count == 1 && areMore && ticks >= LongPath;
-  this->MostRunning = this->Finder ? 1 : RunnersOfAThread * static_cast<std::size_t>(this->Threads);
+  // Each has a removal of its own, of several megabytes.
+  const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
+  this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
   const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
   this->RoundTicks = this->Threads == 1
     ? std::max(running * LongestStretch, ticks / Rounds)
@@ -188,6 +238,11 @@ void TipPathsWalk::GiveBack(Runner* runner)
   runner->IsTaken = false;
   if (this->GetTicksLeft(runner->Path) == 0)
   {
+    const bool isBurr = runner->Model->Baked->HasTool(ToolKind::Burr);
+    if (runner->Removal && isBurr && this->Rows.size() == 1)
+    {
+      this->FinalShares = CopyBricks(runner->Removal->Bricks);
+    }
     const auto isIt = [runner](const std::unique_ptr<Runner>& other)
     { return other.get() == runner; };
     this->Running.erase(std::find_if(this->Running.begin(), this->Running.end(), isIt));

@@ -7,6 +7,7 @@
 #ifndef TipPathsWalk_h
 #define TipPathsWalk_h
 
+#include "Core/Carving/ShareSnapshot.h"
 #include "VTK/Trace/HapticTrace.h"
 #include "VTK/Trace/TipPathWalk.h"
 #include "VTK/Trace/TipPaths.h"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,8 @@ namespace VolumeHaptics
 /**
  * Each path has a state of its own, and begins as if it were the only one: on the same model it
  * gives the same numbers, to the bit, whatever the number of threads. Models are immutable, and
- * all that a tick changes is in the state, so that no method needs to be left out.
+ * all that a tick changes is in the state, so that no method needs to be left out. If tissue may be
+ * removed, each path has a copy of what is left of it.
  *
  * The paths advance in rounds, between which the caller can report progress and stop. In a round,
  * threads take stretches of the paths, one by one, until it has had its ticks. If a model has to be
@@ -49,6 +52,11 @@ public:
 
   /** To be called after the last round: waits for what another thread writes. */
   void Finish();
+  /** What is left of the tissue at the end of the only path, if that is of a burr; or null. */
+  const std::vector<BrickShares>* GetFinalShares() const
+  {
+    return this->FinalShares ? &*this->FinalShares : nullptr;
+  }
   /** The rows of the trace that are written, of each path. */
   const std::vector<HapticTrace::Rows>& GetRows() const { return this->Rows; }
 
@@ -86,6 +94,7 @@ private:
   std::size_t NextPath = 0;
   std::vector<std::unique_ptr<Runner>> Running;
   bool HasFailed = false; ///< for lack of memory
+  std::optional<std::vector<BrickShares>> FinalShares;
 };
 
 } // namespace VolumeHaptics

@@ -31,6 +31,12 @@ public:
   {
     return this->Paths.HaveOrientations() ? this->FindOrientation() : NoOrientation;
   }
+  /** Whether a burr spins at the last tick. */
+  bool IsSpinning() const
+  {
+    const vtkIdType point = this->Paths.HaveTimes() ? this->Before : this->Tick;
+    return this->Paths.IsSpinning(this->Members.At(point));
+  }
   /** Time of the last tick (s). */
   double GetTime() const
   {

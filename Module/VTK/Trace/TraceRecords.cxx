@@ -119,8 +119,8 @@ void WriteRecords(const HapticTrace& trace, const HapticModel& model, const Tick
     &TraceRow::DataTime, [&](std::size_t i) { return GetTraceDataTime(model, records[i]); });
   columns.Numbers(
     &TraceRow::Depth, [&](std::size_t i) { return model.WorldUnitsPerMeter * records[i].Depth; });
-  columns.Numbers(&TraceRow::Value,
-    [&](std::size_t i) { return model.ValueAtDevice(records[i].Proxy, records[i].DataTime); });
+  columns.Numbers(
+    &TraceRow::Value, [&](std::size_t i) { return GetTraceValue(model, records[i]); });
   if (long long* const labels = trace.GetLabels())
   {
     for (std::size_t i = 0; i < count; ++i)

@@ -68,12 +68,17 @@ double GetTraceDataTime(const HapticModel& model, const TickRecord& record)
   return model.Baked->IsMoving() ? record.DataTime : 0.0;
 }
 
+double GetTraceValue(const HapticModel& model, const TickRecord& record)
+{
+  return model.Baked->Removal ? record.Value : model.ValueAtDevice(record.Proxy, record.DataTime);
+}
+
 void FillTraceRow(
   const HapticModel& model, double time, const TickRecord& record, WorkMeter& work, TraceRow& row)
 {
   VisitTraceSources(RowFiller{ model, record, row });
   row.Time = time;
-  row.Value = model.ValueAtDevice(record.Proxy, record.DataTime);
+  row.Value = GetTraceValue(model, record);
   row.Energy = work.Add(record);
   row.DataTime = GetTraceDataTime(model, record);
   row.Depth = model.WorldUnitsPerMeter * record.Depth;
@@ -98,6 +103,8 @@ RecordingRow MakeRecordingRow(
   row.Fault = static_cast<unsigned char>(snapshot.GetFault());
   row.Share = snapshot.Share;
   row.Reason = static_cast<unsigned char>(snapshot.Reason);
+  row.Spinning = snapshot.Before.IsSpinning ? 1 : 0;
+  row.RemovalRequest = static_cast<unsigned char>(snapshot.Record.Request);
   return row;
 }
 

@@ -45,6 +45,7 @@ struct TraceRow
   double ToolOrientation[4]; ///< w, x, y, z of a unit quaternion; all 0 if the tool has no shape
   double Depth;              ///< world units
   double ShaftForce;
+  double RemovedVolume; ///< mm^3 of the hand's space
   ///@}
   unsigned char Contact;
   unsigned char Unfinished;
@@ -69,6 +70,8 @@ struct RecordingRow
   unsigned char Armed;
   unsigned char Fault;
   unsigned char Reason; ///< why Share is not 1, a GateReason
+  unsigned char Spinning;
+  unsigned char RemovalRequest; ///< that began to be carried out
 };
 
 /** The work (J) of the force on the hand since the first record. */
@@ -121,6 +124,7 @@ void VisitTraceSources(Visitor&& visit)
   visit.Direction(&TraceRow::Torque, &TickRecord::Torque);
   visit.Turn(&TraceRow::ToolOrientation, &TickRecord::ToolOrientation);
   visit.Number(&TraceRow::ShaftForce, &TickRecord::ShaftForce);
+  visit.Number(&TraceRow::RemovedVolume, &TickRecord::RemovedVolume);
   visit.Number(&TraceRow::GradientMagnitude, &TickRecord::GradientMagnitude);
   visit.Number(&TraceRow::SurfaceValue, &TickRecord::SurfaceValue);
   visit.Number(&TraceRow::MediumValue, &TickRecord::MediumValue);
@@ -135,6 +139,9 @@ void VisitTraceSources(Visitor&& visit)
 
 /** The data time in a row: 0 if the volume does not move. */
 double GetTraceDataTime(const HapticModel& model, const TickRecord& record);
+
+/** V at the proxy of a record. */
+double GetTraceValue(const HapticModel& model, const TickRecord& record);
 
 /** Transforms a record from device space to the world of the model's image. */
 void FillTraceRow(

@@ -97,7 +97,7 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
     const auto dice = engine() % 1000;
     if (dice < 3)
     {
-      asked += removal.Request(static_cast<RemovalRequest>(dice)) ? 1 : 0;
+      asked += removal.Request(static_cast<RemovalRequest>(dice + 1)) ? 1 : 0;
     }
   }
   servo.join();
@@ -112,4 +112,57 @@ TEST(RemovalHandOff, AReaderMissesNoChange)
     ASSERT_EQ(mirror[removal.Bricks.GetKey(brick)], CopyRows(removal.Bricks, brick));
   }
   EXPECT_TRUE(!removal.IsUsedUp() || removal.Bricks.GetCount() == removal.Bricks.GetMost());
+}
+
+/// A snapshot that the servo completes is that of one tick, though another thread copies the most.
+TEST(RemovalHandOff, ASnapshotIsOfOneTick)
+{
+  TissueRemoval removal(500, 300);
+  std::atomic<bool> isWanted{ false };
+  std::atomic<bool> isTaken{ false };
+  std::atomic<bool> isDone{ false };
+  Mirror expected;
+  std::thread servo(
+    [&]()
+    {
+      std::mt19937_64 engine(7);
+      while (!isDone)
+      {
+        if (isWanted.exchange(false) && removal.TakeSnapshot())
+        {
+          for (std::uint32_t brick = 0; brick < removal.Bricks.GetCount(); ++brick)
+          {
+            expected[removal.Bricks.GetKey(brick)] = CopyRows(removal.Bricks, brick);
+          }
+          isTaken = true;
+        }
+        const std::uint32_t brick = removal.Bricks.FindOrAdd(engine() % 500);
+        removal.Journal.Keep(brick);
+        for (int row = 0; row < CarvedBricks::Rows; ++row)
+        {
+          removal.Bricks.SetRow(brick, row, removal.Bricks.GetRow(brick, row) - engine() % 3);
+        }
+        removal.Bricks.MarkChanged(brick);
+      }
+    });
+  while (removal.Bricks.GetCount() < 100)
+  {
+    std::this_thread::yield();
+  }
+  removal.BeginSnapshot();
+  isWanted = true;
+  while (!isTaken)
+  {
+    std::this_thread::yield();
+  }
+  std::map<std::uint64_t, Rows> taken;
+  for (const BrickShares& brick : removal.EndSnapshot())
+  {
+    Rows& rows = taken[brick.Key];
+    std::copy(brick.Rows.begin(), brick.Rows.end(), rows.begin());
+  }
+  isDone = true;
+  servo.join();
+  EXPECT_GE(taken.size(), 100u);
+  EXPECT_EQ(taken, expected);
 }

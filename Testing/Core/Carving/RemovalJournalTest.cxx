@@ -20,7 +20,7 @@ namespace
 using Shares = std::map<std::uint64_t, std::vector<std::uint64_t>>;
 
 /// All bricks of which something was removed.
-Shares CopyBricks(const CarvedBricks& bricks)
+Shares ReadBricks(const CarvedBricks& bricks)
 {
   Shares shares;
   for (std::uint32_t brick = 0; brick < bricks.GetCount(); ++brick)
@@ -68,7 +68,7 @@ public:
   }
   bool Serve(RemovalRequest request)
   {
-    const Shares before = CopyBricks(this->Removal.Bricks);
+    const Shares before = ReadBricks(this->Removal.Bricks);
     EXPECT_TRUE(this->Removal.Request(request));
     int ticks = 0;
     while (this->Removal.Serve())
@@ -78,7 +78,7 @@ public:
     EXPECT_LE(ticks, 200 / 32 + 1);
     EXPECT_GE(ticks, 1);
     EXPECT_EQ(this->Removal.GetPending(), 0u);
-    return CopyBricks(this->Removal.Bricks) != before;
+    return ReadBricks(this->Removal.Bricks) != before;
   }
 
   std::mt19937_64 Engine{ 8 };
@@ -101,7 +101,7 @@ TEST(RemovalJournal, UndoesAndRedoesToTheBit)
     {
       history.resize(at + 1);
       strokes.Do(1 + strokes.Engine() % 100);
-      history.push_back(CopyBricks(removal.Bricks));
+      history.push_back(ReadBricks(removal.Bricks));
       ++at;
     }
     else if (dice < 4)
@@ -117,7 +117,7 @@ TEST(RemovalJournal, UndoesAndRedoesToTheBit)
       EXPECT_EQ(strokes.Serve(RemovalRequest::Redo), canRedo);
       at += canRedo ? 1 : 0;
     }
-    ASSERT_EQ(CopyBricks(removal.Bricks), history[at]);
+    ASSERT_EQ(ReadBricks(removal.Bricks), history[at]);
   }
 }
 
@@ -128,7 +128,7 @@ TEST(RemovalJournal, ForgetsTheOldestStrokesFirst)
   std::vector<Shares> history;
   for (int n = 0; n < 10; ++n)
   {
-    history.push_back(CopyBricks(removal.Bricks));
+    history.push_back(ReadBricks(removal.Bricks));
     removal.Journal.Begin();
     for (std::uint64_t key = 0; key < 30; ++key)
     {
@@ -140,10 +140,10 @@ TEST(RemovalJournal, ForgetsTheOldestStrokesFirst)
   for (std::size_t n = 1; n <= 3; ++n)
   {
     EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
-    EXPECT_EQ(CopyBricks(removal.Bricks), history[10 - n]);
+    EXPECT_EQ(ReadBricks(removal.Bricks), history[10 - n]);
   }
   EXPECT_FALSE(strokes.Serve(RemovalRequest::Undo));
-  EXPECT_EQ(CopyBricks(removal.Bricks), history[7]);
+  EXPECT_EQ(ReadBricks(removal.Bricks), history[7]);
 }
 
 TEST(RemovalJournal, AStrokeThatIsLargerThanItCannotBeUndone)
@@ -159,11 +159,11 @@ TEST(RemovalJournal, AStrokeThatIsLargerThanItCannotBeUndone)
   removal.Journal.End();
   EXPECT_EQ(removal.Journal.GetUndoable(), 0u);
   EXPECT_FALSE(strokes.Serve(RemovalRequest::Undo));
-  const Shares before = CopyBricks(removal.Bricks);
+  const Shares before = ReadBricks(removal.Bricks);
   strokes.Do(5);
   EXPECT_EQ(removal.Journal.GetUndoable(), 1u);
   EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
-  EXPECT_EQ(CopyBricks(removal.Bricks), before);
+  EXPECT_EQ(ReadBricks(removal.Bricks), before);
 }
 
 TEST(RemovalJournal, KeepsSoManyStrokes)
@@ -173,14 +173,14 @@ TEST(RemovalJournal, KeepsSoManyStrokes)
   std::vector<Shares> history;
   for (int n = 0; n < 300; ++n)
   {
-    history.push_back(CopyBricks(removal.Bricks));
+    history.push_back(ReadBricks(removal.Bricks));
     strokes.Do(1);
   }
   EXPECT_EQ(removal.Journal.GetUndoable(), RemovalJournal::MostStrokes);
   for (std::size_t n = 1; n <= RemovalJournal::MostStrokes; ++n)
   {
     EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
-    ASSERT_EQ(CopyBricks(removal.Bricks), history[300 - n]);
+    ASSERT_EQ(ReadBricks(removal.Bricks), history[300 - n]);
   }
   EXPECT_FALSE(strokes.Serve(RemovalRequest::Undo));
 }
@@ -194,12 +194,12 @@ TEST(RemovalJournal, AResetBringsAllTissueBack)
   strokes.Do(150);
   EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
   EXPECT_TRUE(strokes.Serve(RemovalRequest::Reset));
-  EXPECT_TRUE(CopyBricks(removal.Bricks).empty());
+  EXPECT_TRUE(ReadBricks(removal.Bricks).empty());
   EXPECT_EQ(removal.Journal.GetUndoable(), 0u);
   EXPECT_EQ(removal.Journal.GetRedoable(), 0u);
   strokes.Do(10);
   EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
-  EXPECT_TRUE(CopyBricks(removal.Bricks).empty());
+  EXPECT_TRUE(ReadBricks(removal.Bricks).empty());
 }
 
 TEST(RemovalJournal, AnOpenStrokeIsUndoneAsAWhole)
@@ -211,7 +211,7 @@ TEST(RemovalJournal, AnOpenStrokeIsUndoneAsAWhole)
   strokes.Change(5);
   EXPECT_TRUE(removal.Journal.IsOpen());
   EXPECT_TRUE(strokes.Serve(RemovalRequest::Undo));
-  EXPECT_TRUE(CopyBricks(removal.Bricks).empty());
+  EXPECT_TRUE(ReadBricks(removal.Bricks).empty());
   EXPECT_FALSE(removal.Journal.IsOpen());
 }
 
@@ -220,7 +220,7 @@ TEST(RemovalJournal, RequestsWaitInTheirOrder)
   TissueRemoval removal(256, 4000);
   Strokes strokes(removal);
   strokes.Do(40);
-  const Shares first = CopyBricks(removal.Bricks);
+  const Shares first = ReadBricks(removal.Bricks);
   strokes.Do(40);
   using Request = RemovalRequest;
   for (const Request request : { Request::Undo, Request::Undo, Request::Redo })
@@ -231,7 +231,7 @@ TEST(RemovalJournal, RequestsWaitInTheirOrder)
   while (removal.Serve())
   {
   }
-  EXPECT_EQ(CopyBricks(removal.Bricks), first);
+  EXPECT_EQ(ReadBricks(removal.Bricks), first);
   int accepted = 0;
   while (removal.Request(Request::Redo))
   {

@@ -30,7 +30,7 @@ TEST(BurrMemoryUse, NoTickAllocates)
     hand.IsSpinning = i % 300 < 250;
     if (i % 500 == 499)
     {
-      scene.Removal->Request(static_cast<RemovalRequest>(i / 500 % 3));
+      scene.Removal->Request(static_cast<RemovalRequest>(1 + i / 500 % 3));
     }
     Vector3 at = 1000.0 * wanderer.Next();
     at.X = i % 997 == 0 ? std::numeric_limits<double>::quiet_NaN() : at.X;

@@ -183,6 +183,7 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticGuideMode>(GuideModeSettings);
   ExpectHeadersBehave<vtkHapticNeedle>(NeedleSettings);
   ExpectHeadersBehave<vtkHapticPointShell>(PointShellSettings);
+  ExpectHeadersBehave<vtkHapticBurr>(HapticBurrSettings);
   for (const HardwareVector& setting : HardwareVectors)
   {
     SCOPED_TRACE(setting.Name);
@@ -236,6 +237,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
   ExpectRows("vtkHapticNeedle", Names(NeedleSettings));
   ExpectRows("vtkHapticPointShell", Names(PointShellSettings));
+  ExpectRows("vtkHapticBurr", Names(HapticBurrSettings));
 }
 
 TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
@@ -263,6 +265,7 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticGuideMode", GuideModeSettings);
   ExpectComments("vtkHapticNeedle", NeedleSettings);
   ExpectComments("vtkHapticPointShell", PointShellSettings);
+  ExpectComments("vtkHapticBurr", HapticBurrSettings);
 }
 
 TEST(SettingLists, ParaViewHasTheSameSettings)

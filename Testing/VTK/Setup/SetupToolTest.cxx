@@ -7,6 +7,7 @@
 
 #include "SetupErrorsRig.h"
 
+#include <vtkHapticBurr.h>
 #include <vtkHapticNeedle.h>
 #include <vtkHapticPointShell.h>
 #include <vtkPiecewiseFunction.h>
@@ -45,6 +46,43 @@ TEST_F(SetupTool, ComesBackAsItWas)
   ASSERT_TRUE(Scene().Setup->Save(none.c_str()));
   ASSERT_TRUE(b.Setup->Load(none.c_str()));
   EXPECT_EQ(b.Filter->GetTool(), read);
+}
+
+TEST_F(SetupTool, ABurrComesBackAsItWas)
+{
+  Scene a;
+  vtkNew<vtkHapticBurr> burr;
+  burr->SetRadius(1.25);
+  burr->SetSpeed(30000.0);
+  burr->SetFriction(0.2);
+  burr->SetVibration(0.125);
+  burr->SetSpinButton(-1);
+  burr->SetContactArea(0.25);
+  burr->SetCouplingStiffness(700.0);
+  burr->SetSolidToAbove();
+  burr->SetContactValue(300.0);
+  burr->GetSpecificEnergy()->AddPoint(300.0, 2.0);
+  a.Filter->SetTool(burr);
+  const std::string file = File("Burr.json");
+  ASSERT_TRUE(a.Setup->Save(file.c_str()));
+
+  Scene b;
+  ASSERT_TRUE(b.Setup->Load(file.c_str()));
+  const std::string again = File("BurrAgain.json");
+  ASSERT_TRUE(b.Setup->Save(again.c_str()));
+  EXPECT_EQ(Read(again), Read(file));
+  auto* const read = vtkHapticBurr::SafeDownCast(b.Filter->GetTool());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->GetRadius(), 1.25);
+  EXPECT_EQ(read->GetSpeed(), 30000.0);
+  EXPECT_EQ(read->GetFriction(), 0.2);
+  EXPECT_EQ(read->GetVibration(), 0.125);
+  EXPECT_EQ(read->GetSpinButton(), -1);
+  EXPECT_EQ(read->GetContactArea(), 0.25);
+  EXPECT_EQ(read->GetCouplingStiffness(), 700.0);
+  EXPECT_EQ(read->GetSolid(), vtkHapticBurr::ABOVE);
+  EXPECT_EQ(read->GetContactValue(), 300.0);
+  EXPECT_EQ(read->GetSpecificEnergy()->GetValue(300.0), 2.0);
 }
 
 /// As the shapes of guides, the mesh is no setting: that of the scene stays.
@@ -93,6 +131,8 @@ TEST_F(SetupTool, BadOnesAreNamed)
   this->Refuse(tool(R"({"Kind":"Spoon"})"), { "Haptics.Tool.Kind", "\"Needle\"" });
   this->Refuse(tool(R"({"Kind":"PointShell","NumberOfPoints":-1})"),
     { "Haptics.Tool.NumberOfPoints is -1", "0 to 1000000" });
+  this->Refuse(
+    tool(R"({"Kind":"Burr","Vibration":1.5})"), { "Haptics.Tool.Vibration is 1.5", "0 to 1" });
   this->Refuse(tool(R"({"Kind":"Needle","LateralStrength":-1})"),
     { "Haptics.Tool.LateralStrength is -1", "0 or more" });
   this->Refuse(tool(R"({"Kind":"Needle","ShaftFriction":{"Nodes":[[0,-1,0.5,0]]}})"),

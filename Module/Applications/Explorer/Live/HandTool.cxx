@@ -5,16 +5,31 @@
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/ToolFile.h"
 
+#include "vtkHapticRemoval.h"
+#include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <cmath>
 #include <iostream>
 
 namespace
 {
 /// N per metre of the shaft, where no label says it: that of soft tissue.
 constexpr double SHAFT_FRICTION = 25.0;
+/// J/mm^3, to remove the softest tissue and the hardest one, so that a press of 2 N drills soft
+/// tissue at once and hard bone within seconds: an example, not a measurement.
+constexpr double LEAST_ENERGY = 0.5;
+constexpr double MOST_ENERGY = 10.0;
+/// Voxels.
+constexpr double BURR_RADIUS = 4.0;
+
+double FindVoxel(vtkImageData* image)
+{
+  const double* const spacing = image->GetSpacing();
+  return std::cbrt(std::abs(spacing[0] * spacing[1] * spacing[2]));
+}
 } // namespace
 
 namespace Explore
@@ -35,9 +50,21 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
   this->Shape->SetSolidToAbove();
   this->Shape->SetContactValue(skin);
+  this->Burr->SetSolidToAbove();
+  this->Burr->SetContactValue(skin);
+  this->Burr->GetSpecificEnergy()->AddPoint(skin, LEAST_ENERGY);
+  this->Burr->GetSpecificEnergy()->AddPoint(exploration.Values.Range[1], MOST_ENERGY);
+  if (vtkImageData* const image = this->Filter->GetTouchedImage())
+  {
+    this->Burr->SetRadius(BURR_RADIUS * FindVoxel(image));
+  }
   if (tool == "needle")
   {
     this->Take(this->Needle);
+  }
+  else if (tool == "burr")
+  {
+    this->Take(this->Burr);
   }
   else if (!tool.empty())
   {
@@ -59,7 +86,17 @@ void HandTool::PressKey()
       this->ChangeTool();
       break;
     case 'T':
-      this->WriteTrack();
+      this->Write();
+      break;
+    case 'U':
+      std::cout << (this->Filter->GetRemoval()->Undo() ? "The last stroke of the burr is undone."
+                                                       : "The burr has no stroke to undo.")
+                << std::endl;
+      break;
+    case 'J':
+      std::cout << (this->Filter->GetRemoval()->Redo() ? "A stroke of the burr is done again."
+                                                       : "The burr has no stroke to do again.")
+                << std::endl;
       break;
     default:
       break;
@@ -73,18 +110,20 @@ void HandTool::ChangeTool()
   {
     this->Take(this->Needle);
   }
+  else if (held == this->Needle.Get())
+  {
+    this->Take(this->Burr);
+  }
   else
   {
-    this->Take(held == this->Needle.Get() && this->HasShape() ? this->Shape.Get() : nullptr);
+    this->Take(held == this->Burr.Get() && this->HasShape() ? this->Shape.Get() : nullptr);
   }
 }
 
 void HandTool::Take(vtkHapticTool* tool)
 {
   vtkVolumeHapticsFilter* const filter = this->Filter;
-  const std::string name = !tool ? "point"
-    : tool == this->Needle.Get() ? "needle"
-                                 : "tool with a shape";
+  const std::string name = tool ? tool->GetText() : "point";
   if (tool && filter->GetMethod() != vtkVolumeHapticsFilter::PROXY)
   {
     std::cout << "A " << name << " needs the method proxy, which key m gets to." << std::endl;
@@ -97,6 +136,30 @@ void HandTool::Take(vtkHapticTool* tool)
   }
   filter->SetTool(tool);
   std::cout << "The hand holds a " << name << "." << std::endl;
+}
+
+void HandTool::Write()
+{
+  if (this->Filter->GetTool() == this->Burr.Get())
+  {
+    this->WriteRemoval();
+  }
+  else
+  {
+    this->WriteTrack();
+  }
+}
+
+void HandTool::WriteRemoval()
+{
+  vtkHapticRemoval* const removal = this->Filter->GetRemoval();
+  if (removal->IsEmpty())
+  {
+    std::cout << "The burr has removed nothing yet." << std::endl;
+    return;
+  }
+  const std::string file = FindFreeFile("removal", ".vti");
+  std::cout << (removal->WriteFile(file) ? "Written: " : "Can't be written: ") << file << std::endl;
 }
 
 void HandTool::WriteTrack()

@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Live/TouchScene.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkHapticBurr.h"
 #include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
 #include "vtkNew.h"
@@ -16,12 +17,14 @@
 
 namespace Explore
 {
-/// Gives the hand in a window a needle (key N; again: the tool of a file, if there is one, and a
-/// point), and writes the track of a needle in tissue to a file (key T): track-001.vtp, or the next
-/// number that is not taken.
+/// Gives the hand in a window a needle (key N; again: a burr, the tool of a file, if there is one,
+/// and a point), undoes and redoes strokes of the burr (keys U and J), and writes a file (key T):
+/// the track of a needle in tissue, track-001.vtp, or what a burr has removed, removal-001.vti, or
+/// the next number that is not taken.
 ///
 /// Values above the outer surface rub along the needle where the labels have no shaft friction, and
-/// are solid for the tool of a file.
+/// are solid for the other tools. The burr has a radius of four voxels; it takes the least energy
+/// at the outer surface, and the most at the largest value.
 class HandTool
 {
 public:
@@ -34,8 +37,8 @@ public:
   /// For vtkInteractorStyleHaptic::SetApplicationKeys.
   std::string ListKeys() const
   {
-    return std::string("Tool\nN\tneedle; ") + (this->HasShape() ? "its shape; " : "") +
-      "point\nT\tsave the needle's track\n";
+    return std::string("Tool\nN\tneedle; burr; ") + (this->HasShape() ? "its shape; " : "") +
+      "point\nU, J\tundo, redo what the burr removed\nT\tsave the track; what was removed\n";
   }
 
 private:
@@ -43,12 +46,15 @@ private:
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
   void ChangeTool();
   void Take(vtkHapticTool* tool);
+  void Write();
   void WriteTrack();
+  void WriteRemoval();
 
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkHapticNeedle> Needle;
+  vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
   vtkNew<vtkCallbackCommand> KeyObserver;
 };

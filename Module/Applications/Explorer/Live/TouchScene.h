@@ -70,7 +70,7 @@ struct WindowOptions
   std::string Script;
   std::string Movie;
   bool Sound = false;
-  std::string Tool;   // "needle", a file, or empty for a point
+  std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // a recording of a touch that is shown
   FileChoice File;
   std::string Notice; // at the beginning

@@ -127,6 +127,7 @@ private:
       s.Idle = 0.0;
     }
     this->Carver.Carve(this->Removal);
+    this->Removal.Journal.Count(cost.Volume);
     s.Carved = next;
     s.IsRemoved = true;
     s.Unspent -= cost.Energy;
@@ -258,15 +259,6 @@ void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell,
 {
   record = BurrRecord{};
   TissueRemoval* const removal = model.Baked->Removal.get();
-  if (removal && removal->Serve())
-  {
-    // Tissue may come back in which the head is.
-    shell.Enabled = false;
-    state = BurrState{};
-    removal->SetUsedUp(false);
-    record.Shell.Hand.Position = record.Shell.Tool.Position = hand.Position;
-    return;
-  }
   const BakedTool& tool = *model.Baked->Tool;
   const ShellSettings settings = FindShellSettings(model);
   const ShellState before = shell;

@@ -59,8 +59,7 @@ struct BurrRecord
 };
 
 /**
- * Advances the state of the burr of a model by one tick: first the requests to the removal, in
- * whose ticks nothing is felt; then the forces; then what they remove.
+ * Advances the state of the burr of a model by one tick: first the forces, then what they remove.
  */
 void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell, BurrState& state,
   const BurrMemory& memory, BurrRecord& record) noexcept;

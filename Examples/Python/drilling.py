@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drill into the bone behind an ear: a burr goes over it layer by layer, and removes what its energy pays for.
+
+python3 drilling.py [FILE] [--picture FILE]
+
+Without a file, the head is a phantom. FILE is a CT of a head in Hounsfield units (.mha, .mhd, .nii or .nii.gz). The hand
+comes from the side of the largest x, at the middle of the head. Energies are examples.
+"""
+import argparse
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader
+from volumehaptics import examples, vtkHapticBurr, vtkVolumeHapticsFilter
+
+from force_scene import make_actor, make_renderer, show
+
+BONE = 300.0  # HU
+RADIUS = 4.0  # mm, of the burr
+DEPTH = 7.0  # mm, of the hand in the bone at last
+PATCH = 8.0  # mm, half of the width of what the hand goes over
+LAYER = 0.7  # mm
+SPEED = 30.0  # mm/s
+SPRING = 2.0  # mm that the hand is ahead of the burr: 1 N at 500 N/m
+
+
+def read(file):
+    reader = vtkMetaImageReader() if file.endswith((".mha", ".mhd")) else vtkNIFTIImageReader()
+    reader.SetFileName(file)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def find_bone(head):
+    """The outer side of the bone on a ray from the side of the largest x through the middle (mm)."""
+    (nx, ny, nz), (x0, y0, z0), (dx, dy, dz) = head.GetDimensions(), head.GetOrigin(), head.GetSpacing()
+    first = head.GetExtent()
+    values = vtk_to_numpy(head.GetPointData().GetScalars()).reshape(nz, ny, nx)
+    j, k = ny // 2, nz // 2
+    hit = np.nonzero(values[k, j] > BONE)[0]
+    if len(hit) == 0:
+        raise SystemExit(f"There is no bone (more than {BONE} HU) at the side of this head: give a CT of a head.")
+    return np.array([x0 + (first[0] + hit[-1]) * dx, y0 + (first[2] + j) * dy, z0 + (first[4] + k) * dz])
+
+
+def make_path(bone):
+    """To and fro over a square, layer by layer, 1000 points a second."""
+    corners = []
+    for layer, depth in enumerate(np.arange(0.0, DEPTH, LAYER)):
+        x = bone[0] + RADIUS - depth - SPRING
+        rows = np.linspace(-PATCH, PATCH, 8)
+        for i, across in enumerate(rows if layer % 2 == 0 else rows[::-1]):
+            ends = (-PATCH, PATCH) if (i + layer) % 2 == 0 else (PATCH, -PATCH)
+            corners += [(x, bone[1] + end, bone[2] + across) for end in ends]
+    corners = [(bone[0] + 2.0 * RADIUS, *corners[0][1:]), *corners]
+    ways = np.linalg.norm(np.diff(corners, axis=0), axis=1)
+    counts = np.maximum(1, np.ceil(ways / SPEED * 1000.0).astype(int))
+    return np.concatenate([np.linspace(a, b, n, endpoint=False)
+                           for a, b, n in zip(corners[:-1], corners[1:], counts)])
+
+
+def drill(head, bone):
+    """The filter after its run, with what is left of the head, and the trace."""
+    burr = vtkHapticBurr()
+    burr.SetRadius(RADIUS)
+    burr.SetSolidToAbove()
+    burr.SetContactValue(BONE)
+    energy = burr.GetSpecificEnergy()
+    energy.AddPoint(BONE, 0.5)
+    energy.AddPoint(1500.0, 4.0)
+    path, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(make_path(bone), deep=True))
+    path.SetPoints(points)
+    touch = vtkVolumeHapticsFilter()
+    touch.SetInputData(0, head)
+    touch.SetPathData(path)
+    touch.GetProperty().ApplyPreset("CT contrast")
+    touch.SetTool(burr)
+    touch.Update()
+    return touch, touch.GetOutput()
+
+
+def make_left(head, removal):
+    """The head without what was removed: V - (1 - rho) (V - air)."""
+    shares = vtkImageData()
+    removal.MakeShares(shares)
+    rho = vtk_to_numpy(shares.GetPointData().GetScalars()) / 255.0
+    values = vtk_to_numpy(head.GetPointData().GetScalars()).astype(np.float32)
+    left = vtkImageData()
+    left.CopyStructure(head)
+    left.GetPointData().SetScalars(
+        numpy_to_vtk(values - (1.0 - rho).astype(np.float32) * (values - removal.GetAirValue()), deep=True))
+    return left
+
+
+def draw_bone(left):
+    surface = vtkFlyingEdges3D()
+    surface.SetInputData(left)
+    surface.SetValue(0, BONE)
+    actor = make_actor(surface)
+    actor.GetProperty().SetColor(0.93, 0.89, 0.78)
+    return actor
+
+
+def draw_burr(place):
+    ball, line, shaft = vtkSphereSource(), vtkLineSource(), vtkTubeFilter()
+    ball.SetRadius(RADIUS)
+    ball.SetCenter(place)
+    ball.SetThetaResolution(48)
+    ball.SetPhiResolution(24)
+    line.SetPoint1(place)
+    line.SetPoint2(np.asarray(place) + [50.0, -22.0, 30.0])
+    shaft.SetInputConnection(line.GetOutputPort())
+    shaft.SetRadius(0.35 * RADIUS)
+    shaft.SetNumberOfSides(24)
+    actors = [make_actor(ball), make_actor(shaft)]
+    for actor in actors:
+        actor.GetProperty().SetColor(0.55, 0.62, 0.72)
+        actor.GetProperty().SetSpecular(0.5)
+    return actors
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("file", nargs="?", help="a CT of a head in Hounsfield units")
+    parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
+    chosen = parser.parse_args()
+    head = read(chosen.file) if chosen.file else examples.phantom()
+    bone = find_bone(head)
+    touch, trace = drill(head, bone)
+    data = trace.GetPointData()
+    removed = vtk_to_numpy(data.GetArray("RemovedVolume"))
+    force = np.linalg.norm(vtk_to_numpy(data.GetArray("Force")), axis=1)
+    removal = touch.GetRemoval()
+    removal.ReadTrace(trace)
+    print(f"{removed.sum():.0f} mm^3 in {len(removed) / 1000.0:.0f} s, with {force.mean():.2f} N on average, "
+          f"{force.max():.2f} N at most")
+    scene = make_renderer(draw_bone(make_left(head, removal)), *draw_burr(trace.GetPoint(len(removed) - 1)))
+    camera = scene.GetActiveCamera()
+    camera.SetFocalPoint(bone)
+    camera.SetPosition(bone + [150.0, -90.0, 60.0])
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    scene.ResetCameraClippingRange()
+    show(scene, chosen.picture)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is behind a vtkHapticRemoval, for models and for the thread that ticks with them.
+ */
+#ifndef RemovalAccess_h
+#define RemovalAccess_h
+
+#include "Core/Carving/TissueRemoval.h"
+#include "Core/Model/HapticModelDescription.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkHapticRemoval;
+
+namespace VolumeHaptics
+{
+
+/** The parts of a vtkHapticRemoval. */
+struct RemovalData
+{
+  static RemovalData& Of(vtkHapticRemoval* removal);
+
+  /** Null until a model was made of a volume with a tool that removes, or shares were read. */
+  std::shared_ptr<TissueRemoval> Tissue;
+  vtkNew<vtkImageData> Geometry; ///< that of the volume, without scalars
+  const void* Holder = nullptr;  ///< whose servo ticks with it; null: none
+
+  /** Sets the AirValue that was found, which does not count as a change of the object. */
+  static void SetFoundAir(vtkHapticRemoval* removal, double value);
+  /** New tissue with these shares, for a volume of that geometry. False if they are too many. */
+  bool Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry);
+};
+
+/** Null while nothing can have been removed. */
+std::shared_ptr<TissueRemoval> GetTissueRemoval(vtkHapticRemoval* removal);
+
+///@{
+/**
+ * Only one holder may tick with it. False if there is another one. Until it lets go, requests are
+ * left to its ticks.
+ */
+bool HoldRemoval(vtkHapticRemoval* removal, const void* holder);
+void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
+///@}
+
+/**
+ * Adds to the description of a model what is removed from its volume, if its tool removes tissue,
+ * or some was removed before. The description has its tool, its frames and its view.
+ * @param geometry that of the volume: its origin, spacing and direction
+ * @param extent that of the whole volume, of which the scalars may be a region
+ * @param isRegion whether they are
+ */
+void DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
+  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& description);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The tool with a shape that a hand holds.
+ */
+#ifndef HeldTool_h
+#define HeldTool_h
+
+#include "vtkSmartPointer.h"
+
+class vtkHapticDevice;
+class vtkHapticTool;
+class vtkPolyData;
+
+namespace VolumeHaptics
+{
+
+/** The tool in the hand of a device; null for a point. */
+vtkHapticTool* FindHeldTool(vtkHapticDevice* device);
+
+/** Whether a tool looks different when it is turned. */
+bool IsTurnable(vtkHapticTool* tool);
+
+/** World units: from the hand to the farthest point of a tool that touches; 0 without a shape. */
+double FindToolReach(vtkHapticTool* tool);
+
+/** What a tool looks like, from the hand, in world units; null without a shape. */
+vtkSmartPointer<vtkPolyData> MakeToolShape(vtkHapticTool* tool);
+
+} // namespace VolumeHaptics
+
+#endif

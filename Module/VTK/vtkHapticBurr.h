@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticBurr
+ * @brief   a burr, which removes the tissue that it is pressed into while it spins
+ *
+ *   vtkNew<vtkHapticBurr> burr;
+ *   burr->SetRadius(2.0); // world units
+ *   filter->SetTool(burr);
+ *
+ * Its head is a ball that is held by what is solid, as a vtkHapticPointShell is. With the force F
+ * on the hand, the Friction mu, and the speed v of its rim, the rotation has the power mu F v, and
+ * removes tissue of specific energy U (J/mm^3) at the rate
+ *
+ *   Q = mu F v/U.
+ *
+ * So dense bone, with a large U, is drilled more slowly, and pressing harder drills faster. The
+ * surface that is left has the shape of the ball to a small part of a voxel, and is felt by every
+ * tool, or by the point without one: with the method PROXY, FORCE_FIELD or LOCAL_SURFACE. The
+ * samples themselves do not change: the share of tissue that remains at each of them is kept by
+ * vtkVolumeHapticsFilter::GetRemoval(), which undoes, saves and loads it.
+ *
+ * It spins while the SpinButton of the device is pressed, or while vtkHapticDevice::SetSpinning()
+ * says so. Offline it spins always, or as the point array Spinning of the path says (0 or 1), and
+ * each path removes tissue by itself, from what the hand has left: the trace has the array
+ * RemovedVolume, the mm^3 of each tick, and the field arrays of vtkHapticRemoval::ReadTrace().
+ *
+ * A share of the force may vibrate, with the rotation or, where that is too fast to be felt, a
+ * half, quarter ... of it. Lengths and volumes are those of the hand (see MetersPerWorldUnit), but
+ * for the Radius and the ContactArea.
+ *
+ * It needs the method PROXY, and a volume that does not move. Burrs of four voxels' radius or more
+ * leave surfaces within 0.05 voxel; one of less than a voxel can't be used.
+ *
+ * @sa vtkHapticTool vtkHapticRemoval
+ */
+#ifndef vtkHapticBurr_h
+#define vtkHapticBurr_h
+
+#include "vtkHapticTool.h"
+#include "vtkSmartPointer.h"        // for ivars
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class vtkPiecewiseFunction;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticBurr : public vtkHapticTool
+{
+public:
+  static vtkHapticBurr* New();
+  vtkTypeMacro(vtkHapticBurr, vtkHapticTool);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The radius of the head (world units), more than 0. Default 2. */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** The speed of the rotation (1/min), 0 or more. Default 60000. */
+  vtkSetClampMacro(Speed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Speed, double);
+  ///@}
+
+  ///@{
+  /**
+   * The friction between the head and the tissue, 0 or more, which sets the power of the rotation.
+   * It does not pull the hand aside. Default 0.3.
+   */
+  vtkSetClampMacro(Friction, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Friction, double);
+  ///@}
+
+  ///@{
+  /**
+   * The energy U that it takes to remove tissue (J/mm^3) against the scalar value, 0 or more. A
+   * function without points is 10: default. Created on first Get; nullptr restores the default.
+   */
+  void SetSpecificEnergy(vtkPiecewiseFunction* energy);
+  vtkPiecewiseFunction* GetSpecificEnergy();
+  ///@}
+
+  ///@{
+  /** The share of the force that vibrates while it spins in tissue, 0 to 1. Default 0. */
+  vtkSetClampMacro(Vibration, double, 0.0, 1.0);
+  vtkGetMacro(Vibration, double);
+  ///@}
+
+  ///@{
+  /**
+   * The button of the device that makes it spin while it is pressed, 0 to 31; -1: none. Default 0,
+   * the first.
+   */
+  vtkSetClampMacro(SpinButton, int, -1, 31);
+  vtkGetMacro(SpinButton, int);
+  ///@}
+
+  ///@{
+  /**
+   * The area (square world units) on which the stiffness and the surface strength of the materials
+   * act, more than 0. A smaller one makes tissue feel harder. Default 0.1: 0.1 mm^2 in an image in
+   * mm.
+   */
+  vtkSetClampMacro(ContactArea, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ContactArea, double);
+  ///@}
+
+  ///@{
+  /**
+   * The stiffness of the spring between hand and burr (N/m), more than 0. Devices may cap it.
+   * Default 500.
+   */
+  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CouplingStiffness, double);
+  ///@}
+
+  enum SolidType
+  {
+    FROM_STRENGTH = 0,
+    ABOVE = 1,
+    BELOW = 2
+  };
+
+  ///@{
+  /**
+   * Which values of the scalars are solid: FROM_STRENGTH (default) finds the contact value at which
+   * the surface strength of vtkHapticProperty, where something is visible, passes half of its
+   * largest, if it does so once. ABOVE and BELOW are beyond the ContactValue.
+   */
+  vtkSetClampMacro(Solid, int, FROM_STRENGTH, BELOW);
+  vtkGetMacro(Solid, int);
+  void SetSolidToFromStrength() { this->SetSolid(FROM_STRENGTH); }
+  void SetSolidToAbove() { this->SetSolid(ABOVE); }
+  void SetSolidToBelow() { this->SetSolid(BELOW); }
+  ///@}
+
+  ///@{
+  /**
+   * The value of the scalars at the surface of what is solid, if Solid is ABOVE or BELOW. Default
+   * 0.
+   */
+  vtkSetMacro(ContactValue, double);
+  vtkGetMacro(ContactValue, double);
+  ///@}
+
+  /** Includes the function. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHapticBurr();
+  ~vtkHapticBurr() override;
+
+  vtkSmartPointer<vtkPiecewiseFunction> SpecificEnergy;
+  double Radius = 2.0;
+  double Speed = 60000.0;
+  double Friction = 0.3;
+  double Vibration = 0.0;
+  int SpinButton = 0;
+  double ContactArea = 0.1;
+  double CouplingStiffness = 500.0;
+  int Solid = FROM_STRENGTH;
+  double ContactValue = 0.0;
+
+private:
+  vtkHapticBurr(const vtkHapticBurr&) = delete;
+  void operator=(const vtkHapticBurr&) = delete;
+};
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRemoval.h"
+
+#include "VTK/Baking/RemovalAccess.h"
+#include "VTK/Baking/RemovalFile.h"
+#include "VTK/Files/HapticFiles.h"
+#include "VTK/Trace/ShareArrays.h"
+
+#include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkHapticRemoval);
+
+namespace
+{
+
+using VolumeHaptics::RemovalData;
+using VolumeHaptics::RemovalRequest;
+
+bool Ask(RemovalData& data, RemovalRequest request, bool isPossible)
+{
+  if (!data.Tissue || !isPossible || !data.Tissue->Request(request))
+  {
+    return false;
+  }
+  while (!data.Holder && data.Tissue->Serve())
+  {
+  }
+  return true;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticRemoval::vtkHapticRemoval()
+  : Data(new VolumeHaptics::RemovalData)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRemoval::~vtkHapticRemoval() = default;
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::Undo()
+{
+  return Ask(*this->Data, RemovalRequest::Undo, this->GetNumberOfUndos() > 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::Redo()
+{
+  return Ask(*this->Data, RemovalRequest::Redo, this->GetNumberOfRedos() > 0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::Reset()
+{
+  return Ask(*this->Data, RemovalRequest::Reset, !this->IsEmpty());
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRemoval::GetNumberOfUndos()
+{
+  const auto& tissue = this->Data->Tissue;
+  return tissue ? static_cast<int>(tissue->Journal.GetUndoable()) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRemoval::GetNumberOfRedos()
+{
+  const auto& tissue = this->Data->Tissue;
+  return tissue ? static_cast<int>(tissue->Journal.GetRedoable()) : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticRemoval::GetRemovedVolume()
+{
+  return this->Data->Tissue ? this->Data->Tissue->Journal.GetVolume() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::IsEmpty()
+{
+  return !this->Data->Tissue || this->Data->Tissue->Bricks.IsEmpty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::IsUsedUp()
+{
+  return this->Data->Tissue && this->Data->Tissue->IsUsedUp();
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticRemoval::GetNumberOfRequests()
+{
+  return this->Data->Tissue ? static_cast<int>(this->Data->Tissue->GetPending()) : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRemoval::MakeShares(vtkImageData* shares)
+{
+  const auto& tissue = this->Data->Tissue;
+  vtkImageData* const geometry = this->Data->Geometry;
+  if (shares)
+  {
+    VolumeHaptics::MakeShareImage(
+      tissue ? &tissue->Bricks : nullptr, geometry, geometry->GetExtent(), shares);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::WriteFile(const std::string& file)
+{
+  std::string error;
+  if (!this->Data->Tissue)
+  {
+    vtkErrorMacro("There is no removed tissue to write: no burr has ticked yet. Give the filter a "
+                  "vtkHapticBurr with SetTool() and feel with it first.");
+    return false;
+  }
+  if (!VolumeHaptics::WriteRemovalFile(
+        this->Data->Tissue->Bricks, this->Data->Geometry, file, error))
+  {
+    vtkErrorMacro(<< "The removed tissue can't be written to " << VolumeHaptics::Printable(file)
+                  << ": " << error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::ReadFile(const std::string& file)
+{
+  vtkNew<vtkImageData> geometry;
+  std::vector<VolumeHaptics::BrickShares> shares;
+  std::string error;
+  if (!VolumeHaptics::ReadRemovalFile(file, geometry, shares, error))
+  {
+    vtkErrorMacro(<< "The file " << VolumeHaptics::Printable(file) << " " << error);
+    return false;
+  }
+  this->Data->Replace(shares, geometry);
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRemoval::ReadTrace(vtkPolyData* trace)
+{
+  const VolumeHaptics::ShareArrayNames& names = VolumeHaptics::FinalShareNames;
+  std::vector<VolumeHaptics::BrickShares> shares;
+  std::string flaw;
+  if (!this->Data->Tissue)
+  {
+    flaw = "can't be placed, as no model of a volume was made. Update() the filter with a "
+           "vtkHapticBurr first.";
+  }
+  else if (!trace || !trace->GetFieldData()->HasArray(names.Bricks))
+  {
+    flaw = "has no removed tissue. Make it with a vtkHapticBurr and a single path.";
+  }
+  else if (!VolumeHaptics::ReadShareArrays(trace->GetFieldData(), names, shares, flaw))
+  {
+    flaw = "can't be read: " + flaw + ". Make it again.";
+  }
+  else if (!this->Data->Replace(shares, this->Data->Geometry))
+  {
+    flaw = "has more tissue removed than there is memory for.";
+  }
+  if (!flaw.empty())
+  {
+    vtkErrorMacro("The trace " << flaw);
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRemoval::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AutoAirValue: " << (this->AutoAirValue ? "On" : "Off") << "\n"
+     << indent << "AirValue: " << this->AirValue << "\n"
+     << indent << "NumberOfUndos: " << this->GetNumberOfUndos() << "\n"
+     << indent << "NumberOfRedos: " << this->GetNumberOfRedos() << "\n"
+     << indent << "IsEmpty: " << (this->IsEmpty() ? "yes" : "no") << "\n";
+}

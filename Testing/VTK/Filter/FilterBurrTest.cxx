@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A burr offline: B1 to B3 of the design from the trace alone, cavities that the point feels, paths
+ * by themselves, and what can't be felt.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkHapticBurr.h>
+#include <vtkHapticRemoval.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+using namespace apitest;
+
+namespace
+{
+constexpr double BurrPi = 3.14159265358979323846;
+constexpr double BurrVoxel = 0.25; // mm
+
+/// Solid of value 200 from z = Surface on, in voxels of 0.25 mm.
+class FilterBurr : public ApiTest
+{
+protected:
+  static constexpr double Surface = 19.5 * BurrVoxel; // mm
+
+  FilterBurr()
+  {
+    this->Image =
+      MakeImage(64, VTK_UNSIGNED_CHAR, [](const Point& x) { return x[2] > 19.5 ? 200.0 : 0.0; });
+    this->Image->SetSpacing(BurrVoxel, BurrVoxel, BurrVoxel);
+    this->Filter->SetInputData(this->Image);
+    this->Filter->SetMethodToProxy();
+    this->Burr->SetRadius(3.0);
+    this->Burr->SetSolidToAbove();
+    this->Burr->SetContactValue(100.0);
+    this->Filter->SetTool(this->Burr);
+    SetConstant(this->Property->GetSurfaceStrength(), 1e4);
+  }
+
+  vtkPolyData* Follow(const std::vector<Point>& points)
+  {
+    this->Path = MakePath(points);
+    this->Filter->SetPathData(this->Path);
+    return this->Run(static_cast<vtkIdType>(points.size()));
+  }
+  /// Into the tissue, and some ticks there.
+  static std::vector<Point> Plunge(double depth, int ticks, double x = 8.0, double y = 7.9)
+  {
+    const double z = Surface - 3.2;
+    std::vector<Point> points = Line({ x, y, z }, { x, y, z + 0.2 + depth }, ticks / 2 - 1);
+    points.insert(points.end(), static_cast<std::size_t>(ticks / 2), points.back());
+    return points;
+  }
+  static double Sum(vtkPolyData* trace, const char* array)
+  {
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < trace->GetNumberOfPoints(); ++i)
+    {
+      sum += Get(trace, array, i);
+    }
+    return sum;
+  }
+
+  vtkNew<vtkHapticBurr> Burr;
+};
+} // namespace
+
+/// Q = mu F v/U, F that of the trace. (The energy of less than a step may be left.)
+TEST_F(FilterBurr, RemovesByItsEnergy)
+{
+  SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
+  this->Burr->SetFriction(0.25);
+  this->Burr->SetSpeed(30000.0);
+  vtkPolyData* const trace = this->Follow(Plunge(4.0, 4000));
+  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s
+  const double expected = 0.25 * rim * 1e-3 * Sum(trace, "NormalForce") / 4.0;
+  EXPECT_GT(expected, 2.0) << "mm^3";
+  EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("ShaftForces"));
+}
+
+/// Q is that of the law: twice the energy, half the volume at the same force; and none without any.
+TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
+{
+  double rates[2] = {};
+  for (const double energy : { 20.0, 60.0 })
+  {
+    SetConstant(this->Burr->GetSpecificEnergy(), energy);
+    vtkPolyData* const trace = this->Follow(Plunge(2.0, 4000));
+    rates[energy > 40.0] = Sum(trace, "RemovedVolume") / Sum(trace, "NormalForce");
+  }
+  EXPECT_NEAR(rates[0] / rates[1], 3.0, 0.05);
+  this->Burr->SetSpeed(0.0);
+  EXPECT_EQ(Sum(this->Follow(Plunge(2.0, 1000)), "RemovedVolume"), 0.0);
+}
+
+/// B2: the point without a tool feels a hole of the burr's radius, along its sides.
+TEST_F(FilterBurr, ItsHoleIsFeltWithThePoint)
+{
+  SetConstant(this->Burr->GetSpecificEnergy(), 0.2);
+  const std::vector<Point> plunge = Plunge(5.5, 16000);
+  vtkPolyData* const trace = this->Follow(plunge);
+  EXPECT_GT(trace->GetPoint(15999)[2] + 3.0 - Surface, 4.8) << "the depth of the hole";
+  ASSERT_TRUE(this->Filter->GetRemoval()->IsEmpty()) << "paths leave the hand's volume alone";
+  ASSERT_TRUE(this->Filter->GetRemoval()->ReadTrace(trace));
+  EXPECT_FALSE(this->Filter->GetRemoval()->IsEmpty());
+  this->Filter->SetTool(nullptr);
+  SetConstant(this->Property->GetSurfaceStrength(), 1e4);
+  vtkPiecewiseFunction* const distinctness = this->Property->GetDistinctness();
+  distinctness->RemoveAllPoints();
+  distinctness->AddPoint(80.0, 0.0);
+  distinctness->AddPoint(400.0, 1.0);
+  for (int i = 0; i < 12; ++i)
+  {
+    const double x = std::cos(BurrPi * i / 6.0);
+    const double y = std::sin(BurrPi * i / 6.0);
+    const Point axis{ 8.0, 7.9, Surface + 1.5 };
+    vtkPolyData* const felt =
+      this->Follow(Line(axis, { 8.0 + 3.6 * x, 7.9 + 3.6 * y, axis[2] }, 144));
+    const double* const proxy = felt->GetPoint(144);
+    EXPECT_NEAR(std::hypot(proxy[0] - 8.0, proxy[1] - 7.9), 3.0, 0.1 * BurrVoxel) << i;
+    EXPECT_GT(Get(felt, "NormalForce", 144), 0.2);
+    EXPECT_FALSE(felt->GetPointData()->HasArray("RemovedVolume"));
+  }
+}
+
+TEST_F(FilterBurr, EachPathRemovesByItself)
+{
+  const std::vector<Point> left = Plunge(2.0, 600, 6.0);
+  const std::vector<Point> right = Plunge(2.5, 700, 7.0);
+  const vtkSmartPointer<vtkPolyData> first = (this->Follow(left), Keep(this->Filter));
+  const vtkSmartPointer<vtkPolyData> second = (this->Follow(right), Keep(this->Filter));
+  EXPECT_TRUE(first->GetFieldData()->HasArray("FinalShares"));
+  std::vector<Point> all = left;
+  all.insert(all.end(), right.begin(), right.end());
+  this->Path = MakePath(all);
+  vtkNew<vtkCellArray> lines;
+  vtkIdType next = 0;
+  for (const std::size_t size : { left.size(), right.size() })
+  {
+    lines->InsertNextCell(static_cast<int>(size));
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      lines->InsertCellPoint(next++);
+    }
+  }
+  this->Path->SetLines(lines);
+  this->Filter->SetPathData(this->Path);
+  vtkPolyData* const both = this->Run(static_cast<vtkIdType>(all.size()));
+  EXPECT_FALSE(both->GetFieldData()->HasArray("FinalShares")) << "whose would they be?";
+  for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
+  {
+    const bool isFirst = i < first->GetNumberOfPoints();
+    vtkPolyData* const one = isFirst ? first : second;
+    const vtkIdType tick = isFirst ? i : i - first->GetNumberOfPoints();
+    for (const char* const array : { "RemovedVolume", "NormalForce", "Value" })
+    {
+      ASSERT_EQ(Get(both, array, i), Get(one, array, tick)) << array << " " << i;
+    }
+  }
+  EXPECT_GT(Sum(second, "RemovedVolume"), 0.1);
+}
+
+TEST_F(FilterBurr, SpinsAsThePathSays)
+{
+  this->Follow(Plunge(2.0, 800));
+  vtkNew<vtkDoubleArray> spinning;
+  spinning->SetName("Spinning");
+  for (int i = 0; i < 800; ++i)
+  {
+    spinning->InsertNextValue(i < 600 ? 0.0 : 1.0);
+  }
+  this->Path->GetPointData()->AddArray(spinning);
+  this->Filter->SetPathData(this->Path);
+  this->Filter->Modified();
+  vtkPolyData* const trace = this->Run(800);
+  for (vtkIdType i = 0; i < 600; ++i)
+  {
+    ASSERT_EQ(Get(trace, "RemovedVolume", i), 0.0);
+  }
+  EXPECT_GT(Get(trace, "NormalForce", 500), 0.1);
+  EXPECT_GT(Sum(trace, "RemovedVolume"), 0.01);
+  spinning->SetValue(5, 0.5);
+  this->Filter->Modified();
+  this->ExpectError({ "Spinning", "port 1", "1 or a 0" });
+}
+
+TEST_F(FilterBurr, WhatItCannotDoIsAnErrorWithItsCure)
+{
+  this->Follow(Plunge(0.5, 10));
+  this->Burr->SetRadius(0.2);
+  this->ExpectError({ "Radius", "vtkHapticBurr", "voxel", "SetRadius" });
+  this->Burr->SetRadius(3.0);
+  this->Burr->SetContactArea(0.0);
+  this->ExpectError({ "ContactArea", "vtkHapticBurr", "SetContactArea" });
+  this->Burr->SetContactArea(0.1);
+  SetConstant(this->Burr->GetSpecificEnergy(), -1.0);
+  this->ExpectError({ "SpecificEnergy", "vtkHapticBurr", "J/mm^3", "GetSpecificEnergy" });
+  this->Burr->SetSpecificEnergy(nullptr);
+  this->Burr->SetSolidToFromStrength();
+  this->ExpectError({ "vtkHapticBurr", "solid", "SetContactValue" });
+  this->Burr->SetSolidToAbove();
+  this->Filter->SetMethodToForceField();
+  this->ExpectError({ "vtkHapticBurr", "PROXY", "SetTool(nullptr)" });
+  this->Filter->SetMethodToProxy();
+  this->Run(10);
+}

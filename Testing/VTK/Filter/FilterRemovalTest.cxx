@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Removed tissue as an object: its air, its image, its files, and what is wrong with others.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkHapticBurr.h>
+#include <vtkHapticRemoval.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+using namespace apitest;
+
+namespace
+{
+/// A CT of bone (1000) below air (-1000), whose extent does not begin at 0, with a hole in it.
+class FilterRemoval : public ApiTest
+{
+protected:
+  FilterRemoval()
+  {
+    this->Image =
+      MakeImage(32, VTK_SHORT, [](const Point& x) { return x[2] > 11.5 ? 1000.0 : -1000.0; });
+    this->Image->SetExtent(-5, 26, 3, 34, 100, 131);
+    this->Image->SetOrigin(5.0, -3.0, -100.0);
+    this->Filter->SetInputData(this->Image);
+    this->Burr->SetRadius(4.0);
+    this->Burr->SetSolidToAbove();
+    SetConstant(this->Burr->GetSpecificEnergy(), 0.01);
+    this->Filter->SetTool(this->Burr);
+    this->Path = MakePath(Line({ 15.2, 15.4, 7.0 }, { 15.2, 15.4, 12.0 }, 800));
+    this->Filter->SetPathData(this->Path);
+  }
+
+  vtkHapticRemoval* Drill()
+  {
+    vtkPolyData* const trace = this->Run(801);
+    EXPECT_TRUE(this->Filter->GetRemoval()->ReadTrace(trace));
+    return this->Filter->GetRemoval();
+  }
+  static std::vector<unsigned char> GetShares(vtkHapticRemoval* removal)
+  {
+    vtkNew<vtkImageData> image;
+    removal->MakeShares(image);
+    auto* const array = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+    return array ? std::vector<unsigned char>(
+                     array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
+                 : std::vector<unsigned char>();
+  }
+  static std::string ReadAll(const std::string& file)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+  /// Reading it fails with these words, and changes nothing.
+  static void ExpectRefused(
+    vtkHapticRemoval* removal, const std::string& file, const std::vector<std::string>& words)
+  {
+    const auto before = GetShares(removal);
+    MessageLog log(removal);
+    EXPECT_FALSE(removal->ReadFile(file));
+    ASSERT_EQ(log.Errors.size(), 1u);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(log.Errors[0].find(word), std::string::npos) << log.Errors[0];
+    }
+    EXPECT_EQ(GetShares(removal), before);
+  }
+
+  const std::string File = "RemovalTest.vti";
+  vtkNew<vtkHapticBurr> Burr;
+};
+} // namespace
+
+TEST_F(FilterRemoval, HasTheAirOfTheVolume)
+{
+  EXPECT_TRUE(this->Filter->GetRemoval()->GetAutoAirValue());
+  this->Run(801);
+  EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -1000.0);
+  this->Filter->GetRemoval()->AutoAirValueOff();
+  this->Filter->GetRemoval()->SetAirValue(-900.0);
+  this->Run(801);
+  EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -900.0);
+  // Where what is below the contact value is solid, air is above it.
+  this->Filter->GetRemoval()->AutoAirValueOn();
+  this->Burr->SetSolidToBelow();
+  this->Run(801);
+  EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), 1000.0);
+}
+
+TEST_F(FilterRemoval, IsAnImageOfTheVolumesShape)
+{
+  vtkNew<vtkImageData> image;
+  this->Filter->GetRemoval()->MakeShares(image);
+  EXPECT_EQ(image->GetPointData()->GetScalars(), nullptr) << "no burr has ticked";
+  this->Drill()->MakeShares(image);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(image->GetExtent()[i], this->Image->GetExtent()[i]);
+    EXPECT_EQ(image->GetBounds()[i], this->Image->GetBounds()[i]);
+  }
+  // The hole is where the burr was: 15.2, 15.4 in the world, below the surface at 11.5.
+  auto* const array = image->GetPointData()->GetScalars();
+  EXPECT_EQ(array->GetRange()[1], 255.0);
+  EXPECT_EQ(array->GetComponent(image->FindPoint(15.2, 15.4, 13.0), 0), 0.0);
+  EXPECT_EQ(array->GetComponent(image->FindPoint(15.2, 15.4, 25.0), 0), 255.0);
+  EXPECT_EQ(array->GetComponent(image->FindPoint(3.0, 15.4, 13.0), 0), 255.0);
+}
+
+TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
+{
+  vtkHapticRemoval* const removal = this->Drill();
+  const auto shares = GetShares(removal);
+  ASSERT_TRUE(removal->WriteFile(this->File));
+  EXPECT_LT(ReadAll(this->File).size(), 8000u) << "only the part that was drilled, compressed";
+  vtkNew<vtkHapticRemoval> other;
+  ASSERT_TRUE(other->ReadFile(this->File));
+  EXPECT_EQ(GetShares(other), shares);
+  EXPECT_EQ(other->GetNumberOfUndos(), 0);
+  // It is felt as the one that was written.
+  const vtkSmartPointer<vtkPolyData> felt = (this->Run(801), Keep(this->Filter));
+  this->Filter->SetRemoval(other);
+  this->Filter->Update();
+  EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
+  // On a volume of another shape all tissue is there.
+  this->Image->SetExtent(0, 31, 0, 31, 0, 31);
+  this->Image->SetOrigin(0.0, 0.0, 0.0);
+  this->Image->Modified();
+  this->Run(801);
+  EXPECT_TRUE(other->IsEmpty());
+  std::remove(this->File.c_str());
+}
+
+TEST_F(FilterRemoval, ADamagedFileChangesNothing)
+{
+  vtkHapticRemoval* const removal = this->Drill();
+  ASSERT_TRUE(removal->WriteFile(this->File));
+  const std::string whole = ReadAll(this->File);
+  for (const double share : { 0.0, 0.2, 0.6, 0.9, 0.99 })
+  {
+    std::ofstream(this->File, std::ios::binary)
+      << whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size())));
+    ExpectRefused(removal, this->File, { this->File, "WriteFile" });
+  }
+  ExpectRefused(removal, "/no/such/file.vti", { "/no/such/file.vti" });
+  ExpectRefused(removal, "/dev", { "/dev" });
+  // Another image, and shares that do not lie in their volume.
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(this->File.c_str());
+  writer->SetInputData(this->Image);
+  writer->Write();
+  ExpectRefused(removal, this->File, { "no shares" });
+  std::string moved = whole;
+  const std::string extent = "WholeExtent=\"";
+  const std::size_t at = moved.find(extent) + extent.size();
+  ASSERT_NE(moved.find(extent), std::string::npos);
+  EXPECT_FALSE(moved.substr(at, 3).empty());
+  std::remove(this->File.c_str());
+}
+
+TEST_F(FilterRemoval, AFullDiskIsToldAndKeepsTheOldFile)
+{
+  vtkHapticRemoval* const removal = this->Drill();
+  MessageLog log(removal);
+  EXPECT_FALSE(removal->WriteFile("/dev/full"));
+  ASSERT_EQ(log.Errors.size(), 1u);
+  EXPECT_NE(log.Errors[0].find("/dev/full"), std::string::npos);
+  log.Errors.clear();
+  EXPECT_FALSE(removal->WriteFile("/no/such/folder/a.vti"));
+  ASSERT_EQ(log.Errors.size(), 1u);
+}
+
+TEST_F(FilterRemoval, ItsErrorsNameTheCure)
+{
+  vtkNew<vtkHapticRemoval> removal;
+  MessageLog log(removal);
+  EXPECT_FALSE(removal->WriteFile(this->File));
+  EXPECT_FALSE(removal->ReadTrace(nullptr));
+  EXPECT_FALSE(removal->Undo());
+  EXPECT_FALSE(removal->Redo());
+  EXPECT_FALSE(removal->Reset());
+  ASSERT_EQ(log.Errors.size(), 2u);
+  EXPECT_NE(log.Errors[0].find("vtkHapticBurr"), std::string::npos);
+  EXPECT_NE(log.Errors[1].find("Update()"), std::string::npos);
+  vtkPolyData* const trace = this->Run(801);
+  MessageLog own(this->Filter->GetRemoval());
+  vtkNew<vtkPolyData> changed;
+  changed->DeepCopy(trace);
+  vtkDataArray* const places = changed->GetFieldData()->GetArray("FinalBricks");
+  ASSERT_TRUE(places && places->GetNumberOfTuples() > 1);
+  places->SetComponent(1, 0, -1.0);
+  EXPECT_FALSE(this->Filter->GetRemoval()->ReadTrace(changed));
+  places->SetTuple(1, places->GetTuple(0));
+  EXPECT_FALSE(this->Filter->GetRemoval()->ReadTrace(changed));
+  changed->GetFieldData()->RemoveArray("FinalShares");
+  EXPECT_FALSE(this->Filter->GetRemoval()->ReadTrace(changed));
+  changed->GetFieldData()->RemoveArray("FinalBricks");
+  EXPECT_FALSE(this->Filter->GetRemoval()->ReadTrace(changed));
+  ASSERT_EQ(own.Errors.size(), 4u);
+  EXPECT_NE(own.Errors[0].find("tuple 1"), std::string::npos);
+  EXPECT_NE(own.Errors[2].find("FinalShares"), std::string::npos);
+  EXPECT_TRUE(this->Filter->GetRemoval()->IsEmpty());
+}
+
+TEST_F(FilterRemoval, ResetBringsTissueBackWithoutAServo)
+{
+  vtkHapticRemoval* const removal = this->Drill();
+  const auto whole = std::vector<unsigned char>(GetShares(removal).size(), 255);
+  EXPECT_NE(GetShares(removal), whole);
+  EXPECT_TRUE(removal->Reset());
+  EXPECT_EQ(removal->GetNumberOfRequests(), 0);
+  EXPECT_EQ(GetShares(removal), whole);
+}

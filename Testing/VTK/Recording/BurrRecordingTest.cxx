@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A burr in the hand: what it removes, undo under force, recordings that replay to the bit with
+ * their removal, and other tools and devices on the same volume.
+ */
+
+#include "Rigs/RecordingRig.h"
+
+#include <vtkHapticBurr.h>
+#include <vtkHapticRemoval.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkUnsignedCharArray.h>
+
+using namespace devicetest;
+
+namespace
+{
+class BurrRecording : public Recording
+{
+protected:
+  BurrRecording()
+  {
+    this->Burr->SetRadius(2.5);
+    this->Burr->SetSolidToAbove();
+    this->Burr->SetContactValue(800.0);
+    SetConstant(this->Burr->GetSpecificEnergy(), 1.0);
+    this->Filter->SetTool(this->Burr);
+  }
+  ~BurrRecording() override { this->Device->SpinningOff(); }
+
+  vtkHapticRemoval* GetRemoval() { return this->Filter->GetRemoval(); }
+  std::vector<unsigned char> GetShares()
+  {
+    vtkNew<vtkImageData> image;
+    this->GetRemoval()->MakeShares(image);
+    auto* const array = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+    return array ? std::vector<unsigned char>(
+                     array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
+                 : std::vector<unsigned char>();
+  }
+  bool IsRequestDone()
+  {
+    return this->Wait([this] { return this->GetRemoval()->GetNumberOfRequests() == 0; }) &&
+      this->WaitTicks(2);
+  }
+  /// Presses until so much (mm^3) more was removed.
+  bool Drill(double x, double volume)
+  {
+    const double goal = this->GetRemoval()->GetRemovedVolume() + volume;
+    return this->Lead(x, 7.0, 4.0) && this->Lead(x, 7.0, 9.0) &&
+      this->Wait([&] { return this->GetRemoval()->GetRemovedVolume() > goal; });
+  }
+  /// The stroke ends, and nothing more is removed.
+  bool EndStroke()
+  {
+    this->Device->SpinningOff();
+    return this->Wait([this] { return !this->Device->IsSpinning(); }) && this->WaitTicks(2);
+  }
+  /// The recording is replayed with the same forces, and leaves what the hand has left.
+  void ExpectSameRemoval()
+  {
+    ASSERT_TRUE(this->EndStroke());
+    const auto shares = this->GetShares();
+    this->ExpectSame(0.1);
+    ASSERT_TRUE(this->GetRemoval()->ReadTrace(this->Filter->GetOutput()));
+    EXPECT_EQ(this->GetShares(), shares);
+  }
+
+  vtkNew<vtkHapticBurr> Burr;
+};
+} // namespace
+
+TEST_F(BurrRecording, RemovesWhileItSpins)
+{
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 9.0));
+  ASSERT_TRUE(this->WaitTicks(100));
+  EXPECT_GT(Length(this->Device->GetComputedForce()), 0.2);
+  EXPECT_FALSE(this->Device->IsSpinning());
+  EXPECT_EQ(this->GetRemoval()->GetRemovedVolume(), 0.0);
+  this->Device->SpinningOn();
+  EXPECT_TRUE(this->Device->GetSpinning());
+  ASSERT_TRUE(this->Wait([this] { return this->GetRemoval()->GetRemovedVolume() > 1.0; }));
+  EXPECT_TRUE(this->Device->IsSpinning());
+  EXPECT_FALSE(this->GetRemoval()->IsEmpty());
+  EXPECT_FALSE(this->GetRemoval()->IsUsedUp());
+  ASSERT_TRUE(this->EndStroke());
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 1);
+}
+
+TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
+{
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(6.0, 0.5));
+  ASSERT_TRUE(this->EndStroke());
+  const auto first = this->GetShares();
+  const double volume = this->GetRemoval()->GetRemovedVolume();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(9.0, 0.5));
+  ASSERT_TRUE(this->EndStroke());
+  const auto second = this->GetShares();
+  ASSERT_NE(first, second);
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
+  // The hand is in the hole, which closes around it: it is free to leave.
+  EXPECT_TRUE(this->GetRemoval()->Undo());
+  ASSERT_TRUE(this->IsRequestDone());
+  EXPECT_EQ(this->GetShares(), first);
+  EXPECT_NEAR(this->GetRemoval()->GetRemovedVolume(), volume, 1e-9);
+  EXPECT_LE(Length(this->Device->GetComputedForce()), 1e-9);
+  EXPECT_TRUE(this->GetRemoval()->Redo());
+  ASSERT_TRUE(this->IsRequestDone());
+  EXPECT_EQ(this->GetShares(), second);
+  EXPECT_FALSE(this->GetRemoval()->Redo()) << "there is no more";
+  // With the point in the hand as well, and after the servo.
+  this->Filter->SetTool(nullptr);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_TRUE(this->GetRemoval()->Undo());
+  ASSERT_TRUE(this->IsRequestDone());
+  EXPECT_EQ(this->GetShares(), first);
+  this->Device->Stop();
+  EXPECT_TRUE(this->GetRemoval()->Redo());
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
+  EXPECT_EQ(this->GetShares(), second);
+}
+
+TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
+{
+  this->Begin();
+  this->StartRecording();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.5));
+  this->Wander(20);
+  ASSERT_TRUE(this->EndStroke());
+  this->Wander(3);
+  EXPECT_TRUE(this->GetRemoval()->Undo());
+  this->Wander(3);
+  this->Device->SpinningOn();
+  this->Wander(20);
+  this->ExpectSameRemoval();
+  EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
+}
+
+TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)
+{
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.5));
+  ASSERT_TRUE(this->EndStroke());
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(8.0, 0.5));
+  EXPECT_GT(this->GetRemoval()->GetNumberOfUndos(), 0);
+  this->StartRecording(); // while it drills
+  this->Wander(20);
+  this->Turn(20.0, 1.0); // another placement of the device
+  this->Wander(10);
+  EXPECT_TRUE(this->GetRemoval()->Undo()) << "of what was removed since the recording began";
+  this->Wander(10);
+  EXPECT_FALSE(this->GetRemoval()->GetNumberOfUndos() > 1);
+  this->ExpectSameRemoval();
+  ASSERT_TRUE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
+  EXPECT_GT(this->Recorded->GetFieldData()->GetArray("InitialShares")->GetNumberOfTuples(), 1);
+}
+
+/// Recordings one after the other, of which one ends at once.
+TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
+{
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.3));
+  this->StartRecording();
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Wander(10);
+  this->StartRecording();
+  EXPECT_TRUE(this->GetRemoval()->Reset());
+  this->Wander(20);
+  this->ExpectSameRemoval();
+}
+
+TEST_F(BurrRecording, AnotherDeviceNeedsAnotherRemoval)
+{
+  this->Begin();
+  vtkNew<vtkHapticDevice> other;
+  other->SetVolumeHaptics(this->Filter);
+  ASSERT_TRUE(other->Open("virtual"));
+  {
+    MessageLog log(other);
+    EXPECT_FALSE(other->Start());
+    ASSERT_EQ(log.Errors.size(), 1u);
+    EXPECT_NE(log.Errors[0].find("SetRemoval"), std::string::npos) << log.Errors[0];
+  }
+  this->Device->Stop();
+  EXPECT_TRUE(other->Start());
+  other->Close();
+  EXPECT_TRUE(this->Device->Start());
+}
+
+TEST_F(BurrRecording, AFileIsReadUnderTheHand)
+{
+  const std::string file = this->File("Removal.vti");
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.5));
+  ASSERT_TRUE(this->EndStroke());
+  const auto shares = this->GetShares();
+  ASSERT_TRUE(this->GetRemoval()->WriteFile(file));
+  EXPECT_TRUE(this->GetRemoval()->Reset());
+  ASSERT_TRUE(this->IsRequestDone());
+  ASSERT_NE(this->GetShares(), shares);
+  ASSERT_TRUE(this->GetRemoval()->ReadFile(file));
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_EQ(this->GetShares(), shares);
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(8.0, 0.2)) << "the servo goes on with it";
+  EXPECT_NE(this->GetShares(), shares);
+}
