@@ -4,7 +4,7 @@
 
 They run against a CMake build (ctest sets everything) and against an installed package:
 
-    VOLUMEHAPTICS_BUILD=FOLDER VOLUMEHAPTICS_VERSION=0.2.0 python3 -m pytest Testing/Python
+    VOLUMEHAPTICS_BUILD=FOLDER VOLUMEHAPTICS_VERSION=0.3.0 python3 -m pytest Testing/Python
 
 FOLDER is the build folder, or the site-packages that the package is installed in.
 """
@@ -42,7 +42,7 @@ def build():
 @pytest.fixture(scope="session")
 def version():
     """The version that the package has to have."""
-    return from_environment("VOLUMEHAPTICS_VERSION", "the version that the package has to have, such as 0.2.0")
+    return from_environment("VOLUMEHAPTICS_VERSION", "the version that the package has to have, such as 0.3.0")
 
 
 @pytest.fixture(scope="session")
