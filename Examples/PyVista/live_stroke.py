@@ -18,8 +18,9 @@ haptics = add_haptics(plotter, gallery.add_head(plotter, head), "CT contrast")
 for tissue, low, high in (("fat", -150, -20), ("muscle", -20, 90), ("bone", 300, 3000)):  # HU
     haptics.head_up_display.AddTissue(tissue, low, high)
 plotter.view_vector((0.45, -1, 0.2), (0, 0, 1))
-plotter.camera.focal_point = way.points[-1] - (0, 0, 30)  # above the figures
+plotter.camera.focal_point = way.points[-1] - (0, 0, 30)
 plotter.camera.zoom(1.6)
+plotter.camera.SetWindowCenter(-0.28, 0.0)  # beside them
 plotter.show(interactive_update=True)
 
 haptics.device.PlaceVirtualTip(*way.points[0])
