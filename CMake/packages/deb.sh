@@ -17,7 +17,7 @@ esac
 folder=$(realpath -m "${1:-$root/build/deb}")
 # shellcheck source=../install-packages.sh
 source "$root/CMake/install-packages.sh"
-require_packages dpkg-dev debhelper dh-python fakeroot cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-dev \
+require_packages build-essential dpkg-dev debhelper dh-python fakeroot cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-dev \
   python3-numpy zlib1g-dev pkg-config libusb-1.0-0-dev libhidapi-dev libboost-dev nlohmann-json3-dev libpulse-dev \
   libgdcm-dev git
 
