@@ -155,6 +155,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   std::vector<Tissue> Tissues;
   HapticForceHistory History;
+  LateSlide Slide;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // the time of the last picture
@@ -265,6 +266,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
       return;
     }
   }
+  auto* const contacts = vtkDataArray::SafeDownCast(states->GetColumnByName("Contact"));
   auto* const modes = vtkDataArray::SafeDownCast(states->GetColumnByName("ModeForces"));
   auto* const armed = vtkDataArray::SafeDownCast(states->GetColumnByName("Armed"));
   const vtkIdType rows = columns[0]->GetNumberOfTuples();
@@ -293,6 +295,10 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
       state.Forces[HapticForceTable::Curves + c] = share * modes->GetComponent(i, c);
     }
     this->Internals->History.Add(state, GetShownSpan(this->TimeSpan));
+    if (contacts && i < contacts->GetNumberOfTuples())
+    {
+      this->Internals->Slide.Add(state.Time, static_cast<int>(contacts->GetComponent(i, 0)));
+    }
   }
 }
 
@@ -300,6 +306,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
 void vtkHapticHeadUpDisplay::Clear()
 {
   this->Internals->History.Clear();
+  this->Internals->Slide.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -390,7 +397,7 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const std::string tissue = isByValue ? self.GetTissueName(device->GetSurfaceValue()) : label;
   std::string text;
   for (const std::string& line :
-    { DescribeStatus(device), DescribeTouch(device, tissue), DescribeCut(device),
+    { DescribeStatus(device), DescribeTouch(device, tissue, this->Slide.Is()), DescribeCut(device),
       DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
   {
     text += text.empty() || line.empty() ? line : "\n" + line;

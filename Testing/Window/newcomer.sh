@@ -31,19 +31,29 @@ fail()
   exit 1
 }
 
-# What is written in the window, with spaces instead of ends of lines: here and there (11), or in rows (6).
-read_screen()
+take_picture()
 {
   import -window "$window" "$folder/screen.png"
-  convert "$folder/screen.png" -colorspace Gray -resize 300% -negate "$folder/letters.png"
-  tesseract "$folder/letters.png" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
 }
 
-# Whether the screen says something like this; the first part in brackets becomes $said.
+# What is written in the picture, with spaces instead of ends of lines: here and there (11), or in rows (6). To compress
+# the enlarged picture would take four times as long as to read it.
+read_picture()
+{
+  convert "$folder/screen.png" -colorspace Gray -resize 300% -negate "$folder/letters.pgm"
+  OMP_THREAD_LIMIT=1 tesseract "$folder/letters.pgm" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
+}
+
+# Whether the picture, or the screen, says something like this; the first part in brackets becomes $said.
+picture_says()
+{
+  read_picture "${2:-11}"
+  [[ "$(cat "$folder/read.txt")" =~ $1 ]] && said=${BASH_REMATCH[1]:-}
+}
 says()
 {
-  read_screen "${2:-11}"
-  [[ "$(cat "$folder/read.txt")" =~ $1 ]] && said=${BASH_REMATCH[1]:-}
+  take_picture
+  picture_says "$@"
 }
 says_not()
 {
@@ -93,18 +103,29 @@ feels()
 expect "says which force is felt" feels
 says '(Resting on|Sliding over|Pushed through|Pushed by) [a-z]+' || fail "it does not say what is touched"
 
+# The picture is taken while the hand moves, to and fro.
+stroke()
+{
+  local i way
+  for way in 3 -3 3 -3
+  do
+    for ((i = 0; i < 12; ++i))
+    do
+      xdotool mousemove_relative -- $way 0
+      sleep 0.03
+    done
+  done
+}
 slides()
 {
-  local i
-  for ((i = 0; i < 12; ++i))
-  do
-    xdotool mousemove_relative -- $((back * 3)) 0
-    sleep 0.03
-  done
-  back=$((-back))
-  says '(Sliding over [a-z]+), [0-9.]+ N of at most'
+  local hand
+  stroke &
+  hand=$!
+  sleep 0.6
+  take_picture
+  wait "$hand"
+  picture_says '(Sliding over [a-z]+), [0-9.]+ N of at most'
 }
-back=1
 expect "says that a stroke slides" slides
 
 press "$let_go"

@@ -68,21 +68,17 @@ has_ended()
   ! kill -0 "$child" 2> /dev/null
 }
 
-# Runs a command until it succeeds, for as long as the program lives if one was started; a minute at most.
+# Runs a command until it succeeds, for as long as the program lives if one was started; two minutes at most.
 wait_for()
 {
-  local what=$1 i
+  local what=$1 until=$((SECONDS + 120))
   shift
-  for ((i = 0; i < 600; ++i))
+  until "$@" > /dev/null 2>&1
   do
-    if "$@" > /dev/null 2>&1
-    then
-      return 0
-    fi
     [[ -z "$child" ]] || ! has_ended || fail "the program ended before $what"
+    [[ $SECONDS -lt $until ]] || fail "$what did not come about within two minutes"
     sleep 0.1
   done
-  fail "$what did not come about within a minute"
 }
 
 # A window that asks to be mapped while openbox is starting is never mapped: openbox runs the startup command when it

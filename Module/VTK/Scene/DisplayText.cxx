@@ -66,10 +66,11 @@ std::string DescribeStatus(vtkHapticDevice* device)
   return asksHand ? first + "\n" + status.substr(sentence + 2) : first;
 }
 
-std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue)
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid)
 {
   static const char* const contacts[] = { "", "Resting on ", "Sliding over ", "Pushed through " };
-  const int contact = device->GetContact() & 3;
+  const int now = device->GetContact() & 3;
+  const int contact = now == 1 && slid ? 2 : now;
   const double force = vtkMath::Norm(device->GetForce());
   if (force < LeastForce && (contact == 0 || device->GetStatus() != vtkHapticDevice::ACTIVE))
   {

@@ -21,12 +21,34 @@ namespace VolumeHaptics
 std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
+ * Whether the hand has slid within the last 0.2 s. A mouse leads it by steps, between which it rests
+ * for most of the time.
+ */
+class LateSlide
+{
+public:
+  /** A tick at a time (s) with a contact as of vtkHapticDevice::GetContact(). */
+  void Add(double time, int contact)
+  {
+    this->Last = time < this->Now ? -1.0e300 : this->Last; // another session
+    this->Now = time;
+    this->Last = contact == 2 ? time : this->Last;
+  }
+  bool Is() const { return this->Now - this->Last < 0.2; }
+  void Clear() { *this = LateSlide(); }
+
+private:
+  double Now = -1.0e300;
+  double Last = -1.0e300;
+};
+
+/**
  * Such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The tissue may
- * be empty. Of an inserted needle, such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N";
+ * be empty. A hand that rests now, but `slid` lately, slides. Of an inserted needle, such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N";
  * its depth is in world units. Where modes are felt, none of which is a surface, nothing is rested
  * on: "Held, 0.62 N".
  */
-std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue);
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
 /** Whether the faces of a cut hold; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);

@@ -172,6 +172,36 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
 }
 
+/// A mouse leads the tip by steps: most ticks of a stroke rest.
+TEST_F(HeadUpDisplay, SaysThatAHandSlidesBetweenTheStepsOfAMouse)
+{
+  const auto add = [this](double from, double to, int contact)
+  {
+    const auto states = scenetest::MakeStates(from, to, [](double) { return 1.0; });
+    vtkNew<vtkDoubleArray> contacts;
+    contacts->SetName("Contact");
+    contacts->SetNumberOfTuples(states->GetNumberOfRows());
+    contacts->FillValue(contact);
+    states->AddColumn(contacts);
+    this->Display->AddStates(states);
+  };
+  const auto says = [this](const char* words)
+  { return this->Wait([&] { return this->Display->GetText().find(words) == 0; }); };
+  this->Display->SetDevice(this->Device);
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(7.0));
+  EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
+  add(0.0, 0.01, 2);
+  add(0.01, 0.15, 1);
+  EXPECT_TRUE(says("Sliding over the volume, 1.00 N")) << this->Display->GetText();
+  add(0.15, 0.25, 1);
+  EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
+  add(0.25, 0.26, 2);
+  add(0.0, 0.01, 1); // started again
+  EXPECT_TRUE(says("Resting on the volume, 1.00 N")) << this->Display->GetText();
+}
+
 /// A flow along x holds a hand that goes 2 mm along z with 1 N; and there is no surface.
 TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
 {
