@@ -9,6 +9,7 @@
 #
 #   install    makes a new ENVIRONMENT in FOLDER with the wheel, and the packages that ARGUMENT names
 #   pytest     runs pytest there, with the arguments
+#   close      opens a plotter of PyVista and closes it: Testing/Window/close.sh, with the arguments
 #   uninstall  removes the wheel, which has to leave and to take nothing else
 #
 # FOLDER is what CMake/wheel/build.sh made. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's
@@ -17,7 +18,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,17s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 folder=$(realpath -m "$1")
 reference=$(realpath "$2")
@@ -64,6 +65,9 @@ case $step in
     # From elsewhere, so that nothing of the repository is imported by accident.
     cd "$folder"
     exec "$environment/bin/python" -m pytest -q -p no:cacheprovider "$@"
+    ;;
+  close)
+    exec "$root/Testing/Window/close.sh" "$@" "Touch in PyVista" "$environment/bin/python" "$root/Testing/Window/plotter.py"
     ;;
   uninstall)
     list_packages > "$folder/installed.txt"

@@ -36,18 +36,19 @@ take_picture()
   import -window "$window" "$folder/screen.png"
 }
 
-# What is written in the picture, with spaces instead of ends of lines: here and there (11), or in rows (6). To compress
-# the enlarged picture would take four times as long as to read it.
+# What is written in the picture, or in one of its columns, with spaces instead of ends of lines: here and there (11), or
+# in rows (6). To compress the enlarged picture would take four times as long as to read it.
 read_picture()
 {
-  convert "$folder/screen.png" -colorspace Gray -resize 300% -negate "$folder/letters.pgm"
+  convert "$folder/screen.png" -crop "${2:-100%x100%+0+0}" +repage -colorspace Gray -resize 300% -negate \
+    "$folder/letters.pgm"
   OMP_THREAD_LIMIT=1 tesseract "$folder/letters.pgm" - --psm "$1" 2> /dev/null | tr '\n' ' ' > "$folder/read.txt"
 }
 
 # Whether the picture, or the screen, says something like this; the first part in brackets becomes $said.
 picture_says()
 {
-  read_picture "${2:-11}"
+  read_picture "${2:-11}" "${@:3}"
   [[ "$(cat "$folder/read.txt")" =~ $1 ]] && said=${BASH_REMATCH[1]:-}
 }
 says()
@@ -134,8 +135,17 @@ says_not ' N of at most' || fail "a force is still told after $let_go"
 said=""
 expect "says where the keys are" says '([?]) shows all keys'
 press "$said"
-expect "lists the keys" says '(touch what is under the pointer)'
-expect "says how to close" says ' ([a-z]) close ' 6
+# The letters of a long list are small: in a larger window they can be told apart. It has two columns.
+wmctrl -i -r "$window" -b add,maximized_vert,maximized_horz
+reads_columns()
+{
+  local WIDTH HEIGHT
+  eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=')"
+  take_picture
+  picture_says '(touch what is under the pointer)' 6 "$((WIDTH / 2))x$HEIGHT+0+0" &&
+    picture_says ' ([a-z]) close ' 6 "$((WIDTH / 2))x$HEIGHT+$((WIDTH / 2))+0"
+}
+expect "lists the keys, and says how to close" reads_columns
 press "$said"
 expect_end
 echo "closed"

@@ -38,7 +38,7 @@ public:
   void Clear() { *this = LateSlide(); }
 
 private:
-  double Now = -1.0e300;
+  double Now = 0.0;
   double Last = -1.0e300;
 };
 
