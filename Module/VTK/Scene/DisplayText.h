@@ -21,8 +21,8 @@ namespace VolumeHaptics
 std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
- * Whether the hand has slid within the last 0.2 s. A mouse leads it by steps, between which it rests
- * for most of the time.
+ * Whether the hand has slid within the last 0.2 s. A mouse leads it by steps, between which it
+ * rests for most of the time.
  */
 class LateSlide
 {
@@ -44,9 +44,9 @@ private:
 
 /**
  * Such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The tissue may
- * be empty. A hand that rests now, but `slid` lately, slides. Of an inserted needle, such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N";
- * its depth is in world units. Where modes are felt, none of which is a surface, nothing is rested
- * on: "Held, 0.62 N".
+ * be empty. A hand that rests now, but `slid` lately, slides. Of an inserted needle, such as
+ * "Needle 12.3 deep in fat, 0.62 N of at most 10 N"; its depth is in world units. Where modes are
+ * felt, none of which is a surface, nothing is rested on: "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
