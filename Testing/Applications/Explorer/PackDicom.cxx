@@ -5,8 +5,35 @@
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
+#include <gdcmJPEGCodec.h>
 #include <gdcmReader.h>
 #include <gdcmWriter.h>
+
+#include <cstdint>
+
+namespace
+{
+/// Tells that colours are luminance and differences, of which rows have half: so most writers do,
+/// but GDCM's says RGB.
+bool TellYbr(const std::string& packed)
+{
+  gdcm::Reader reader;
+  reader.SetFileName(packed.c_str());
+  if (!reader.Read())
+  {
+    return false;
+  }
+  const std::string meaning = "YBR_FULL_422";
+  gdcm::DataElement element(gdcm::Tag(0x0028, 0x0004));
+  element.SetVR(gdcm::VR::CS);
+  element.SetByteValue(meaning.data(), static_cast<std::uint32_t>(meaning.size()));
+  reader.GetFile().GetDataSet().Replace(element);
+  gdcm::Writer writer;
+  writer.SetFileName(packed.c_str());
+  writer.SetFile(reader.GetFile());
+  return writer.Write();
+}
+} // namespace
 
 bool PackDicom(
   const std::string& plain, const std::string& packed, const std::string& how, double step)
@@ -29,9 +56,18 @@ bool PackDicom(
     return false;
   }
   gdcm::ImageChangeTransferSyntax change;
-  change.SetTransferSyntax(how == "lossless" ? gdcm::TransferSyntax::JPEGLosslessProcess14_1
-      : how == "wavelets"                    ? gdcm::TransferSyntax::JPEG2000Lossless
-                                             : gdcm::TransferSyntax::JPEGLSLossless);
+  gdcm::JPEGCodec finely;
+  finely.SetLossless(false);
+  finely.SetQuality(100);
+  if (how.rfind("baseline", 0) == 0)
+  {
+    change.SetUserCodec(&finely);
+  }
+  change.SetTransferSyntax(how.rfind("baseline", 0) == 0
+      ? gdcm::TransferSyntax::JPEGBaselineProcess1
+      : how == "lossless" ? gdcm::TransferSyntax::JPEGLosslessProcess14_1
+      : how == "wavelets" ? gdcm::TransferSyntax::JPEG2000Lossless
+                          : gdcm::TransferSyntax::JPEGLSLossless);
   change.SetInput(reader.GetImage());
   if (!change.Change())
   {
@@ -46,5 +82,5 @@ bool PackDicom(
     image->SetSpacing(2, step); // of frames, which GDCM does not know of a CT
   }
   writer.SetImage(*image);
-  return writer.Write();
+  return writer.Write() && (how != "baseline-422" || TellYbr(packed));
 }

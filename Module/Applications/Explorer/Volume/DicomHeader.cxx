@@ -105,6 +105,9 @@ void TakeValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
     case 0x00280002:
       header.Samples = number();
       break;
+    case 0x00280004:
+      header.IsYbr = TrimValue(value) == "YBR_FULL";
+      break;
     case 0x00280008:
       header.Frames = ReadWhole(value, 1);
       break;

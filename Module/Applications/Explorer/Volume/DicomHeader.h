@@ -22,6 +22,7 @@ struct DicomHeader
   int Width = 0, Height = 0;
   int Samples = 1;          // of a pixel: 3 in RGB
   bool ArePlanes = false;   // all samples of a colour together
+  bool IsYbr = false;       // colours are luminance and two differences (YBR_FULL) instead of RGB
   int Bits = 0, Stored = 0; // of a sample: its size in the file, and how many of them count
   bool IsSigned = false;
   bool IsBig = false; // the byte of the highest bits comes first

@@ -8,6 +8,9 @@
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Explore
 {
 namespace
@@ -18,6 +21,30 @@ InputError Unreadable(const std::string& path, const DicomHeader& slice, const s
     "has a slice that cannot be " + fault + " (" +
       vtksys::SystemTools::GetFilenameName(slice.File) + ")",
     "make it readable, or copy or export the series again");
+}
+/// From luminance and differences to RGB: the inverse of PS3.3, section C.7.6.3.1.2, YBR_FULL.
+void MakeRgb(const DicomHeader& slice, std::string& bytes)
+{
+  const auto frame = static_cast<std::size_t>(slice.GetSize());
+  const std::size_t pixels = frame / 3;
+  const std::size_t next = slice.ArePlanes ? pixels : 1;
+  const auto clamp = [](double value)
+  { return static_cast<char>(std::lround(std::clamp(value, 0.0, 255.0))); };
+  for (std::size_t i = 0; i < bytes.size() / 3; ++i)
+  {
+    char* const at = &bytes[slice.ArePlanes ? i / pixels * frame + i % pixels : 3 * i];
+    const double y = static_cast<unsigned char>(at[0]);
+    const double b = static_cast<unsigned char>(at[next]) - 128.0;
+    const double r = static_cast<unsigned char>(at[2 * next]) - 128.0;
+    at[0] = clamp(y + 1.402 * r);
+    at[next] = clamp(y - 0.344136 * b - 0.714136 * r);
+    at[2 * next] = clamp(y + 1.772 * b);
+  }
+}
+
+bool IsYbr(const DicomHeader& slice)
+{
+  return slice.IsYbr && slice.Samples == 3 && slice.Bits == 8;
 }
 } // namespace
 
@@ -38,6 +65,10 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
     this->Bytes.size() != this->Unpacked.GetSize() * static_cast<std::uint64_t>(slice.Frames))
   {
     throw Unreadable(path, slice, "unpacked to the size that its header tells");
+  }
+  if (IsYbr(this->Unpacked))
+  {
+    MakeRgb(this->Unpacked, this->Bytes);
   }
   this->File = slice.File;
 }
@@ -60,6 +91,10 @@ std::string DicomPixels::Read(const std::string& path, DicomHeader& slice)
   if (!file.read(&bytes[0], static_cast<std::streamsize>(bytes.size())))
   {
     throw Unreadable(path, slice, "read");
+  }
+  if (IsYbr(slice))
+  {
+    MakeRgb(slice, bytes);
   }
   return bytes;
 }
