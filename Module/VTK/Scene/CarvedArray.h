@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is left of the values of an array from which a tool has removed tissue, brick by brick, to
+ * be shown. The array itself is never written to, since the servo reads it.
+ */
+#ifndef CarvedArray_h
+#define CarvedArray_h
+
+#include "Core/Carving/TissueRemoval.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** The array of an image, of which one component has lost tissue. */
+struct CarvedArray
+{
+  vtkSmartPointer<vtkDataArray> Array; ///< x first, of the image's points
+  int Component = 0;
+  std::int64_t Dimensions[3] = { 0, 0, 0 };
+  /** The index of the array's first sample among the shares: not 0 for a region of a volume. */
+  std::int64_t First[3] = { 0, 0, 0 };
+  std::shared_ptr<TissueRemoval> Removal;
+  double Air = 0.0; ///< the value of a sample without tissue
+
+  bool IsSame(const CarvedArray& other) const
+  {
+    return this->Array == other.Array && this->Component == other.Component &&
+      std::equal(this->Dimensions, this->Dimensions + 3, other.Dimensions) &&
+      std::equal(this->First, this->First + 3, other.First) && this->Removal == other.Removal &&
+      this->Air == other.Air;
+  }
+};
+
+/** A part of an array: indices count from its first sample. */
+struct ArrayBox
+{
+  std::int64_t Low[3];
+  std::int64_t Size[3];
+
+  std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
+};
+
+/** What to read of a brick: its shares, or all tissue, whatever was removed. */
+enum class BrickContent : std::uint8_t
+{
+  Left,
+  Whole
+};
+
+/** The samples of a brick; false if none of them is in the array. */
+bool FindBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box);
+
+/**
+ * Writes the tuples of a brick, x first, in the array's own type: integers are rounded, and values
+ * beyond the type's range become its limits.
+ */
+void CopyBrick(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
+  const ArrayBox& box, std::vector<unsigned char>& to);
+
+/** The same as float, each component times its scale plus its bias. */
+void CopyBrickAsFloat(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
+  const ArrayBox& box, const float* scale, const float* bias, std::vector<unsigned char>& to);
+
+} // namespace VolumeHaptics
+
+#endif

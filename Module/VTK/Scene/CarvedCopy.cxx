@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/CarvedCopy.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+
+#include <cstring>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
+{
+  return mapper->GetNumberOfInputConnections(port) > 0
+    ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(port, 0))
+    : nullptr;
+}
+
+} // namespace
+
+int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array)
+{
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    vtkImageData* const image = FindImage(mapper, port);
+    int isCells = 0;
+    if (image &&
+      vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), isCells) == array)
+    {
+      return port;
+    }
+  }
+  return -1;
+}
+
+CarvedCopy::~CarvedCopy()
+{
+  if (this->IsShown())
+  {
+    this->Mapper->SetInputConnection(this->Port, this->GetReplaced());
+  }
+}
+
+bool CarvedCopy::IsShown() const
+{
+  return this->Mapper && this->Copy && FindImage(this->Mapper, this->Port) == this->Copy;
+}
+
+bool CarvedCopy::Replace()
+{
+  vtkVolumeMapper* const mapper = this->Mapper;
+  const int port = FindShownPort(mapper, this->Carved.Array);
+  if (port < 0)
+  {
+    return false;
+  }
+  this->Port = port;
+  this->Before = mapper->GetInputAlgorithm(port, 0);
+  this->BeforePort = mapper->GetInputConnection(port, 0)->GetIndex();
+  this->Image = FindImage(mapper, port);
+  this->Copy.TakeReference(this->Image->NewInstance());
+  this->CopyImage();
+  mapper->SetInputDataObject(port, this->Copy);
+  return true;
+}
+
+void CarvedCopy::CopyImage()
+{
+  this->ImageTime = this->Image->GetMTime();
+  this->Left.TakeReference(vtkDataArray::CreateDataArray(this->Carved.Array->GetDataType()));
+  this->Left->DeepCopy(this->Carved.Array);
+  this->Copy->ShallowCopy(this->Image);
+  // Arrays keep their numbers, by which a mapper may ask for one.
+  vtkPointData* const from = this->Image->GetPointData();
+  vtkPointData* const to = this->Copy->GetPointData();
+  to->Initialize();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = from->GetAbstractArray(i);
+    to->AddArray(array == this->Carved.Array ? this->Left.Get() : array);
+  }
+  int attributes[vtkDataSetAttributes::NUM_ATTRIBUTES];
+  from->GetAttributeIndices(attributes);
+  for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind)
+  {
+    if (attributes[kind] >= 0)
+    {
+      to->SetActiveAttribute(attributes[kind], kind);
+    }
+  }
+  this->Bricks.TakeAll([this](std::uint32_t brick) { this->WriteBrick(brick); });
+}
+
+bool CarvedCopy::Update()
+{
+  if (!this->IsShown())
+  {
+    return this->Replace();
+  }
+  if (this->Image->GetMTime() != this->ImageTime)
+  {
+    this->CopyImage();
+    return true;
+  }
+  bool isNew = false;
+  this->Bricks.Take(
+    [this, &isNew](std::uint32_t brick)
+    {
+      this->WriteBrick(brick);
+      isNew = true;
+    });
+  if (isNew)
+  {
+    this->Left->Modified();
+    this->Copy->Modified();
+  }
+  return isNew;
+}
+
+void CarvedCopy::WriteBrick(std::uint32_t brick)
+{
+  ArrayBox box;
+  if (!FindBrickBox(this->Carved, brick, box))
+  {
+    return;
+  }
+  CopyBrick(this->Carved, brick, BrickContent::Left, box, this->Buffer);
+  const auto tuple = static_cast<std::int64_t>(
+    this->Buffer.size() / static_cast<std::size_t>(box.Samples())); // bytes
+  auto* const values = static_cast<unsigned char*>(this->Left->GetVoidPointer(0));
+  const unsigned char* from = this->Buffer.data();
+  for (std::int64_t k = box.Low[2]; k < box.Low[2] + box.Size[2]; ++k)
+  {
+    for (std::int64_t j = box.Low[1]; j < box.Low[1] + box.Size[1]; ++j)
+    {
+      const std::int64_t at =
+        box.Low[0] + this->Carved.Dimensions[0] * (j + this->Carved.Dimensions[1] * k);
+      const std::int64_t row = tuple * box.Size[0];
+      std::memcpy(values + tuple * at, from, static_cast<std::size_t>(row));
+      from += row;
+    }
+  }
+}
+
+} // namespace VolumeHaptics

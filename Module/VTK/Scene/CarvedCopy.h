@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Shows what a tool has left of an image by a copy in the place of a mapper's input: for mappers
+ * whose texture can't be written to. It needs the memory of the array once more, and VTK uploads or
+ * prepares all of it after each change.
+ */
+#ifndef CarvedCopy_h
+#define CarvedCopy_h
+
+#include "VTK/Scene/CarvedArray.h"
+#include "VTK/Scene/FollowedBricks.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkVolumeMapper.h"
+#include "vtkWeakPointer.h"
+
+class vtkAlgorithmOutput;
+
+namespace VolumeHaptics
+{
+
+/** The port at which a mapper gets an image of which it shows an array; -1 if there is none. */
+int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
+
+class CarvedCopy
+{
+public:
+  /** Borrows the array and the bricks. */
+  CarvedCopy(vtkVolumeMapper* mapper, const CarvedArray& carved, FollowedBricks& bricks)
+    : Mapper(mapper)
+    , Carved(carved)
+    , Bricks(bricks)
+  {
+  }
+  /** Gives the mapper its own input back. */
+  ~CarvedCopy();
+  CarvedCopy(const CarvedCopy&) = delete;
+  CarvedCopy& operator=(const CarvedCopy&) = delete;
+
+  /** Copies the image if it is new or modified, else the bricks that wait; whether it changed. */
+  bool Update();
+  bool IsCopy(vtkDataObject* image) const { return image && image == this->Copy; }
+  /** What the copy replaces; null if there is none. */
+  vtkAlgorithmOutput* GetReplaced() const
+  {
+    return this->Before ? this->Before->GetOutputPort(this->BeforePort) : nullptr;
+  }
+
+private:
+  bool IsShown() const;
+  /** Takes the place of the input that shows the array; false if none does. */
+  bool Replace();
+  void CopyImage();
+  void WriteBrick(std::uint32_t brick);
+
+  vtkWeakPointer<vtkVolumeMapper> Mapper;
+  const CarvedArray& Carved;
+  FollowedBricks& Bricks;
+  vtkSmartPointer<vtkImageData> Image; ///< that the application shows
+  vtkMTimeType ImageTime = 0;          ///< of the image, when it was copied
+  vtkSmartPointer<vtkImageData> Copy;
+  vtkSmartPointer<vtkDataArray> Left;   ///< the copy's array
+  vtkSmartPointer<vtkAlgorithm> Before; ///< the mapper's input; its connection keeps no producer
+  int BeforePort = 0;
+  int Port = 0; ///< of the mapper
+  std::vector<unsigned char> Buffer;
+};
+
+} // namespace VolumeHaptics
+
+#endif

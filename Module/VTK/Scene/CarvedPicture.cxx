@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/CarvedPicture.h"
+
+#include "vtkSmartVolumeMapper.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Names what vtkSmartVolumeMapper lets derived classes use. */
+struct SmartMapperParts : vtkSmartVolumeMapper
+{
+  static vtkGPUVolumeRayCastMapper* FindGPUMapper(vtkSmartVolumeMapper* mapper)
+  {
+    return mapper->*(&SmartMapperParts::GPUMapper);
+  }
+  static bool DrawsFewerVoxels(vtkSmartVolumeMapper* mapper)
+  {
+    return mapper->*(&SmartMapperParts::LowResGPUNecessary) != 0;
+  }
+};
+
+/** Whether a mapper has begun to draw in a way that shows no texture of its image. */
+bool DrawsOtherwise(vtkVolumeMapper* mapper)
+{
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  if (!smart)
+  {
+    return false;
+  }
+  const int mode = smart->GetLastUsedRenderMode();
+  return mode == vtkSmartVolumeMapper::GPURenderMode
+    ? SmartMapperParts::DrawsFewerVoxels(smart)
+    : mode != vtkSmartVolumeMapper::UndefinedRenderMode;
+}
+
+vtkOpenGLGPUVolumeRayCastMapper* FindTextureMapper(vtkVolumeMapper* mapper)
+{
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  return vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(
+    smart ? static_cast<vtkVolumeMapper*>(SmartMapperParts::FindGPUMapper(smart)) : mapper);
+}
+
+} // namespace
+
+CarvedPicture::CarvedPicture(vtkVolumeMapper* mapper, CarvedArray carved)
+  : Mapper(mapper)
+  , Carved(std::move(carved))
+  , Bricks(Carved.Removal)
+{
+  if (vtkOpenGLGPUVolumeRayCastMapper* const drawing = FindTextureMapper(mapper))
+  {
+    this->Texture = std::make_unique<CarvedTexture>(drawing, this->Carved, this->Bricks);
+  }
+}
+
+CarvedPicture::~CarvedPicture()
+{
+  if (this->Texture)
+  {
+    this->Texture->Restore();
+  }
+}
+
+bool CarvedPicture::Update()
+{
+  const bool isNew = this->Bricks.Follow();
+  vtkVolumeMapper* const mapper = this->Mapper;
+  if (!mapper || this->Carved.Removal->Bricks.IsEmpty())
+  {
+    return false;
+  }
+  if (this->Copy)
+  {
+    return this->Copy->Update();
+  }
+  if (FindShownPort(mapper, this->Carved.Array) < 0)
+  {
+    if (this->Texture)
+    {
+      this->Texture->Forget();
+    }
+    return false;
+  }
+  if (this->Texture && !this->Texture->IsImpossible() && !DrawsOtherwise(mapper))
+  {
+    const bool isDue = this->Texture->TakeFrameDue();
+    return isNew || isDue;
+  }
+  this->Texture = nullptr;
+  this->Copy = std::make_unique<CarvedCopy>(mapper, this->Carved, this->Bricks);
+  return this->Copy->Update();
+}
+
+} // namespace VolumeHaptics

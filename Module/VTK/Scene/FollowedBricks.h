@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The bricks that were changed and are not shown yet.
+ */
+#ifndef FollowedBricks_h
+#define FollowedBricks_h
+
+#include "Core/Carving/TissueRemoval.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** A follower of the bricks of a removal. */
+class FollowedBricks
+{
+public:
+  explicit FollowedBricks(std::shared_ptr<TissueRemoval> removal)
+    : Removal(std::move(removal))
+    , Follower(Removal->Bricks.AddFollower())
+    , Waits(Removal->Bricks.GetMost(), false)
+  {
+  }
+  ~FollowedBricks()
+  {
+    if (this->Follower >= 0)
+    {
+      this->Removal->Bricks.RemoveFollower(this->Follower);
+    }
+  }
+  FollowedBricks(const FollowedBricks&) = delete;
+  FollowedBricks& operator=(const FollowedBricks&) = delete;
+
+  /**
+   * Looks for changes; whether there are any. With more followers than the bricks can have, each
+   * brick counts as changed.
+   */
+  bool Follow()
+  {
+    CarvedBricks& bricks = this->Removal->Bricks;
+    if (this->Follower < 0)
+    {
+      this->Follower = bricks.AddFollower();
+    }
+    bool isAny = false;
+    const auto note = [this, &isAny](std::uint32_t brick)
+    {
+      isAny = true;
+      if (!this->Waits[brick])
+      {
+        this->Waits[brick] = true;
+        this->Waiting.push_back(brick);
+      }
+    };
+    if (this->Follower >= 0)
+    {
+      bricks.TakeChanged(this->Follower, note);
+      return isAny;
+    }
+    const std::uint32_t count = bricks.GetCount();
+    for (std::uint32_t brick = 0; brick < count; ++brick)
+    {
+      note(brick);
+    }
+    return isAny;
+  }
+  /** Calls f(brick) for each one that waits, and forgets them. */
+  template <typename F>
+  void Take(F&& f)
+  {
+    for (const std::uint32_t brick : this->Waiting)
+    {
+      this->Waits[brick] = false;
+      f(brick);
+    }
+    this->Waiting.clear();
+  }
+  /** The same for all bricks that there are. */
+  template <typename F>
+  void TakeAll(F&& f)
+  {
+    this->Take([](std::uint32_t) {});
+    const std::uint32_t count = this->Removal->Bricks.GetCount();
+    for (std::uint32_t brick = 0; brick < count; ++brick)
+    {
+      f(brick);
+    }
+  }
+
+private:
+  std::shared_ptr<TissueRemoval> Removal;
+  int Follower;
+  std::vector<bool> Waits;
+  std::vector<std::uint32_t> Waiting;
+};
+
+} // namespace VolumeHaptics
+
+#endif

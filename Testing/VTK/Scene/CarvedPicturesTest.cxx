@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Which volumes of a scene show what a tool has left of an array.
+ */
+
+#include "VTK/Scene/CarvedPictures.h"
+#include "CarvedScene.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+
+using namespace carvedtest;
+
+namespace
+{
+class CarvedPicturesScene : public testing::Test
+{
+protected:
+  /// Draws as often as the pictures ask for it.
+  std::vector<int> Follow(const std::vector<CarvedArray>& arrays)
+  {
+    std::vector<int> drawn;
+    int frames = 0;
+    do
+    {
+      this->Pictures.Update(this->Scene.Renderer, arrays);
+      drawn = this->Scene.Draw();
+    } while (this->Pictures.Update(this->Scene.Renderer, arrays) && ++frames < 10);
+    EXPECT_LT(frames, 10);
+    return drawn;
+  }
+  CarvedArray MakeArray() const
+  {
+    CarvedArray array;
+    array.Array = this->Image->GetPointData()->GetScalars();
+    std::copy(Size, Size + 3, array.Dimensions);
+    array.Removal = this->Burr.Removal;
+    return array;
+  }
+
+  vtkSmartPointer<vtkImageData> Image = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
+  Carving Burr;
+  Shown Scene{ vtkNew<vtkVolume>(), vtkNew<vtkOpenGLGPUVolumeRayCastMapper>(), 1, 0.0, 250.0 };
+  CarvedPictures Pictures;
+};
+} // namespace
+
+TEST_F(CarvedPicturesScene, ShowsItInAllVolumesOfTheWindow)
+{
+  this->Scene.Mapper->SetInputDataObject(this->Image);
+  // A picture of a slice of the same array beside it, by another mapper.
+  vtkNew<vtkVolume> second;
+  vtkNew<vtkFixedPointVolumeRayCastMapper> copied;
+  copied->SetInputData(this->Image);
+  second->SetMapper(copied);
+  SetLook(second->GetProperty(), 1, 0.0, 250.0);
+  vtkNew<vtkRenderer> beside;
+  beside->AddVolume(second);
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  beside->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Scene.Window->AddRenderer(beside);
+  beside->SetActiveCamera(this->Scene.Renderer->GetActiveCamera());
+  const std::vector<int> whole = this->Follow({});
+  EXPECT_EQ(Difference(this->Follow({ this->MakeArray() }), whole), 0) << "nothing was removed";
+  EXPECT_EQ(copied->GetInput(), this->Image);
+
+  this->Burr.At(28.0, 19.0, 30.0, 7.0);
+  const std::vector<int> carved = this->Follow({ this->MakeArray() });
+  int differences[2] = { 0, 0 };
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    int& most = differences[i / 3 % Side >= Side / 2 ? 1 : 0];
+    most = std::max(most, std::abs(whole[i] - carved[i]));
+  }
+  EXPECT_GT(differences[0], 20);
+  EXPECT_GT(differences[1], 20);
+  // The copy stands for the application's image.
+  EXPECT_NE(copied->GetInput(), this->Image);
+  EXPECT_EQ(this->Pictures.FindImage(copied), this->Image);
+  EXPECT_EQ(this->Pictures.FindImage(this->Scene.Mapper), this->Image);
+  EXPECT_EQ(
+    this->Pictures.FindInput(this->Scene.Mapper), this->Scene.Mapper->GetInputConnection(0, 0));
+
+  // The removal of another filter, and none.
+  CarvedArray other = this->MakeArray();
+  other.Removal = std::make_shared<TissueRemoval>();
+  EXPECT_LE(Difference(this->Follow({ other }), whole), 1);
+  EXPECT_LE(Difference(this->Follow({ this->MakeArray() }), carved), 1);
+  EXPECT_TRUE(this->Pictures.Update(this->Scene.Renderer, {})) << "all tissue is to be drawn";
+  EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
+  EXPECT_EQ(copied->GetInput(), this->Image);
+  EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, {}));
+}
+
+TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
+{
+  const vtkSmartPointer<vtkImageData> other = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
+  this->Scene.Mapper->SetInputDataObject(other);
+  const std::vector<int> whole = this->Scene.Draw();
+  this->Burr.At(28.0, 19.0, 30.0, 7.0);
+  EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
+  EXPECT_EQ(Difference(this->Follow({ this->MakeArray() }), whole), 0);
+  // A mapper that shows the array later.
+  this->Scene.Mapper->SetInputDataObject(this->Image);
+  EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
+  this->Scene.Mapper->SetInputDataObject(other);
+  EXPECT_LE(Difference(this->Follow({ this->MakeArray() }), whole), 1);
+  this->Scene.Mapper->SetInputDataObject(this->Image);
+  EXPECT_GT(Difference(this->Follow({ this->MakeArray() }), whole), 20);
+  EXPECT_EQ(this->Scene.Mapper->GetInputDataObject(0, 0), this->Image) << "by its texture";
+  EXPECT_EQ(this->Pictures.FindImage(nullptr), nullptr);
+  this->Pictures.Clear();
+  EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
+}
