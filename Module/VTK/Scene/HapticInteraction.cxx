@@ -35,7 +35,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Touch(Scene, Window, Workspace)
   , Turn(Scene)
   , Displays(Scene, Touch, Turn, Keys)
-  , Touched(Scene, ShownFrames)
+  , Touched(Scene, ShownFrames, Carved)
   , Publisher(Scene)
   , Compared(Scene, Publisher)
   , Playback(Scene)
@@ -73,6 +73,7 @@ void HapticInteraction::LeaveDevice()
     device->RemoveReader(this->Reader);
     this->Workspace.LeaveDevice();
     this->ShownFrames.Restore();
+    this->Carved.Clear();
   }
 }
 
@@ -536,7 +537,7 @@ void HapticInteraction::CheckShownVolumes()
   {
     vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
     for (const std::string& warning :
-      this->Volumes.Check(renderer, image, filter, this->ShownFrames))
+      this->Volumes.Check(renderer, image, filter, this->ShownFrames, this->Carved))
     {
       vtkWarningWithObjectMacro(this->Scene.Style, << warning);
     }

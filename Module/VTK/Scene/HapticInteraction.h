@@ -7,6 +7,7 @@
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
 
+#include "VTK/Scene/CarvedPictures.h"
 #include "VTK/Scene/ComparedSettings.h"
 #include "VTK/Scene/DisplayKeys.h"
 #include "VTK/Scene/EditorKeys.h"
@@ -111,6 +112,7 @@ public:
   KeyMap Keys;
   DisplayKeys Displays;
   HapticShownFrames ShownFrames;
+  CarvedPictures Carved;
   TouchedVolumes Touched;
   FilterPublisher Publisher;
   ComparedSettings Compared;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticShownVolumes.h"
 
+#include "VTK/Scene/CarvedPictures.h"
 #include "VTK/Scene/HapticShownFrames.h"
 #include "VTK/Scene/TouchedVolume.h"
 
@@ -191,7 +192,7 @@ bool HasTransferFunction2D(vtkVolumeProperty* property)
 } // namespace
 
 std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
@@ -208,7 +209,7 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
-    const unsigned int differences = this->FindDifferences(volume, image, filter, pictures);
+    const unsigned int differences = this->FindDifferences(volume, image, filter, pictures, carved);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -226,11 +227,10 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
 }
 
 unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
   auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  auto* const shown =
-    mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  vtkImageData* const shown = carved.FindImage(mapper);
   if (!shown || !(HasSamplesOf(shown, image) || pictures.IsPicture(shown)))
   {
     return 0;

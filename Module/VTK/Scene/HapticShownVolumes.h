@@ -22,6 +22,7 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
+class CarvedPictures;
 class HapticShownFrames;
 
 /**
@@ -33,10 +34,12 @@ public:
   /**
    * A warning for each visible volume of a renderer that shows an image, or another one with the
    * same scalars, in a way that the filter does not feel. It names the differences that are new
-   * since the last call, and the cures. The pictures of a volume that moves show the image, too.
+   * since the last call, and the cures. The pictures of a volume that moves show the image, too,
+   * and so do copies of what a tool has left of it.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
+    const CarvedPictures& carved);
 
 private:
   struct Known
@@ -45,7 +48,8 @@ private:
     unsigned int Differences;
   };
   unsigned int FindDifferences(vtkVolume* volume, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
+    const CarvedPictures& carved);
   bool HasBlanks(vtkImageData* image);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
 

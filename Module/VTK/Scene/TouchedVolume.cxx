@@ -93,19 +93,19 @@ void MapCropping(vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* fel
   }
 }
 
-void TouchedVolume::Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures)
+void TouchedVolume::Update(
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
   auto* const mapper =
     this->Volume ? vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
-  auto* const shown =
-    mapper ? vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)) : nullptr;
+  vtkImageData* const shown = carved.FindImage(mapper);
   if (!shown)
   {
     return;
   }
   if (!pictures.IsPicture(shown))
   {
-    this->Place(mapper, shown, filter);
+    this->Place(carved.FindInput(mapper), shown, filter);
   }
   if (filter->GetProperty()->GetVisibilityFrom() != this->Volume->GetProperty())
   {
@@ -117,7 +117,7 @@ void TouchedVolume::Update(vtkVolumeHapticsFilter* filter, const HapticShownFram
 }
 
 void TouchedVolume::Place(
-  vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+  vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
 {
   this->Volume->ComputeMatrix();
   vtkNew<vtkImageData> place;
@@ -125,10 +125,9 @@ void TouchedVolume::Place(
   // What is sheared stays where its image is: the style warns of it.
   if (!PlaceImage(this->Volume->GetMatrix(), shown, place) || IsSamePlace(place, shown))
   {
-    if (filter->GetNumberOfInputConnections(0) == 0 ||
-      filter->GetInputConnection(0, 0) != mapper->GetInputConnection(0, 0))
+    if (filter->GetNumberOfInputConnections(0) == 0 || filter->GetInputConnection(0, 0) != input)
     {
-      filter->SetInputConnection(0, mapper->GetInputConnection(0, 0));
+      filter->SetInputConnection(0, input);
     }
     return;
   }

@@ -7,6 +7,7 @@
 #ifndef TouchedVolume_h
 #define TouchedVolume_h
 
+#include "VTK/Scene/CarvedPictures.h"
 #include "VTK/Scene/HapticShownFrames.h"
 
 #include "vtkImageData.h"
@@ -15,6 +16,7 @@
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
+class vtkAlgorithmOutput;
 class vtkHapticLabelTable;
 class vtkMatrix4x4;
 class vtkVolumeHapticsFilter;
@@ -40,11 +42,13 @@ public:
    * Gives the filter the volume's image at its place, its opacity, its cropping, its clipping
    * planes and its binary mask, as far as they have changed. Images of a moving volume, which the
    * mapper shows in the place of its own input, are left alone, and so are labels of the filter.
+   * A copy that shows what a tool has left of the image stands for the image.
    */
-  void Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures);
+  void Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
+    const CarvedPictures& carved);
 
 private:
-  void Place(vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
+  void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
   static void Crop(vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
   /** A mask becomes a label image, of which the label 0 is not felt. */
   void Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter);

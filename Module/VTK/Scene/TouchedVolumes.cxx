@@ -151,7 +151,7 @@ void TouchedVolumes::Follow()
   {
     if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
     {
-      entry.Volume->Update(filter, this->Pictures);
+      entry.Volume->Update(filter, this->Pictures, this->Carved);
     }
   }
 }

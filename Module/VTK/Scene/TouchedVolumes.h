@@ -32,9 +32,11 @@ namespace VolumeHaptics
 class TouchedVolumes
 {
 public:
-  TouchedVolumes(TouchedScene& scene, const HapticShownFrames& pictures)
+  TouchedVolumes(
+    TouchedScene& scene, const HapticShownFrames& pictures, const CarvedPictures& carved)
     : Scene(scene)
     , Pictures(pictures)
+    , Carved(carved)
   {
   }
 
@@ -73,6 +75,7 @@ private:
 
   TouchedScene& Scene;
   const HapticShownFrames& Pictures;
+  const CarvedPictures& Carved;
   std::vector<Entry> All;
   Vector3 ChosenTip; ///< the tip when it was chosen last
   double ChosenTime = 0.0;
