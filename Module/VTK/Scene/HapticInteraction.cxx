@@ -452,6 +452,7 @@ bool HapticInteraction::UpdateHaptics()
   this->Editor.FollowProposal();
   this->Displays.UpdateHint();
   this->Compared.Tell();
+  this->FollowCarving();
   if (!scene.Device || !scene.Device->IsRunning())
   {
     return false;
@@ -526,6 +527,16 @@ bool HapticInteraction::UpdateHaptics()
   // An observer of the events may have ended the loop.
   this->Window.Look();
   return isNew;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowCarving()
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  if (renderer && this->Scene.Device && this->Carved.Update(renderer, this->Touched.FindCarved()))
+  {
+    this->Frames.NoteEvent();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -120,6 +120,8 @@ public:
 
 private:
   void LeaveDevice();
+  /** Volumes show what a tool has left of them. */
+  void FollowCarving();
   /** Draws the scene if the mouse has changed what the slices show; true. */
   bool DrawSlices();
   void FollowWork(vtkObject* worker, bool begins);

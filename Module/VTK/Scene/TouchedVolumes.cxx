@@ -4,6 +4,7 @@
 
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Scene/FilterCarving.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 #include "vtkTimerLog.h"
 #include "vtkVolumeMapper.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace VolumeHaptics
@@ -139,6 +141,27 @@ vtkVolume* TouchedVolumes::Get() const
     }
   }
   return nullptr;
+}
+
+std::vector<CarvedArray> TouchedVolumes::FindCarved() const
+{
+  std::vector<vtkVolumeHapticsFilter*> filters{ this->Scene.Device->GetVolumeHaptics() };
+  for (const Entry& entry : this->All)
+  {
+    filters.push_back(this->FilterOf(entry));
+  }
+  std::vector<CarvedArray> found;
+  for (vtkVolumeHapticsFilter* const filter : filters)
+  {
+    CarvedArray carved;
+    const auto isThere = [&carved](const CarvedArray& one) { return one.IsSame(carved); };
+    if (filter && VolumeHaptics::FindCarved(filter, carved) &&
+      std::none_of(found.begin(), found.end(), isThere))
+    {
+      found.push_back(carved);
+    }
+  }
+  return found;
 }
 
 void TouchedVolumes::Follow()

@@ -49,6 +49,8 @@ public:
   vtkVolume* Get() const;
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
+  /** What tools have removed, by the filters of the volumes and that of the device. */
+  std::vector<CarvedArray> FindCarved() const;
   /** Gives the filters what their volumes show now. */
   void Follow();
   /** Chooses among the volumes along the line of sight through a position. */
