@@ -112,7 +112,7 @@ void Bare(benchmark::State& bench, const BallVolume& volume, HapticSolver solver
   while (bench.KeepRunningBatch(Ticks))
   {
     ServoState state;
-    TapMemory memory;
+    TickMemory memory;
     for (const Vector3& tip : tips)
     {
       Tick(*model, state, 0.001 * tip, record, LocalSurfaceResult::Simulated(), &memory);

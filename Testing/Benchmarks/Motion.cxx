@@ -43,10 +43,11 @@ TickRecord Slide::Measure(benchmark::State& bench, const HapticModel& model) con
 {
   ServoState state = this->Start;
   TickRecord record;
+  TickMemory memory;
   Cycle tip(this->Tips);
   for (auto _ : bench)
   {
-    Tick(model, state, tip.Next(), record);
+    Tick(model, state, tip.Next(), record, LocalSurfaceResult::Simulated(), &memory);
     benchmark::DoNotOptimize(record);
     if (tip.IsAtStart())
     {

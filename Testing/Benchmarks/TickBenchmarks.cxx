@@ -74,6 +74,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene)
   const Slide slide(scene.Volume);
   ServoState state = slide.Start;
   TickRecord record;
+  TickMemory memory;
   Cycle tip(slide.Tips);
   double step = 0.001;
   for (auto _ : bench)
@@ -82,7 +83,7 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene)
     step = state.DataTime + step > 2.0 * Beating::FrameTime || state.DataTime + step < 0.0 ? -step
                                                                                            : step;
     state.DataTime += step;
-    Tick(*model, state, tip.Next(), record);
+    Tick(*model, state, tip.Next(), record, LocalSurfaceResult::Simulated(), &memory);
     benchmark::DoNotOptimize(record);
     if (tip.IsAtStart())
     {

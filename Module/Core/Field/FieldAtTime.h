@@ -26,22 +26,24 @@ namespace VolumeHaptics
 class FieldAtTime
 {
 public:
-  /** @param memory of the last gradient, see FieldSampler */
+  /** @param memory of the last gradient, see FieldSampler; may be null */
   explicit FieldAtTime(const FieldSampler& field, TapMemory* memory = nullptr) noexcept
     : First(field)
-    , Memory(memory)
+    , Memories{ memory, nullptr }
   {
   }
   /**
    * @param share of the second frame, 0 to 1
    * @param motion of the material from the first frame to the second one; null if it is not known
+   * @param memories of each frame; may be null
    */
   FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
-    const DisplacementField* motion = nullptr) noexcept
+    const DisplacementField* motion = nullptr, const FramePair<TapMemory*>& memories = {}) noexcept
     : First(share < 1.0 ? first : second)
     , Second(share > 0.0 && share < 1.0 ? &second : nullptr)
     , Share(share)
     , Motion(motion)
+    , Memories(share < 1.0 ? memories : FramePair<TapMemory*>{ memories.Second, nullptr })
   {
   }
 
@@ -58,6 +60,12 @@ public:
     return this->Second ? this->Blend(value, this->Second->Value(index)) : value;
   }
 
+  /** The same where the gradient was read, which may tell it. */
+  double Value(const Vector3& index, const FieldSample& there) const noexcept
+  {
+    return this->First.TellsValue(there) ? there.Value : this->Value(index);
+  }
+
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
     if (this->FollowsMaterial())
@@ -71,7 +79,7 @@ public:
   FieldSample Gradient(const Vector3& index) const noexcept
   {
     return this->Second ? this->Blend(this->ReadFrames(index))
-                        : this->First.Gradient(index, this->Memory);
+                        : this->First.Gradient(index, this->Memories.First);
   }
 
   ///@{
@@ -89,16 +97,29 @@ public:
     if (this->FollowsMaterial())
     {
       const MaterialPlace at = this->Motion->Find(index, this->Share);
-      return { ReadMaterial(this->First, at.First, at.FirstSlope),
-        ReadMaterial(*this->Second, at.Second, at.SecondSlope) };
+      return { ReadMaterial(this->First, at.First, at.FirstSlope, this->Memories.First),
+        ReadMaterial(*this->Second, at.Second, at.SecondSlope, this->Memories.Second) };
     }
-    return this->First.Gradients(*this->Second, index);
+    return this->First.Gradients(*this->Second, index, this->Memories);
   }
   FieldSample Blend(const FramePair<FieldSample>& pair) const noexcept
   {
     const auto& [first, second] = pair;
     return { this->Blend(first.Value, second.Value),
       first.Gradient + this->Share * (second.Gradient - first.Gradient) };
+  }
+  /** V of each frame where the gradients were read. */
+  FramePair<double> ReadValues(
+    const Vector3& index, const FramePair<FieldSample>& there) const noexcept
+  {
+    const bool isTold =
+      this->First.TellsValue(there.First) && this->Second->TellsValue(there.Second);
+    return isTold ? FramePair<double>{ there.First.Value, there.Second.Value }
+                  : FramePair<double>{ this->First.Value(index), this->Second->Value(index) };
+  }
+  double Blend(const FramePair<double>& pair) const noexcept
+  {
+    return this->Blend(pair.First, pair.Second);
   }
   ///@}
 
@@ -109,11 +130,11 @@ private:
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   /** A frame at the place that stands for another one, with the gradient there. */
-  static FieldSample ReadMaterial(
-    const FieldSampler& frame, const Vector3& place, const Matrix3& slope) noexcept
+  static FieldSample ReadMaterial(const FieldSampler& frame, const Vector3& place,
+    const Matrix3& slope, TapMemory* memory) noexcept
   {
     const Vector3 inside = frame.Nearest(place);
-    const FieldSample sample = frame.Gradient(inside);
+    const FieldSample sample = frame.Gradient(inside, memory);
     // Beyond the border, the value does not change.
     const Vector3 gradient{ inside.X == place.X ? sample.Gradient.X : 0.0,
       inside.Y == place.Y ? sample.Gradient.Y : 0.0,
@@ -146,7 +167,7 @@ private:
   const FieldSampler* const Second = nullptr; ///< null if the instant is that of a frame
   const double Share = 0.0;
   const DisplacementField* const Motion = nullptr; ///< null if it is not known
-  TapMemory* const Memory = nullptr;               ///< null for a blend of frames
+  const FramePair<TapMemory*> Memories;            ///< may be null
 };
 
 } // namespace VolumeHaptics

@@ -95,6 +95,16 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
   return SumRemembered<4>(view, foot, fill, memory, sample);
 }
 
+bool RememberedSplines(const FieldView& first, const FieldView& second, double x, double y,
+  double z, FillFunction fill, const FramePair<TapMemory*>& memories,
+  FramePair<FieldSample>& samples) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(first, x, y, z, foot);
+  return SumRemembered<4>(first, foot, fill, *memories.First, samples.First) &&
+    SumRemembered<4>(second, foot, fill, *memories.Second, samples.Second);
+}
+
 /** First tap and weights of the Gaussian along one axis, from the kernel's table. */
 VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
   const FieldView& view, int axis, double position, int taps, double* weights)
@@ -154,6 +164,17 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   Footprint<N> foot;
   LocateGaussian<N>(view, x, y, z, foot);
   return SumRemembered<N>(view, foot, fill, memory, sample);
+}
+
+template <int N>
+bool RememberedGaussians(const FieldView& first, const FieldView& second, double x, double y,
+  double z, FillFunction fill, const FramePair<TapMemory*>& memories,
+  FramePair<FieldSample>& samples) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(first, x, y, z, foot);
+  return SumRemembered<N>(first, foot, fill, *memories.First, samples.First) &&
+    SumRemembered<N>(second, foot, fill, *memories.Second, samples.Second);
 }
 
 /** The same for any number of taps, in plain loops. */
@@ -218,7 +239,7 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
       return f;
     case GradientEstimator::CubicBSpline:
       return { SplineValue<T>, SplinePair<T>, SplineGradient<T>, nullptr, SplineGradients<T>,
-        FillTaps<T, 4>, RememberedSpline };
+        FillTaps<T, 4>, RememberedSpline, RememberedSplines };
     case GradientEstimator::Gaussian:
       break;
   }
@@ -229,12 +250,14 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
       f.Gradients = GaussianGradients<T, 4>;
       f.Fill = FillTaps<T, 4>;
       f.Remembered = RememberedGaussian<4>;
+      f.RememberedPair = RememberedGaussians<4>;
       return f;
     case 6:
       f.Gradient = GaussianGradient<T, 6>;
       f.Gradients = GaussianGradients<T, 6>;
       f.Fill = FillTaps<T, 6>;
       f.Remembered = RememberedGaussian<6>;
+      f.RememberedPair = RememberedGaussians<6>;
       return f;
     case 8:
       f.Gradient = GaussianGradient<T, 8>;

@@ -66,7 +66,8 @@ FieldSampler::FieldSampler(const VolumeView& view, const GradientKernel& kernel,
   , Given(view)
   , Carved(carved)
   , Functions(SelectFunctions(view, kernel, instructions))
-  , ValueReach(kernel.Estimator == GradientEstimator::CubicBSpline ? 1 : 0)
+  , HasOwnValues(kernel.Estimator == GradientEstimator::CubicBSpline)
+  , ValueReach(this->HasOwnValues ? 1 : 0)
 {
   this->View.Volume.Data = WholeData(view);
   this->View.Number = MakeUniqueNumber();

@@ -78,6 +78,10 @@ using FillFunction = bool (*)(
 /** The gradient from the memory's taps, read anew if need be; false if it can't be had so. */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
+/** The same of two frames that share the weights. */
+using RememberedPairFunction = bool (*)(const FieldView& first, const FieldView& second, double x,
+  double y, double z, FillFunction, const FramePair<TapMemory*>& memories,
+  FramePair<FieldSample>& samples) noexcept;
 
 /** The kernels for one scalar type and one estimator. */
 struct FieldFunctions
@@ -94,6 +98,7 @@ struct FieldFunctions
   /** Null for estimators that gain nothing by a memory. */
   FillFunction Fill = nullptr;
   RememberedFunction Remembered = nullptr;
+  RememberedPairFunction RememberedPair = nullptr;
   ///@}
 };
 
@@ -132,6 +137,12 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
+  /** Whether a gradient tells V where it was read: the value of CubicBSpline is V itself. */
+  bool TellsValue(const FieldSample& sample) const noexcept
+  {
+    return this->HasOwnValues && !this->Carved.HasAny() && std::isfinite(sample.Value);
+  }
+
   /** V at index + offset and at index - offset, which is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
@@ -166,7 +177,10 @@ public:
   }
 
   ///@{
-  /** As Values and Gradient of each, but faster: the other frame is of the same volume. */
+  /**
+   * As Values and Gradient of each, but faster: the other frame is of the same volume. Each frame
+   * has a memory of its own.
+   */
   FramePair<ValuePair> Values(
     const FieldSampler& other, const Vector3& index, const Vector3& offset) const noexcept
   {
@@ -179,11 +193,19 @@ public:
     return { { this->Checked(first.Ahead), this->Checked(first.Behind) },
       { other.Checked(second.Ahead), other.Checked(second.Behind) } };
   }
-  FramePair<FieldSample> Gradients(const FieldSampler& other, const Vector3& index) const noexcept
+  FramePair<FieldSample> Gradients(const FieldSampler& other, const Vector3& index,
+    const FramePair<TapMemory*>& memories = {}) const noexcept
   {
     if (!this->Functions.Gradients || !this->SharesWeights(other))
     {
-      return { this->Gradient(index), other.Gradient(index) };
+      return { this->Gradient(index, memories.First), other.Gradient(index, memories.Second) };
+    }
+    FramePair<FieldSample> samples;
+    if (memories.First && memories.Second && this->Functions.RememberedPair &&
+      this->Functions.RememberedPair(
+        this->View, other.View, index.X, index.Y, index.Z, this->Functions.Fill, memories, samples))
+    {
+      return samples;
     }
     return this->Functions.Gradients(this->View, other.View, index.X, index.Y, index.Z);
   }
@@ -249,8 +271,9 @@ private:
   CarvedView Carved;
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
-  FieldFunctions OfCopies; ///< of doubles
-  int ValueReach = 0;      ///< samples beyond a position's cell
+  FieldFunctions OfCopies;   ///< of doubles
+  bool HasOwnValues = false; ///< V is the value of the estimator
+  int ValueReach = 0;        ///< samples beyond a position's cell
 };
 
 } // namespace VolumeHaptics

@@ -3,6 +3,7 @@
 #ifndef TapMemory_h
 #define TapMemory_h
 
+#include <cstddef>
 #include <cstdint>
 
 namespace VolumeHaptics
@@ -20,6 +21,17 @@ struct TapMemory
   std::int64_t First[3] = { 0, 0, 0 }; ///< the index of the first tap along each axis
   /** Two rows along x after two others, as RowPair has them. */
   alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
+};
+
+/**
+ * The memories of a tick: one for each of the two frames that are blended while a volume moves. A
+ * frame has the same one before and after it; a volume that stands still has the first one.
+ */
+struct TickMemory
+{
+  TapMemory Frames[2];
+
+  TapMemory& Of(std::size_t frame) noexcept { return this->Frames[frame % 2]; }
 };
 
 } // namespace VolumeHaptics

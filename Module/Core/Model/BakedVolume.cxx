@@ -232,12 +232,14 @@ std::size_t BakedVolume::FindNearestFrame(double time) const noexcept
   return this->FindShare(frame, time) < 0.5 ? frame : frame + 1;
 }
 
-FieldAtTime BakedVolume::BlendFrames(double time) const noexcept
+FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noexcept
 {
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
   return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
-    before.Motion ? &*before.Motion : nullptr };
+    before.Motion ? &*before.Motion : nullptr,
+    memory ? FramePair<TapMemory*>{ &memory->Of(frame), &memory->Of(frame + 1) }
+           : FramePair<TapMemory*>{} };
 }
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept

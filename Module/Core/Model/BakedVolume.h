@@ -105,12 +105,13 @@ struct BakedVolume
   }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /**
-   * The volume at a data time; before the first frame and after the last one, it stands still. One
-   * that does not move takes the memory of the last gradient.
+   * The volume at a data time; before the first frame and after the last one, it stands still. The
+   * memory is that of the last gradients.
    */
-  FieldAtTime At(double time, TapMemory* memory = nullptr) const noexcept
+  FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time) : FieldAtTime(this->Field, memory);
+    return this->IsMoving() ? this->BlendFrames(time, memory)
+                            : FieldAtTime(this->Field, memory ? &memory->Frames[0] : nullptr);
   }
   FrameWindow GetWindow() const noexcept
   {
@@ -148,7 +149,7 @@ struct BakedVolume
   const std::uint64_t Number;
 
 private:
-  FieldAtTime BlendFrames(double time) const noexcept;
+  FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
   /** Of the frame after this one, at a data time. */
   double FindShare(std::size_t frame, double time) const noexcept;
 };

@@ -49,7 +49,7 @@ private:
   bool IsOut = false; ///< the old force has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last one
   Vector3 Lag;        ///< while IsOut: proxy minus tip
-  TapMemory Taps;     ///< of the last tick
+  TickMemory Taps;    ///< of the last tick
 };
 
 } // namespace VolumeHaptics

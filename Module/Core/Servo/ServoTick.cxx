@@ -19,7 +19,7 @@ namespace
 
 /** A tick of the method: what a point feels. */
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result, TapMemory* memory) noexcept
+  const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
   const HapticMethod method = model.Baked->Settings.Method;
   if (method == HapticMethod::SurfaceProxy && model.Baked->Mesh)
@@ -50,7 +50,7 @@ inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& 
 
 /** A tick with a tool in the hand. */
 void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result, TapMemory* memory, ToolMemory* tool) noexcept
+  const LocalSurfaceResult& result, TickMemory* memory, ToolMemory* tool) noexcept
 {
   if (!state.Enabled)
   {
@@ -99,7 +99,7 @@ void Rest(const HapticModel& model, ServoState& state, TickRecord& record) noexc
 } // namespace
 
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result, TapMemory* memory, ToolMemory* tool) noexcept
+  const LocalSurfaceResult& result, TickMemory* memory, ToolMemory* tool) noexcept
 {
   if (!IsNear(tip, FarthestTip))
   {

@@ -31,7 +31,7 @@ namespace VolumeHaptics
  * only one the memory of the model's tool, without which a tool that needs one is felt as a point.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
-  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(), TapMemory* memory = nullptr,
+  const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(), TickMemory* memory = nullptr,
   ToolMemory* tool = nullptr) noexcept;
 
 /**

@@ -53,29 +53,43 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
 
 /** @param index of the proxy, before and after it went along with the material */
 Change FindChange(const HapticModel& model, const ServoState& state, const Vector3& from,
-  const Vector3& index) noexcept
+  const Vector3& index, TickMemory* memory) noexcept
 {
   const BakedVolume& baked = *model.Baked;
-  const FieldAtTime before = baked.At(state.CarriedTo);
-  const FieldAtTime now = baked.At(state.DataTime);
+  const FieldAtTime before = baked.At(state.CarriedTo, memory);
+  const FieldAtTime now = baked.At(state.DataTime, memory);
   FieldSample old;
   Change change;
   const bool isShifted = !IsIdentical(from, index);
+  const bool isOwn = HasOwnLevels(model);
   if (now.HasFramesOf(before) && !isShifted)
   {
     // Each frame is read once.
     const FramePair<FieldSample> pair = now.ReadFrames(index);
     change.Now = now.Blend(pair);
     old = before.Blend(pair);
+    if (!isOwn)
+    {
+      const FramePair<double> values = now.ReadValues(index, pair);
+      change.LevelBefore = before.Blend(values);
+      change.LevelNow = now.Blend(values);
+    }
   }
   else
   {
     change.Now = now.Gradient(index);
     old = before.Gradient(from);
+    if (!isOwn)
+    {
+      change.LevelBefore = before.Value(from, old);
+      change.LevelNow = now.Value(index, change.Now);
+    }
   }
-  const bool isOwn = HasOwnLevels(model);
-  change.LevelBefore = isOwn ? old.Value : before.Value(from);
-  change.LevelNow = isOwn ? change.Now.Value : now.Value(index);
+  if (isOwn)
+  {
+    change.LevelBefore = old.Value;
+    change.LevelNow = change.Now.Value;
+  }
   change.IsNone = isShifted
     ? IsSame(old, change.Now, change.LevelBefore, change.LevelNow)
     : change.LevelBefore == change.LevelNow && IsIdentical(old.Gradient, change.Now.Gradient);
@@ -117,7 +131,7 @@ double FindCarry(const HapticModel& model, const Surface& surface, double rise, 
 
 } // namespace
 
-CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
+CarriedProxy CarryProxy(const HapticModel& model, ServoState& state, TickMemory* memory) noexcept
 {
   CarriedProxy carried;
   Vector3 index = model.DeviceToIndex(state.Proxy);
@@ -138,13 +152,13 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
     state.Precise.ReachedTip += carried.Shift;
     carried.Work = FindWork(state, start);
   }
-  const Change change = FindChange(model, state, from, index);
+  const Change change = FindChange(model, state, from, index, memory);
   if (change.IsNone)
   {
     return carried;
   }
   carried.IsChanged = true;
-  const FieldAtTime field = model.Baked->At(state.DataTime);
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   carried.There = model.Baked->HasOtherSurfaces
     ? Law::FindSurface(model, field, index, state.Labels)
     : Law::MakeFieldSurface(model, index, change.Now);
@@ -163,7 +177,7 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept
     }
     index = model.DeviceToIndex(state.Proxy);
     const FieldSample sample = field.Gradient(index);
-    level = HasOwnLevels(model) ? sample.Value : field.Value(index);
+    level = HasOwnLevels(model) ? sample.Value : field.Value(index, sample);
     carried.There = Law::MakeFieldSurface(model, index, sample);
   }
   const Vector3 motion = state.Proxy - start - carried.Shift;

@@ -48,7 +48,8 @@ struct CarriedProxy
  * Moves state.Proxy (and with the material state.Precise.ReachedTip) from data time state.CarriedTo
  * to state.DataTime. For a volume that moves, and a state that is enabled.
  */
-CarriedProxy CarryProxy(const HapticModel& model, ServoState& state) noexcept;
+CarriedProxy CarryProxy(
+  const HapticModel& model, ServoState& state, TickMemory* memory = nullptr) noexcept;
 
 } // namespace VolumeHaptics
 

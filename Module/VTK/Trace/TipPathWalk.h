@@ -70,7 +70,7 @@ private:
   std::size_t Next = 0; ///< of a recording
   ServoState State;
   ResidentServo Servo;
-  TapMemory Taps;                      ///< of a plain walk
+  TickMemory Taps;                     ///< of a plain walk
   std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
   const BakedVolume* ToolOf = nullptr; ///< for which it was made
   ForceGate Gate;                      ///< only its opening is used

@@ -163,14 +163,26 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
     {
       const FieldSampler a(first.View, kernel, set);
       const FieldSampler b(second.View, kernel, set);
+      TapMemory memories[2];
       std::mt19937_64 engine(11);
       std::uniform_real_distribution<double> uniform(0.0, 9.0);
       for (int i = 0; i < 100; ++i)
       {
         const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
-        const auto gradients = a.Gradients(b, p);
-        ASSERT_TRUE(IsSame(gradients.First, a.Gradient(p)));
-        ASSERT_TRUE(IsSame(gradients.Second, b.Gradient(p)));
+        const Vector3 near{ std::floor(p.X) + 0.3, std::floor(p.Y) + 0.9, std::floor(p.Z) };
+        for (const Vector3& at : { p, near, p })
+        {
+          const auto gradients = a.Gradients(b, at);
+          ASSERT_TRUE(IsSame(gradients.First, a.Gradient(at)));
+          ASSERT_TRUE(IsSame(gradients.Second, b.Gradient(at)));
+          const auto remembered = a.Gradients(b, at, { &memories[0], &memories[1] });
+          ASSERT_TRUE(IsSame(remembered.First, gradients.First));
+          ASSERT_TRUE(IsSame(remembered.Second, gradients.Second));
+          if (a.TellsValue(gradients.First))
+          {
+            ASSERT_TRUE(IsSame(gradients.First.Value, a.Value(at)));
+          }
+        }
         const Vector3 offset{ 2.0, -3.0, 0.7 }; // often beyond the border
         const auto values = a.Values(b, p, offset);
         ASSERT_TRUE(IsSame(values.First.Ahead, a.Value(p + offset)));

@@ -89,7 +89,7 @@ public:
 
   std::shared_ptr<const HapticModel> Model;
   std::shared_ptr<ToolMemory> Memory;
-  TapMemory Taps;
+  TickMemory Taps;
   ServoState State;
   TickRecord Record;
 };

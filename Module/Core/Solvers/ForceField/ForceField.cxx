@@ -35,7 +35,7 @@ Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexce
 }
 
 void StepForceField(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
   const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   const Vector3 index = model.DeviceToIndex(record.Tip);

@@ -13,12 +13,12 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct ServoState;
-struct TapMemory;
+struct TickMemory;
 struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record. */
 void StepForceField(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept;
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
 
 /** The damping force (N) on a tip that has come from a place within a tick. */
 Vector3 FindFieldDamping(

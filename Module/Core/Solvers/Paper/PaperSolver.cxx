@@ -41,7 +41,7 @@ Vector3 Advance(
 }
 
 /** A tick from the proxy on; the surface through it is null if it has to be found. */
-void Step(const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory,
+void Step(const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory,
   const Surface* found) noexcept
 {
   const Vector3& tip = record.Tip;
@@ -60,7 +60,7 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, TapMe
 } // namespace
 
 void StepPaper(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
@@ -68,7 +68,7 @@ void StepPaper(
     Step(model, state, record, memory, nullptr);
     return;
   }
-  const CarriedProxy carried = CarryProxy(model, state);
+  const CarriedProxy carried = CarryProxy(model, state, memory);
   record.WallWork = carried.Work;
   Step(model, state, record, memory, carried.IsChanged ? &carried.There : nullptr);
 }

@@ -12,12 +12,12 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct ServoState;
-struct TapMemory;
+struct TickMemory;
 struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record, and the memory of labels. */
 void StepPaper(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept;
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
 
 } // namespace VolumeHaptics
 

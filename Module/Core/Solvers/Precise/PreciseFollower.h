@@ -19,7 +19,7 @@ namespace VolumeHaptics
 class PreciseFollower
 {
 public:
-  PreciseFollower(const HapticModel& model, ServoState& state, TapMemory* memory) noexcept
+  PreciseFollower(const HapticModel& model, ServoState& state, TickMemory* memory) noexcept
     : Field(model, state.DataTime, state.Labels, memory)
     , IsTwoSided(model.Baked->Settings.Side == SurfaceSide::Both)
     , IsOfWalls(model.Baked->Settings.Geometry == SurfaceGeometry::Labels)

@@ -20,7 +20,7 @@ void Follow(PreciseFollower& follower, TickRecord& record) noexcept
 } // namespace
 
 void StepPrecise(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
   if (!state.Enabled)
   {
@@ -36,7 +36,7 @@ void StepPrecise(
     return;
   }
   const Vector3 before = state.Proxy;
-  const CarriedProxy carried = CarryProxy(model, state);
+  const CarriedProxy carried = CarryProxy(model, state, memory);
   record.WallWork = carried.Work;
   if (carried.IsChanged)
   {

@@ -55,7 +55,7 @@ namespace VolumeHaptics
 {
 class HapticModel;
 struct ServoState;
-struct TapMemory;
+struct TickMemory;
 struct TickRecord;
 
 /** The largest number of samples in a tick. */
@@ -63,7 +63,7 @@ constexpr int MaximumLooks = 256;
 
 /** One tick from record.Tip; writes the record and all of the state except its proxy. */
 void StepPrecise(
-  const HapticModel& model, ServoState& state, TickRecord& record, TapMemory* memory) noexcept;
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -57,7 +57,7 @@ class PreciseSurroundings
 {
 public:
   PreciseSurroundings(
-    const HapticModel& model, double dataTime, LabelMemory& labels, TapMemory* memory) noexcept
+    const HapticModel& model, double dataTime, LabelMemory& labels, TickMemory* memory) noexcept
     : Model(model)
     , Field(model.Baked->At(dataTime, memory))
     , Labels(labels)

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The samples that a tick on a volume that moves leaves to the next one save time only: a hand
+ * without such a memory, and one with a fresh memory for each tick, feel the same to the bit.
+ */
+
+#include "Rigs/CoreScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <list>
+#include <vector>
+
+using namespace coretest;
+
+namespace
+{
+/// Random frames of 16^3 voxels, a unit of time apart; of some, a few samples are not numbers.
+class RandomMovie
+{
+public:
+  explicit RandomMovie(ScalarType type, int frames, bool hasMotion)
+  {
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      TestVolume& volume =
+        this->Volumes.emplace_back(type, std::array<std::int64_t, 3>{ Size, Size, Size });
+      volume.FillRandom(static_cast<unsigned>(frame + 1));
+      this->Frames.push_back({ static_cast<double>(frame), volume.View, nullptr });
+      if (hasMotion && frame + 1 < frames)
+      {
+        this->Frames.back().Displacements = { this->Displace(frame), ScalarType::Float64 };
+      }
+    }
+  }
+
+  static constexpr std::int64_t Size = 16;
+  std::vector<VolumeFrame> Frames;
+  std::list<TestVolume> Volumes;
+
+private:
+  /// Up to 0.8 voxels.
+  const void* Displace(int frame)
+  {
+    std::vector<double>& motion = this->Motions.emplace_back();
+    for (std::int64_t i = 0; i < 3 * Size * Size * Size; ++i)
+    {
+      motion.push_back(0.8 * std::sin(0.003 * static_cast<double>(i) + frame));
+    }
+    return motion.data();
+  }
+
+  std::list<std::vector<double>> Motions;
+};
+
+struct MemoryHand
+{
+  void Touch(const HapticModel& model, const Vector3& tip, double time, TickMemory* memory)
+  {
+    this->State.DataTime = time;
+    Tick(model, this->State, tip, this->Record, LocalSurfaceResult::Simulated(), memory);
+  }
+  ServoState State;
+  TickRecord Record;
+};
+
+bool IsSameTick(const TickRecord& a, const TickRecord& b)
+{
+  const auto numbers = [](const TickRecord& record)
+  {
+    return std::array<double, 15>{ record.Proxy.X, record.Proxy.Y, record.Proxy.Z, record.Force.X,
+      record.Force.Y, record.Force.Z, record.Normal.X, record.Normal.Y, record.Normal.Z,
+      record.GradientMagnitude, record.SurfaceValue, record.MediumValue, record.Stiffness,
+      record.SurfaceStrength, record.WallWork };
+  };
+  const auto x = numbers(a);
+  const auto y = numbers(b);
+  return std::memcmp(x.data(), y.data(), sizeof(x)) == 0 && a.Contact == b.Contact;
+}
+
+/// A hand that stays in a voxel for many ticks, while time goes to and fro over the frames.
+void ExpectMemoriesChangeNothing(const HapticModelDescription& description, double last)
+{
+  const HapticModel model(description);
+  MemoryHand plain;
+  MemoryHand fresh;
+  MemoryHand kept;
+  TickMemory memory;
+  Wanderer wanderer(RandomMovie::Size);
+  int touched = 0;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const Vector3 tip = wanderer.Next();
+    const double way = 0.0037 * i;
+    // Also exactly at frames, and for some ticks without a change of time.
+    const double time =
+      i % 50 < 5 ? std::floor(way) : last * (0.5 - 0.5 * std::cos(way)) * (i % 97 == 0 ? 0.0 : 1.0);
+    TickMemory anew;
+    plain.Touch(model, tip, time, nullptr);
+    fresh.Touch(model, tip, time, &anew);
+    kept.Touch(model, tip, time, &memory);
+    ASSERT_TRUE(IsSameTick(plain.Record, fresh.Record)) << i;
+    ASSERT_TRUE(IsSameTick(plain.Record, kept.Record)) << i;
+    touched += Norm(plain.Record.Force) > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(touched, 200) << "the hand feels little";
+}
+} // namespace
+
+TEST(MovingMemory, ChangesNothingOfABlend)
+{
+  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  {
+    for (const GradientEstimator estimator : { GradientEstimator::Gaussian,
+           GradientEstimator::CubicBSpline, GradientEstimator::CentralDifference })
+    {
+      for (const bool hasMotion : { false, true })
+      {
+        SCOPED_TRACE(testing::Message() << "solver " << static_cast<int>(solver) << " estimator "
+                                        << static_cast<int>(estimator) << " motion " << hasMotion);
+        const RandomMovie movie(ScalarType::Int16, 4, hasMotion);
+        HapticModelDescription description = Describe(movie.Volumes.front());
+        description.Frames = movie.Frames;
+        description.Estimator = estimator;
+        description.Settings.Solver = solver;
+        description.Material.Friction = ConstantPolyline(0.3);
+        ExpectMemoriesChangeNothing(description, 3.0);
+      }
+    }
+  }
+}
+
+/// What is not a number has no place in a memory.
+TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
+{
+  for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
+  {
+    RandomMovie movie(ScalarType::Float32, 3, false);
+    std::mt19937_64 engine(7);
+    for (TestVolume& volume : movie.Volumes)
+    {
+      volume.Fill<float>(
+        [&](std::int64_t, std::int64_t, std::int64_t)
+        {
+          const auto dice = engine() % 2000;
+          return dice == 0 ? std::nanf("") : static_cast<float>(dice);
+        });
+    }
+    for (const GradientEstimator estimator :
+      { GradientEstimator::Gaussian, GradientEstimator::CubicBSpline })
+    {
+      HapticModelDescription description = Describe(movie.Volumes.front());
+      description.Frames = movie.Frames;
+      description.Estimator = estimator;
+      description.Settings.Solver = solver;
+      ExpectMemoriesChangeNothing(description, 2.0);
+    }
+  }
+}
+
+/// Models of the next frames follow, as under a device, with the same memory.
+TEST(MovingMemory, GoesOnWithTheNextFrames)
+{
+  RandomMovie movie(ScalarType::Int16, 5, false);
+  HapticModelDescription description = Describe(movie.Volumes.front());
+  MemoryHand plain;
+  MemoryHand kept;
+  TickMemory memory;
+  Wanderer wanderer(RandomMovie::Size);
+  for (std::size_t window = 0; window + 2 < movie.Frames.size(); ++window)
+  {
+    const auto from = movie.Frames.begin() + static_cast<std::ptrdiff_t>(window);
+    description.Frames.assign(from, from + 3);
+    description.View = description.Frames.front().View;
+    const HapticModel model(description);
+    for (int i = 0; i < 1000; ++i)
+    {
+      const Vector3 tip = wanderer.Next();
+      const double time = static_cast<double>(window) + 0.001 * i;
+      plain.Touch(model, tip, time, nullptr);
+      kept.Touch(model, tip, time, &memory);
+      ASSERT_TRUE(IsSameTick(plain.Record, kept.Record)) << window << ", " << i;
+    }
+  }
+}
