@@ -207,6 +207,25 @@ TEST(MovingVolume, ASurfaceThatHoldsLessPushesWithItsStrength)
   }
 }
 
+/// V2 for PAPER, which holds a ball before the middle of its edge: how far does not matter once
+/// it has slipped at 2 N, 22 mm large. From then on f = 2 N - k (22 mm - r) = 1 N + sin(2 pi t) N,
+/// period after period. Only with the spline does V have no ripple from voxel to voxel.
+TEST(MovingVolume, PaperCarriesByTheLevelAtWhichItSlipped)
+{
+  const Movie ball = MakeBall(0.01);
+  HapticModelDescription description = WithSpline(WithStrength(ball.Describe(), 2.0));
+  description.Settings.Solver = HapticSolver::Paper;
+  RestingHand hand(description, 24.0, 19.0);
+  for (double t = Dt; t < 2.0; t += Dt)
+  {
+    const double force = hand.Go(t).Force.X;
+    if (t >= 0.25)
+    {
+      EXPECT_NEAR(force, 1.0 + std::sin(2.0 * Pi * t), 0.01) << "at " << t;
+    }
+  }
+}
+
 /// V3: a wall that comes through a medium at 10 mm/s. The medium moves along and does not drag.
 TEST(MovingVolume, AWallThatComesThroughAMediumPushesAlone)
 {
