@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drill into the bone behind an ear: a burr goes over it layer by layer, and removes what its energy pays for.
+"""Drill into the side of a skull: a burr goes over it layer by layer, and removes what its energy pays for.
 
 python3 drilling.py [FILE] [--picture FILE]
 
 Without a file, the head is a phantom. FILE is a CT of a head in Hounsfield units (.mha, .mhd, .nii or .nii.gz). The hand
-comes from the side of the largest x, at the middle of the head. Energies are examples.
+comes from the side of the largest x, the left in LPS, and behind the middle of the head, whose back is at the largest
+y. Energies are examples.
 """
 import argparse
 
@@ -16,16 +17,18 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from volumehaptics import examples, vtkHapticBurr, vtkVolumeHapticsFilter
 
 from force_scene import make_actor, make_renderer, show
 
 BONE = 300.0  # HU
 RADIUS = 4.0  # mm, of the burr
-DEPTH = 7.0  # mm, of the hand in the bone at last
+DEPTH = 9.0  # mm, of the hand in the bone at last
 PATCH = 8.0  # mm, half of the width of what the hand goes over
 LAYER = 0.7  # mm
 SPEED = 30.0  # mm/s
+BEHIND = 16.0  # mm, from the middle of the head towards its back
 SPRING = 2.0  # mm that the hand is ahead of the burr: 1 N at 500 N/m
 
 
@@ -37,11 +40,11 @@ def read(file):
 
 
 def find_bone(head):
-    """The outer side of the bone on a ray from the side of the largest x through the middle (mm)."""
+    """The outer side of the bone on a ray from the side of the largest x, behind the middle of the head (mm)."""
     (nx, ny, nz), (x0, y0, z0), (dx, dy, dz) = head.GetDimensions(), head.GetOrigin(), head.GetSpacing()
     first = head.GetExtent()
     values = vtk_to_numpy(head.GetPointData().GetScalars()).reshape(nz, ny, nx)
-    j, k = ny // 2, nz // 2
+    j, k = ny // 2 + round(BEHIND / dy), nz // 2
     hit = np.nonzero(values[k, j] > BONE)[0]
     if len(hit) == 0:
         raise SystemExit(f"There is no bone (more than {BONE} HU) at the side of this head: give a CT of a head.")
@@ -95,15 +98,25 @@ def make_left(head, removal):
     left.CopyStructure(head)
     left.GetPointData().SetScalars(
         numpy_to_vtk(values - (1.0 - rho).astype(np.float32) * (values - removal.GetAirValue()), deep=True))
+    left.GetPointData().AddArray(shares.GetPointData().GetScalars())
     return left
 
 
 def draw_bone(left):
-    surface = vtkFlyingEdges3D()
+    """The surface of the bone, reddish where it was drilled."""
+    surface, colours = vtkFlyingEdges3D(), vtkColorTransferFunction()
     surface.SetInputData(left)
     surface.SetValue(0, BONE)
+    surface.InterpolateAttributesOn()
+    colours.AddRGBPoint(150.0, 0.86, 0.45, 0.36)
+    colours.AddRGBPoint(255.0, 0.93, 0.89, 0.78)
     actor = make_actor(surface)
-    actor.GetProperty().SetColor(0.93, 0.89, 0.78)
+    mapper = actor.GetMapper()
+    mapper.SetLookupTable(colours)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("RemainingShares")
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.ScalarVisibilityOn()
     return actor
 
 
@@ -114,13 +127,14 @@ def draw_burr(place):
     ball.SetThetaResolution(48)
     ball.SetPhiResolution(24)
     line.SetPoint1(place)
-    line.SetPoint2(np.asarray(place) + [50.0, -22.0, 30.0])
+    line.SetPoint2(np.asarray(place) + [20.0, 34.0, 30.0])
     shaft.SetInputConnection(line.GetOutputPort())
     shaft.SetRadius(0.35 * RADIUS)
     shaft.SetNumberOfSides(24)
     actors = [make_actor(ball), make_actor(shaft)]
     for actor in actors:
-        actor.GetProperty().SetColor(0.55, 0.62, 0.72)
+        actor.GetProperty().SetColor(0.66, 0.72, 0.8)
+        actor.GetProperty().SetAmbient(0.25)
         actor.GetProperty().SetSpecular(0.5)
     return actors
 
@@ -140,10 +154,11 @@ def main():
     removal.ReadTrace(trace)
     print(f"{removed.sum():.0f} mm^3 in {len(removed) / 1000.0:.0f} s, with {force.mean():.2f} N on average, "
           f"{force.max():.2f} N at most")
-    scene = make_renderer(draw_bone(make_left(head, removal)), *draw_burr(trace.GetPoint(len(removed) - 1)))
+    above = np.asarray(trace.GetPoint(len(removed) - 1)) + [2.5 * RADIUS, 0.0, 0.0]
+    scene = make_renderer(draw_bone(make_left(head, removal)), *draw_burr(above))
     camera = scene.GetActiveCamera()
     camera.SetFocalPoint(bone)
-    camera.SetPosition(bone + [150.0, -90.0, 60.0])
+    camera.SetPosition(bone + [105.0, 55.0, 45.0])
     camera.SetViewUp(0.0, 0.0, 1.0)
     scene.ResetCameraClippingRange()
     show(scene, chosen.picture)

@@ -20,10 +20,11 @@
  * samples themselves do not change: the share of tissue that remains at each of them is kept by
  * vtkVolumeHapticsFilter::GetRemoval(), which undoes, saves and loads it.
  *
- * It spins while the SpinButton of the device is pressed, or while vtkHapticDevice::SetSpinning()
- * says so. Offline it spins always, or as the point array Spinning of the path says (0 or 1), and
- * each path removes tissue by itself, from what the hand has left: the trace has the array
- * RemovedVolume, the mm^3 of each tick, and the field arrays of vtkHapticRemoval::ReadTrace().
+ * Live, it spins while the device is armed and its SpinButton is pressed, or
+ * vtkHapticDevice::SetSpinning() says so. Offline it spins always, or as the point array Spinning
+ * of the path says (0 or 1), and each path removes tissue by itself, from what the hand has left:
+ * the trace has the array RemovedVolume, the mm^3 of each tick, and the field arrays of
+ * vtkHapticRemoval::ReadTrace().
  *
  * A share of the force may vibrate, with the rotation or, where that is too fast to be felt, a
  * half, quarter ... of it. Lengths and volumes are those of the hand (see MetersPerWorldUnit), but

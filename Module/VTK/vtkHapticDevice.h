@@ -419,7 +419,8 @@ public:
   void SetTipOrientation(double w, double x, double y, double z);
   ///@{
   /**
-   * Whether a vtkHapticBurr spins without its SpinButton, for this and later servos. Default: off.
+   * Whether a vtkHapticBurr spins without its SpinButton while the device is armed, for this and
+   * later servos. Default: off.
    */
   void SetSpinning(bool spinning);
   bool GetSpinning();

@@ -19,14 +19,17 @@ namespace
 using VolumeHaptics::RemovalData;
 using VolumeHaptics::RemovalRequest;
 
-bool Ask(RemovalData& data, RemovalRequest request, bool isPossible)
+bool Ask(vtkHapticRemoval* removal, RemovalRequest request, bool isPossible)
 {
+  RemovalData& data = RemovalData::Of(removal);
   if (!data.Tissue || !isPossible || !data.Tissue->Request(request))
   {
     return false;
   }
-  while (!data.Holder && data.Tissue->Serve())
+  if (!data.Holder)
   {
+    data.ServeAll();
+    removal->Modified();
   }
   return true;
 }
@@ -43,21 +46,32 @@ vtkHapticRemoval::vtkHapticRemoval()
 vtkHapticRemoval::~vtkHapticRemoval() = default;
 
 //------------------------------------------------------------------------------
+void vtkHapticRemoval::SetAirValue(double value)
+{
+  if (this->AutoAirValue || this->AirValue != value)
+  {
+    this->AutoAirValue = false;
+    this->AirValue = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkHapticRemoval::Undo()
 {
-  return Ask(*this->Data, RemovalRequest::Undo, this->GetNumberOfUndos() > 0);
+  return Ask(this, RemovalRequest::Undo, this->GetNumberOfUndos() > 0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::Redo()
 {
-  return Ask(*this->Data, RemovalRequest::Redo, this->GetNumberOfRedos() > 0);
+  return Ask(this, RemovalRequest::Redo, this->GetNumberOfRedos() > 0);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::Reset()
 {
-  return Ask(*this->Data, RemovalRequest::Reset, !this->IsEmpty());
+  return Ask(this, RemovalRequest::Reset, !this->IsEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -83,7 +97,7 @@ double vtkHapticRemoval::GetRemovedVolume()
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::IsEmpty()
 {
-  return !this->Data->Tissue || this->Data->Tissue->Bricks.IsEmpty();
+  return !this->Data->Tissue || this->Data->Tissue->Bricks.IsWhole();
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +135,7 @@ bool vtkHapticRemoval::WriteFile(const std::string& file)
     return false;
   }
   if (!VolumeHaptics::WriteRemovalFile(
-        this->Data->Tissue->Bricks, this->Data->Geometry, file, error))
+        this->Data->Tissue->Bricks, this->AirValue, this->Data->Geometry, file, error))
   {
     vtkErrorMacro(<< "The removed tissue can't be written to " << VolumeHaptics::Printable(file)
                   << ": " << error);
@@ -133,15 +147,15 @@ bool vtkHapticRemoval::WriteFile(const std::string& file)
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::ReadFile(const std::string& file)
 {
-  vtkNew<vtkImageData> geometry;
-  std::vector<VolumeHaptics::BrickShares> shares;
+  VolumeHaptics::RemovalContent content;
   std::string error;
-  if (!VolumeHaptics::ReadRemovalFile(file, geometry, shares, error))
+  if (!VolumeHaptics::ReadRemovalFile(file, content, error))
   {
     vtkErrorMacro(<< "The file " << VolumeHaptics::Printable(file) << " " << error);
     return false;
   }
-  this->Data->Replace(shares, geometry);
+  this->Data->Replace(content.Shares, content.Geometry);
+  RemovalData::SetFoundAir(this, content.AirValue);
   this->Modified();
   return true;
 }
@@ -167,7 +181,7 @@ bool vtkHapticRemoval::ReadTrace(vtkPolyData* trace)
   }
   else if (!this->Data->Replace(shares, this->Data->Geometry))
   {
-    flaw = "has more tissue removed than there is memory for.";
+    flaw = "has tissue removed in more bricks than there is memory for. Shorten its path.";
   }
   if (!flaw.empty())
   {

@@ -19,8 +19,8 @@
  * before a recording, and of before ReadFile(), can't be undone.
  *
  * One vtkHapticDevice at a time may tick with a removal: give the filter of another one a removal
- * of its own with vtkVolumeHapticsFilter::SetRemoval(). If the extent of the volume changes, all
- * tissue is there again.
+ * of its own with vtkVolumeHapticsFilter::SetRemoval(). Shares are of the samples of one extent: a
+ * volume with another one can't be felt until Reset() or SetRemoval(nullptr).
  *
  * @sa vtkHapticBurr vtkVolumeHapticsFilter
  */
@@ -50,9 +50,10 @@ public:
 
   ///@{
   /**
-   * Whether the AirValue follows from the volume, when a model of it is made: the smallest of a few
-   * thousand samples spread over it, or the largest if the solid is below the contact value.
-   * Default: on.
+   * Whether the AirValue follows from the volume, as long as nothing is removed: 2 % of a few
+   * thousand samples spread over it are less, or more if the solid is below the contact value. A
+   * file has that of its volume. If the volume is padded with a value that is not air, such as
+   * -3024, SetAirValue() is needed. Default: on.
    */
   vtkSetMacro(AutoAirValue, bool);
   vtkGetMacro(AutoAirValue, bool);
@@ -60,8 +61,11 @@ public:
   ///@}
 
   ///@{
-  /** The value of a sample without tissue, such as -1000 in a CT; or the one that was found. */
-  vtkSetMacro(AirValue, double);
+  /**
+   * The value of a sample without tissue, such as -1000 in a CT; or the one that was found. Setting
+   * it turns AutoAirValue off.
+   */
+  void SetAirValue(double value);
   vtkGetMacro(AirValue, double);
   ///@}
 
@@ -84,7 +88,7 @@ public:
    * ReadTrace(), less what was undone.
    */
   double GetRemovedVolume();
-  /** Whether nothing was removed since the beginning, or since the volume's extent changed. */
+  /** Whether all tissue is there. */
   bool IsEmpty();
   /** Whether tissue could not be removed because the memory is used up. */
   bool IsUsedUp();

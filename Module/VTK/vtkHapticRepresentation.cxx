@@ -303,7 +303,6 @@ void vtkHapticRepresentation::UpdateMarkers()
   }
   d.Needle.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, this->Radius,
     this->FindStylusLength());
-  d.Shell.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr);
   this->UpdateStylus();
   d.Followed.Update(this->FollowedVisibility && d.HasState ? this->GetDevice() : nullptr,
     this->FollowedReach, this->Radius);
@@ -316,6 +315,7 @@ void vtkHapticRepresentation::UpdateMarkers()
 void vtkHapticRepresentation::UpdateStylus()
 {
   auto& d = *this->Internals;
+  d.Shell.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, d.Leaning);
   d.Stylus.Show(false);
   if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown() || d.Shell.IsShown())
   {

@@ -95,6 +95,13 @@
  * show the frame that is nearest to what is felt, for as long as the style has the device; the
  * head-up display tells its time. The mapper has another input meanwhile.
  *
+ * Volumes in the window that show the touched array show what a vtkHapticBurr has left of it, for
+ * as long as the style has the device. vtkGPUVolumeRayCastMapper, also in a vtkSmartVolumeMapper,
+ * gets only the parts of its texture that have changed. Other mappers, textures that are divided
+ * (SetPartitions), and images that nowhere have a value as low (or high) as the removal's AirValue
+ * are shown by a copy, which takes the memory of the array once more and has to be prepared as a
+ * whole after each change; the mapper has another input meanwhile. The image itself stays as it is.
+ *
  * Mouse events over the function editor go to the editor.
  *
  * The head-up display gets a hint (vtkHapticHeadUpDisplay::SetHint) on how to begin, and on how to

@@ -8,6 +8,7 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
+#include "vtkHapticRemoval.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVHapticLargeFile.h"
@@ -395,6 +396,20 @@ void vtkPVVolumeHapticsFilter::SetBurrSpeed(double speed)
 void vtkPVVolumeHapticsFilter::SetBurrSpecificEnergy(const char* energy)
 {
   this->ChooseTool(this->Tools.SpecificEnergy, std::string(energy ? energy : ""));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::UndoRemoval()
+{
+  this->GetRemoval()->Undo();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::RestoreTissue()
+{
+  this->GetRemoval()->Reset();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -134,6 +134,12 @@ public:
   void SetBurrSpecificEnergy(const char* energy);
   ///@}
 
+  ///@{
+  /** The last stroke of a burr in the hand is undone; all tissue that it removed comes back. */
+  void UndoRemoval();
+  void RestoreTissue();
+  ///@}
+
   using vtkVolumeHapticsFilter::SetInputConnection;
   /** A vtkPVHapticLargeFile on port 0 is felt itself, instead of the coarse image that it shows. */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;

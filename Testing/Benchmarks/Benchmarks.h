@@ -40,6 +40,9 @@ void RegisterModeBenchmarks();
 /** Ticks of a tool of 10^4 points, a quarter in contact, and the bare reading of its taps. */
 void RegisterShellBenchmarks(const BallVolume& volume);
 
+/** Ticks of a burr of four voxels that slides and removes soft or hard tissue. */
+void RegisterBurrBenchmarks(const BallVolume& volume);
+
 /** The offline filter with its trace, beside its ticks alone; by the tick. */
 void RegisterFilterBenchmarks(const BallVolume& volume);
 

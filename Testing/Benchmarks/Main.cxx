@@ -84,6 +84,7 @@ int main(int argc, char* argv[])
   RegisterSurfaceBenchmarks(volumes.front());
   RegisterModeBenchmarks();
   RegisterShellBenchmarks(volumes.front());
+  RegisterBurrBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);

@@ -138,7 +138,7 @@ def test_a_burr_removes_by_its_energy():
     assert burr.GetText() == "burr"
 
 
-def test_the_bone_behind_an_ear_is_drilled(tmp_path):
+def test_a_skull_is_drilled(tmp_path):
     said = run("drilling.py", tmp_path / "picture.png")
     found = re.match(r"(\d+) mm\^3 in (\d+) s, with ([\d.]+) N on average, ([\d.]+) N at most", said)
     assert found, said

@@ -61,6 +61,13 @@ bool CarvedBricks::HasBricks(const std::int64_t* low, const std::int64_t* high) 
   return false;
 }
 
+bool CarvedBricks::IsWhole() const noexcept
+{
+  auto* const begin = this->Shares.get();
+  return std::all_of(begin, begin + std::size_t{ this->GetCount() } * Rows,
+    [](const auto& row) { return row.load(std::memory_order_relaxed) == WholeRow; });
+}
+
 std::uint32_t CarvedBricks::FindOrAdd(std::uint64_t key) noexcept
 {
   std::uint64_t slot = this->SlotOf(key);

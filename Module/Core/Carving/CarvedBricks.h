@@ -68,6 +68,8 @@ public:
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
+  /** Whether all tissue remains; looks at all bricks if it does. */
+  bool IsWhole() const noexcept;
   /** The number of a brick, 0 to GetCount() - 1; None if all of its tissue remains. */
   std::uint32_t Find(std::uint64_t key) const noexcept
   {

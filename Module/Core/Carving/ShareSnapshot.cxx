@@ -126,7 +126,6 @@ std::vector<BrickShares> ShareSnapshot::Collect() const
     all.resize(std::max<std::size_t>(all.size(), change.Brick + std::size_t{ 1 }));
     all[change.Brick] = change.Shares;
   }
-  all.erase(std::remove_if(all.begin(), all.end(), IsWholeBrick), all.end());
   return all;
 }
 

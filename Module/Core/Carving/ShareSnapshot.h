@@ -49,7 +49,10 @@ public:
   bool Complete() noexcept;
   /** From any thread: whether too many had changed. */
   bool IsLate() const noexcept { return this->State.load(std::memory_order_acquire) == Late; }
-  /** The bricks that are not whole; empty if it is not complete. */
+  /**
+   * All bricks, in their order: whole ones, too, as they take of the room for others. Empty if it
+   * is not complete.
+   */
   std::vector<BrickShares> Collect() const;
 
 private:

@@ -176,11 +176,11 @@ BakedVolume::BakedVolume(
 {
 }
 
-BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal)
+BakedVolume::BakedVolume(
+  const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue)
   : Kernel(other.Kernel)
   , Removal(std::move(removal))
-  , Field(other.Field.GetView(), this->Kernel,
-      CarvedView{ &this->Removal->Bricks, other.Field.GetCarved().Air })
+  , Field(other.Field.GetView(), this->Kernel, CarvedView{ &this->Removal->Bricks, airValue })
   , Series(other.Series)
   , Frames(other.Frames)
   , Materials(other.Materials)

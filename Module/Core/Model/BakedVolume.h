@@ -55,8 +55,8 @@ struct BakedVolume
   /** Another window of a series of a volume that moves. Bakes nothing again. */
   BakedVolume(
     const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
-  /** The same volume with another removal, of which it has one. Bakes nothing again. */
-  BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal);
+  /** The same volume, which does not move, with another removal. Bakes nothing again. */
+  BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue);
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 

@@ -36,7 +36,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   this->Awaits = !model.Resident.IsWhole() && (this->IsOut || isLess);
   if (!this->IsOut)
   {
-    VolumeHaptics::Tick(model, state, tip, record, result, &this->Taps, tool);
+    TickAndServe(model, state, tip, record, result, &this->Taps, tool);
     return;
   }
   if (opening == 0.0 || !state.Enabled)
@@ -48,7 +48,9 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   record.Tip = tip;
   record.Proxy = tip + this->Lag;
   record.Force = this->Force;
-  record.IsRenewed = record.IsUnfinished = false;
+  record.IsRenewed = record.IsUnfinished = record.IsServed = false;
+  record.Request = RemovalRequest::None;
+  record.RemovedVolume = 0.0;
   state.Proxy = state.PreviousTip = tip;
   state.Precise = PreciseState{};
   state.Precise.ReachedTip = tip;

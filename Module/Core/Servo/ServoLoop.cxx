@@ -243,7 +243,8 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 bool ServoLoop::IsSpinning(std::uint32_t buttons) const noexcept
 {
   const HapticModel* const model = this->Current->Model.get();
-  if (!model || !model->Baked->HasTool(ToolKind::Burr))
+  const bool isArmed = this->Gate.GetState() != GateState::Disarmed;
+  if (!model || !isArmed || !model->Baked->HasTool(ToolKind::Burr))
   {
     return false;
   }
@@ -269,6 +270,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
+  // At last: from now on the snapshot is another thread's.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -277,6 +279,8 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const Vector3 before = s.Record.Force;
+  // What is felt after it is that of another volume.
+  this->IsModelNew = this->IsModelNew || s.Record.IsServed;
   if (const HapticModel* const model = this->Current->Model.get())
   {
     this->Servo.Tick(*model, this->State, sample.Tip, period, s.Record,
@@ -296,6 +300,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
     s.Record.Tip = s.Record.Proxy = sample.Tip;
     this->Servo.Rest(period, this->Gate);
   }
+  this->IsForceNew = this->IsForceNew || s.Record.IsServed;
   if (std::exchange(this->IsModelNew, false))
   {
     this->IsForceNew = true;

@@ -218,7 +218,7 @@ public:
   void ForgetTurn() noexcept { this->Hand.Forget(); }
   ///@}
 
-  /** A burr spins, whether its button is pressed or not. */
+  /** A burr spins while the loop is armed, whether its button is pressed or not. */
   void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }
@@ -233,6 +233,8 @@ public:
    * last one that was kept has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
+  /** Whether that is still to be done. If not, the loop has let go of the snapshot. */
+  bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
   /** Takes the order back; holds from the tick on that begins next. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }

@@ -83,12 +83,14 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
 }
 
 /** Nothing is felt: tissue may come back where the hand is. */
-void Rest(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+void Rest(
+  const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept
 {
-  record.Proxy = record.Tip;
+  record = TickRecord{};
+  record.Tip = record.Proxy = tip;
+  record.DataTime = state.DataTime;
   record.Normal = model.FallbackNormal;
-  record.GradientMagnitude = record.Stiffness = record.Friction = record.Viscosity =
-    record.SurfaceStrength = 0.0;
+  record.IsServed = true;
   record.Value = record.SurfaceValue = record.MediumValue = model.ValueAtDevice(record.Tip);
   state.Proxy = state.PreviousTip = record.Tip;
   state.Enabled = state.Shell.Enabled = false;
@@ -116,17 +118,12 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
   record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
   record.Request = RemovalRequest::None;
+  record.IsServed = false;
   record.Torque = Vector3{};
   record.ToolOrientation = NoOrientation;
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
-  TissueRemoval* const removal = model.Baked->Removal.get();
-  if (removal && removal->Serve(&record.Request))
-  {
-    Rest(model, state, record);
-    return;
-  }
   if (model.Baked->Tool)
   {
     StepWithTool(model, state, record, result, memory, tool);
@@ -135,7 +132,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   {
     StepMethod(model, state, record, result, memory);
   }
-  if (removal)
+  if (model.Baked->Removal)
   {
     // Tissue may be removed until somebody asks for it.
     record.Value = model.ValueAtDevice(record.Proxy);
@@ -152,6 +149,21 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   {
     record.Force = ClampNorm(record.Force, limit);
   }
+}
+
+void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& tip,
+  TickRecord& record, const LocalSurfaceResult& result, TickMemory* memory,
+  ToolMemory* tool) noexcept
+{
+  TissueRemoval* const removal = model.Baked->Removal.get();
+  RemovalRequest begun = RemovalRequest::None;
+  if (removal && IsNear(tip, FarthestTip) && removal->Serve(&begun))
+  {
+    Rest(model, state, tip, record);
+    record.Request = begun;
+    return;
+  }
+  Tick(model, state, tip, record, result, memory, tool);
 }
 
 Vector3 FindDrag(

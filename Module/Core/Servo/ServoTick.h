@@ -22,9 +22,6 @@ namespace VolumeHaptics
  * Advances the state by one tick and writes what happened: all of the record, whose old contents do
  * not matter.
  *
- * First, if the volume's tissue may be removed, a piece of the requests to its removal is carried
- * out; in such a tick nothing is felt.
- *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
  * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it. So may
@@ -33,6 +30,14 @@ namespace VolumeHaptics
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
   const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(), TickMemory* memory = nullptr,
   ToolMemory* tool = nullptr) noexcept;
+
+/**
+ * The same by the one thread that owns the model's removal, if it has one: if requests to it wait,
+ * a piece of them is carried out instead, and nothing is felt.
+ */
+void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& tip,
+  TickRecord& record, const LocalSurfaceResult& result, TickMemory* memory,
+  ToolMemory* tool) noexcept;
 
 /**
  * The drag in a tick's force (N) against the hand's motion, which only takes energy: that of

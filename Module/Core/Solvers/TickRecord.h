@@ -47,7 +47,11 @@ struct TickRecord : MaterialPoint
   double WallWork = 0.0;
   bool IsUnfinished = false; ///< PRECISE spent its budget: the force is that of an earlier tip
   bool IsRenewed = false;    ///< LOCAL_SURFACE got a surface from the slow loop
-  RemovalRequest Request = RemovalRequest::None; ///< that began to be carried out
+  ///@{
+  /** A request to the removal was carried out, instead of feeling; and the one that began then. */
+  bool IsServed = false;
+  RemovalRequest Request = RemovalRequest::None;
+  ///@}
 };
 
 } // namespace VolumeHaptics

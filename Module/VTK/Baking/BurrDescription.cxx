@@ -5,6 +5,7 @@
 #include "VTK/Baking/ShellDescription.h"
 
 #include "vtkHapticBurr.h"
+#include "vtkHapticPointShell.h"
 
 #include <cmath>
 #include <map>
@@ -18,6 +19,11 @@ namespace
 {
 
 constexpr double SecondsOfMinute = 60.0;
+
+static_assert(int{ vtkHapticBurr::FROM_STRENGTH } == int{ vtkHapticPointShell::FROM_STRENGTH } &&
+    int{ vtkHapticBurr::ABOVE } == int{ vtkHapticPointShell::ABOVE } &&
+    int{ vtkHapticBurr::BELOW } == int{ vtkHapticPointShell::BELOW },
+  "FindSolid() takes both");
 
 /** The heads that models use, by their radius: a servo goes on with the points that it has. */
 std::shared_ptr<const PointShell> FindHead(double radius)

@@ -354,7 +354,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   if (options.Removal)
   {
     const int* const extent = whole.IsThere ? whole.Extent : image->GetExtent();
-    DescribeRemoval(options.Removal, image, extent, scalars, component, whole.IsThere, d);
+    if (!DescribeRemoval(
+          options.Removal, image, extent, scalars, component, whole.IsThere, d, error))
+    {
+      return nullptr;
+    }
   }
   BakeNoiseRamp(property, image, scalars, component, whole, d);
   if (!d.Frames.empty())

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/RemovalAccess.h"
 
+#include "VTK/Baking/RemovalFile.h"
+
 #include "vtkDataArray.h"
 #include "vtkHapticRemoval.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -15,13 +19,15 @@ namespace
 
 /** So few that a volume that is mapped from a file is not read as a whole. */
 constexpr vtkIdType MostAirSamples = 4096;
+/** Of them, so many may be outliers. */
+constexpr double AirQuantile = 0.02;
 
-/** The least of samples that are spread evenly, or the largest; 0 if none is finite. */
+/** The value that few samples, spread evenly, are below, or above; 0 if none is finite. */
 double FindAir(vtkDataArray* scalars, int component, bool isLargest)
 {
   const vtkIdType n = scalars->GetNumberOfTuples();
   const vtkIdType count = std::min(n, MostAirSamples);
-  double found = std::nan("");
+  std::vector<double> values;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const auto at = static_cast<vtkIdType>(
@@ -29,10 +35,18 @@ double FindAir(vtkDataArray* scalars, int component, bool isLargest)
     const double value = scalars->GetComponent(at, component);
     if (std::isfinite(value))
     {
-      found = isLargest ? std::fmax(found, value) : std::fmin(found, value);
+      values.push_back(value);
     }
   }
-  return std::isnan(found) ? 0.0 : found;
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto place =
+    static_cast<std::ptrdiff_t>((isLargest ? 1.0 - AirQuantile : AirQuantile) * last + 0.5);
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
 }
 
 bool IsSameExtent(vtkImageData* image, const int extent[6])
@@ -40,12 +54,12 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
   return std::equal(extent, extent + 6, image->GetExtent());
 }
 
-void SetGeometry(vtkImageData* to, vtkImageData* from, const int extent[6])
+std::string DescribeExtent(const int extent[6])
 {
-  to->SetExtent(const_cast<int*>(extent));
-  to->SetOrigin(from->GetOrigin());
-  to->SetSpacing(from->GetSpacing());
-  to->SetDirectionMatrix(from->GetDirectionMatrix());
+  std::ostringstream text;
+  text << "extent (" << extent[0] << " to " << extent[1] << ", " << extent[2] << " to " << extent[3]
+       << ", " << extent[4] << " to " << extent[5] << ")";
+  return text.str();
 }
 
 } // namespace
@@ -55,9 +69,17 @@ RemovalData& RemovalData::Of(vtkHapticRemoval* removal)
   return *removal->Data;
 }
 
+void RemovalData::ServeAll() const
+{
+  while (this->Tissue && this->Tissue->Serve())
+  {
+  }
+}
+
 void RemovalData::SetFoundAir(vtkHapticRemoval* removal, double value)
 {
   removal->AirValue = value;
+  removal->Data->HasAir = true;
 }
 
 bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry)
@@ -70,7 +92,7 @@ bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* 
   this->Tissue = std::move(tissue);
   if (geometry != this->Geometry)
   {
-    SetGeometry(this->Geometry, geometry, geometry->GetExtent());
+    CopyGeometry(geometry, geometry->GetExtent(), this->Geometry);
   }
   return true;
 }
@@ -97,37 +119,50 @@ void LetRemovalGo(vtkHapticRemoval* removal, const void* holder)
   if (data.Holder == holder)
   {
     data.Holder = nullptr;
+    data.ServeAll();
   }
 }
 
-void DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
-  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& d)
+bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
+  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& d,
+  std::string& error)
 {
   RemovalData& data = RemovalData::Of(removal);
   const bool isBurr = d.Tool.Kind == ToolKind::Burr;
-  const bool isSame = data.Tissue && IsSameExtent(data.Geometry, extent);
-  if (data.Tissue && !isSame)
+  const bool isUsed = data.Tissue && !data.Tissue->Bricks.IsWhole();
+  if (data.Tissue && !IsSameExtent(data.Geometry, extent))
   {
-    // A hand that still ticks with the old volume keeps its own.
+    if (isUsed)
+    {
+      std::ostringstream text;
+      text << "The removed tissue is of a volume of " << DescribeExtent(data.Geometry->GetExtent())
+           << ", and the image on input port 0 has " << DescribeExtent(extent)
+           << ". Keep it with WriteFile() of the filter's GetRemoval(), and go on with all tissue "
+              "after SetRemoval(nullptr).";
+      error = text.str();
+      return false;
+    }
     data.Tissue = nullptr;
+    data.HasAir = false;
   }
-  if (!d.Frames.empty() || (!isBurr && (!data.Tissue || data.Tissue->Bricks.IsEmpty())))
+  if (!d.Frames.empty() || (!isBurr && !isUsed))
   {
-    return;
+    return true;
   }
   if (!data.Tissue)
   {
     data.Tissue = std::make_shared<TissueRemoval>();
   }
-  // Regions of one volume have one value, and other tools that of the burr.
-  if (removal->GetAutoAirValue() && (!isSame || (isBurr && !isRegion)))
+  // Regions of one volume have one value, and what was removed keeps its own.
+  if (removal->GetAutoAirValue() && (!data.HasAir || (isBurr && !isRegion && !isUsed)))
   {
     const bool isBelow = isBurr && d.Tool.Shell.Touch.IsBelow;
     RemovalData::SetFoundAir(removal, FindAir(scalars, component, isBelow));
   }
-  SetGeometry(data.Geometry, geometry, extent);
+  CopyGeometry(geometry, extent, data.Geometry);
   d.Removal = data.Tissue;
   d.AirValue = removal->GetAirValue();
+  return true;
 }
 
 } // namespace VolumeHaptics

@@ -31,8 +31,11 @@ struct RemovalData
   /** Null until a model was made of a volume with a tool that removes, or shares were read. */
   std::shared_ptr<TissueRemoval> Tissue;
   vtkNew<vtkImageData> Geometry; ///< that of the volume, without scalars
+  bool HasAir = false;           ///< the AirValue is that of the volume, or of a file
   const void* Holder = nullptr;  ///< whose servo ticks with it; null: none
 
+  /** Carries all requests out, while nobody holds it. */
+  void ServeAll() const;
   /** Sets the AirValue that was found, which does not count as a change of the object. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /** New tissue with these shares, for a volume of that geometry. False if they are too many. */
@@ -53,13 +56,15 @@ void LetRemovalGo(vtkHapticRemoval* removal, const void* holder);
 
 /**
  * Adds to the description of a model what is removed from its volume, if its tool removes tissue,
- * or some was removed before. The description has its tool, its frames and its view.
+ * or some was removed before. The description has its tool, its frames and its view. False, with
+ * the reason and the cure in `error`, if that is of another volume.
  * @param geometry that of the volume: its origin, spacing and direction
  * @param extent that of the whole volume, of which the scalars may be a region
  * @param isRegion whether they are
  */
-void DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
-  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& description);
+bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
+  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& description,
+  std::string& error);
 
 } // namespace VolumeHaptics
 

@@ -7,11 +7,11 @@
 #include "VTK/Files/HapticFiles.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataReader.h"
@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace VolumeHaptics
 {
@@ -27,6 +28,7 @@ namespace
 
 constexpr const char* ShareName = "RemainingShares";
 constexpr const char* ExtentName = "VolumeExtent";
+constexpr const char* AirName = "AirValue";
 constexpr const char* WriteCure = " Give a file that vtkHapticRemoval::WriteFile() has written.";
 
 /** The samples of an extent, from the first one of the volume. */
@@ -113,14 +115,19 @@ bool ReadImage(const std::string& file, vtkImageData* image, std::string& error)
 
 } // namespace
 
+void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to)
+{
+  to->SetExtent(const_cast<int*>(extent));
+  to->SetOrigin(from->GetOrigin());
+  to->SetSpacing(from->GetSpacing());
+  to->SetDirectionMatrix(from->GetDirectionMatrix());
+}
+
 void MakeShareImage(
   const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* shares)
 {
   shares->Initialize();
-  shares->SetExtent(const_cast<int*>(extent));
-  shares->SetOrigin(geometry->GetOrigin());
-  shares->SetSpacing(geometry->GetSpacing());
-  shares->SetDirectionMatrix(geometry->GetDirectionMatrix());
+  CopyGeometry(geometry, extent, shares);
   if (!bricks)
   {
     return;
@@ -132,8 +139,8 @@ void MakeShareImage(
   shares->GetPointData()->SetScalars(array);
 }
 
-bool WriteRemovalFile(
-  const CarvedBricks& bricks, vtkImageData* geometry, const std::string& file, std::string& error)
+bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
+  const std::string& file, std::string& error)
 {
   FileReplacement replacement;
   if (!replacement.Open(file, error))
@@ -148,6 +155,10 @@ bool WriteRemovalFile(
   extent->SetNumberOfComponents(6);
   extent->InsertNextTypedTuple(volume);
   image->GetFieldData()->AddArray(extent);
+  vtkNew<vtkDoubleArray> air;
+  air->SetName(AirName);
+  air->InsertNextValue(airValue);
+  image->GetFieldData()->AddArray(air);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->WriteToOutputStringOn();
   writer->SetInputData(image);
@@ -157,8 +168,7 @@ bool WriteRemovalFile(
   return replacement.Commit(error);
 }
 
-bool ReadRemovalFile(const std::string& file, vtkImageData* geometry,
-  std::vector<BrickShares>& shares, std::string& error)
+bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error)
 {
   vtkNew<vtkImageData> image;
   if (!ReadImage(file, image, error))
@@ -168,9 +178,12 @@ bool ReadRemovalFile(const std::string& file, vtkImageData* geometry,
   auto* const array =
     vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(ShareName));
   auto* const extent = vtkIntArray::SafeDownCast(image->GetFieldData()->GetArray(ExtentName));
+  vtkDataArray* const air = image->GetFieldData()->GetArray(AirName);
   const bool hasExtent =
     extent && extent->GetNumberOfComponents() * extent->GetNumberOfTuples() == 6;
-  if (!array || !hasExtent || array->GetNumberOfComponents() != 1 ||
+  const bool hasAir = air && air->GetNumberOfComponents() * air->GetNumberOfTuples() == 1 &&
+    std::isfinite(air->GetComponent(0, 0));
+  if (!array || !hasExtent || !hasAir || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     !IsWithin(image->GetExtent(), extent->GetPointer(0)))
   {
@@ -181,14 +194,14 @@ bool ReadRemovalFile(const std::string& file, vtkImageData* geometry,
   CarvedBricks bricks;
   if (!ReadShares(bricks, BoxOf(image->GetExtent(), volume), array->GetPointer(0)))
   {
-    error = "has more tissue removed than there is memory for.";
+    error = "has tissue removed in more than " + std::to_string(bricks.GetMost()) +
+      " bricks of 8 x 8 x 8 samples, which is all that there is memory for." +
+      std::string(WriteCure);
     return false;
   }
-  shares = CopyBricks(bricks);
-  geometry->SetExtent(const_cast<int*>(volume));
-  geometry->SetOrigin(image->GetOrigin());
-  geometry->SetSpacing(image->GetSpacing());
-  geometry->SetDirectionMatrix(image->GetDirectionMatrix());
+  content.Shares = CopyBricks(bricks);
+  content.AirValue = air->GetComponent(0, 0);
+  CopyGeometry(image, volume, content.Geometry);
   return true;
 }
 

@@ -3,35 +3,43 @@
 /**
  * @file
  * Files of the tissue that was removed: a .vti image of shares, of the part of the volume from
- * which something was removed, with the volume's extent as a field array.
+ * which something was removed, with the volume's extent and its AirValue as field arrays.
  */
 #ifndef RemovalFile_h
 #define RemovalFile_h
 
 #include "Core/Carving/ShareSnapshot.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
+
 #include <string>
 #include <vector>
 
-class vtkImageData;
-
 namespace VolumeHaptics
 {
+
+/** Gives an image an extent, and the origin, spacing and direction of another one. */
+void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
 
 /** Makes an image of the shares in an extent of a volume, with its geometry. */
 void MakeShareImage(
   const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* shares);
 
 /** False, with the reason and the cure in `error`, if the file can't be written. */
-bool WriteRemovalFile(
-  const CarvedBricks& bricks, vtkImageData* geometry, const std::string& file, std::string& error);
+bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
+  const std::string& file, std::string& error);
 
-/**
- * Reads the shares, and the geometry of their volume. False, with what is wrong with the file and
- * the cure in `error`, if it can't be read.
- */
-bool ReadRemovalFile(const std::string& file, vtkImageData* geometry,
-  std::vector<BrickShares>& shares, std::string& error);
+/** What a file has. */
+struct RemovalContent
+{
+  vtkNew<vtkImageData> Geometry; ///< of the volume
+  std::vector<BrickShares> Shares;
+  double AirValue = 0.0;
+};
+
+/** False, with what is wrong with the file and the cure in `error`, if it can't be read. */
+bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error);
 
 } // namespace VolumeHaptics
 

@@ -46,6 +46,7 @@ struct RecordingBegin
 {
   std::array<double, ServoStateSize> State;
   double TickPeriod; ///< s
+  double AirValue;   ///< of a volume whose tissue may be removed; else NaN
 };
 
 /** The device that a generation of ticks has. */

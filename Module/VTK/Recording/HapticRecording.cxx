@@ -10,6 +10,7 @@
 #include "VTK/Trace/HapticTraceFiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <system_error>
 
@@ -129,7 +130,8 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
   if (isFirst)
   {
     this->Begin.reset(
-      new RecordingBegin{ ToNumbers(snapshot.Before), model.Baked->Settings.TickPeriod });
+      new RecordingBegin{ ToNumbers(snapshot.Before), model.Baked->Settings.TickPeriod,
+        removal ? model.Baked->Field.GetCarved().Air : std::nan("") });
     if (tool && tool->GetKept() && snapshot.Before.Shell.Enabled)
     {
       this->BeginContacts = ToRows(*tool->GetKept());

@@ -16,6 +16,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace VolumeHaptics
@@ -209,6 +210,10 @@ private:
       RecordingNames::InitialState, begin ? begin->State.data() : nullptr, ServoStateSize);
     this->WriteContacts();
     this->WriteShares();
+    if (begin && std::isfinite(begin->AirValue))
+    {
+      this->WriteNumbers(RecordingNames::AirValue, &begin->AirValue, 1);
+    }
     this->WriteNumbers(RecordingNames::TickPeriod, begin ? &begin->TickPeriod : nullptr, 1);
     this->WriteCaps();
     const auto lost = static_cast<std::int64_t>(this->Journal.GetLostTicks());

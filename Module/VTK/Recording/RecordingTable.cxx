@@ -132,6 +132,10 @@ bool WriteRecordingFields(JournalReader& journal, FileReplacement& file)
   std::vector<double> caps;
   const bool areCapsRead = journal.ReadCaps(caps);
   numbers(RecordingNames::Caps, caps.data(), caps.size(), true);
+  if (begin && std::isfinite(begin->AirValue))
+  {
+    numbers(RecordingNames::AirValue, &begin->AirValue, 1);
+  }
   words("DeviceId", journal.GetAbout().DeviceId);
   key(RecordingNames::DeviceToWorld);
   file.Write("[");

@@ -78,12 +78,12 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
   }
   std::ostringstream text;
   const double depth = device->GetNeedleDepth();
-  if (device->IsSpinning())
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  if (filter && device->IsSpinning())
   {
-    vtkHapticRemoval* const removal = device->GetVolumeHaptics()->GetRemoval();
-    text << "Drills " << (tissue.empty() ? "the volume" : tissue) << ", " << std::fixed
-         << std::setprecision(1) << removal->GetRemovedVolume() << " mm^3 removed"
-         << (removal->IsUsedUp() ? " (no more can be)" : "");
+    vtkHapticRemoval* const removal = filter->GetRemoval();
+    text << "Drills, " << std::fixed << std::setprecision(1) << removal->GetRemovedVolume()
+         << " mm^3 removed" << (removal->IsUsedUp() ? " (no more can be)" : "");
   }
   else if (depth > 0.0)
   {

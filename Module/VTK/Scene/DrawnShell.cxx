@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/DrawnShell.h"
 
-#include "Core/Math/Quaternion.h"
 #include "VTK/Scene/HeldTool.h"
 #include "VTK/Scene/SceneMarker.h"
 
@@ -27,7 +26,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double SeenTurns = 1.7;
 
 /** What turns the tool to the world's axes; NoOrientation if it is not felt. */
-Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool)
+Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaternion& leaning)
 {
   const double* const wxyz = device->GetToolOrientation();
   const Quaternion felt{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] };
@@ -36,10 +35,12 @@ Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool)
     return felt;
   }
   // Its head is a ball, which is felt without an orientation: the stylus has one.
-  const double* const held = device->GetTipOrientation();
+  const double* const wanted = device->GetTipOrientation();
+  const bool isLeaning = !device->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
+  const Quaternion held =
+    isLeaning ? leaning : Quaternion{ wanted[0], wanted[1], wanted[2], wanted[3] };
   const double half = device->IsSpinning() ? Pi * SeenTurns * device->GetTime() : 0.0;
-  return Quaternion{ held[0], held[1], held[2], held[3] } *
-    Quaternion{ std::cos(half), 0.0, 0.0, std::sin(half) };
+  return held * Quaternion{ std::cos(half), 0.0, 0.0, std::sin(half) };
 }
 
 } // namespace
@@ -65,10 +66,10 @@ DrawnShell::DrawnShell()
   this->Ghost->ForceOpaqueOn();
 }
 
-void DrawnShell::Update(vtkHapticDevice* device)
+void DrawnShell::Update(vtkHapticDevice* device, const Quaternion& leaning)
 {
   vtkHapticTool* const tool = FindHeldTool(device);
-  const Quaternion q = tool ? FindTurn(device, tool) : NoOrientation;
+  const Quaternion q = tool ? FindTurn(device, tool, leaning) : NoOrientation;
   this->Shown = !IsIdentical(q, NoOrientation);
   if (!this->Shown)
   {

@@ -8,6 +8,8 @@
 #ifndef DrawnShell_h
 #define DrawnShell_h
 
+#include "Core/Math/Quaternion.h"
+
 #include "vtkActor.h"
 #include "vtkHapticTool.h"
 #include "vtkMatrix4x4.h"
@@ -30,8 +32,11 @@ class DrawnShell
 public:
   DrawnShell();
 
-  /** Shows the latest state; nothing without a device. */
-  void Update(vtkHapticDevice* device);
+  /**
+   * Shows the latest state; nothing without a device.
+   * @param leaning how a burr is held whose device measures no orientation; or NoOrientation
+   */
+  void Update(vtkHapticDevice* device, const Quaternion& leaning);
 
   /** Whether the hand holds such a tool. */
   bool IsShown() const { return this->Shown; }

@@ -3,6 +3,7 @@
 #include "VTK/Scene/FilterCarving.h"
 
 #include "VTK/Baking/RemovalAccess.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
@@ -17,7 +18,7 @@ bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
   vtkHapticRemoval* const removal = filter->GetRemoval();
   carved.Removal = GetTissueRemoval(removal);
   vtkImageData* const image = carved.Removal ? filter->GetTouchedImage() : nullptr;
-  carved.Array = image ? filter->GetInputArrayToProcess(0, image) : nullptr;
+  carved.Array = image ? HapticBaker(filter).GetTouched()[0].Array : nullptr;
   carved.Component = filter->GetProperty()->GetComponent();
   if (!carved.Array || carved.Array->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     carved.Component >= carved.Array->GetNumberOfComponents())

@@ -205,7 +205,7 @@ bool HapticInteraction::PressLeftButton()
   }
   if (this->Touch.LeadsTip())
   {
-    this->Scene.Device->SetVirtualButtons(1);
+    this->Touch.PressButton();
     return true;
   }
   return false;
@@ -228,12 +228,7 @@ bool HapticInteraction::ReleaseLeftButton()
   {
     return true;
   }
-  if (this->Touch.LeadsTip())
-  {
-    this->Scene.Device->SetVirtualButtons(0);
-    return true;
-  }
-  return false;
+  return this->Touch.ReleaseButton() || this->Touch.LeadsTip();
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,7 @@
 
 namespace VolumeHaptics
 {
+
 void TouchMode::Set(bool on)
 {
   if (!on)
@@ -38,6 +39,7 @@ void TouchMode::Set(bool on)
     return;
   }
   this->IsTouching = false;
+  this->ReleaseButton();
   this->Window.Look();
   if (this->Scene.Device)
   {
@@ -122,6 +124,25 @@ bool TouchMode::LeadsTip() const
 {
   return this->IsTouching && this->Scene.Style->GetState() == VTKIS_NONE &&
     this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && this->Scene.FindRenderer();
+}
+
+void TouchMode::PressButton()
+{
+  this->IsPressed = true;
+  this->Scene.Device->SetVirtualButtons(1);
+}
+
+bool TouchMode::ReleaseButton()
+{
+  if (!std::exchange(this->IsPressed, false))
+  {
+    return false;
+  }
+  if (this->Scene.Device && this->Scene.IsVirtual())
+  {
+    this->Scene.Device->SetVirtualButtons(0);
+  }
+  return true;
 }
 
 double TouchMode::GetDepthStep() const

@@ -33,7 +33,7 @@ public:
   void BeginAt(const Vector3& world) { this->Begin(&world); }
   bool IsOn() const { return this->IsTouching; }
   /** For another device: ends the mode without calling the old device. */
-  void Reset() { this->IsTouching = false; }
+  void Reset() { this->IsTouching = this->IsPressed = false; }
   /**
    * Call it if something disarmed the device: a touch mode that is beginning does not arm it then.
    */
@@ -54,6 +54,10 @@ public:
   void MoveInPlane(const int from[2], const int to[2]);
   /** The share of a motion that is made: less with Shift. */
   double GetFineness() const;
+  /** The mouse's button is that of the device, until it is released or the mode ends. */
+  void PressButton();
+  /** False if it was not pressed. */
+  bool ReleaseButton();
 
   /** Called, if there is one, before a tip lands on what is along the line of sight there. */
   std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
@@ -71,6 +75,7 @@ private:
   HapticWindowWatch& Window;
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
+  bool IsPressed = false;   ///< the button, by PressButton
   bool IsBeginning = false; ///< Begin runs, and nothing has ended it yet
   Vector3 Lead;             ///< world; the target of the tip
 };

@@ -106,6 +106,16 @@ void DeviceOrders::SendLimits()
 
 bool DeviceOrders::Start()
 {
+  const bool isStarted = this->StartServo();
+  if (!this->Session.IsRunning())
+  {
+    this->Models.LetRemovalsGo();
+  }
+  return isStarted;
+}
+
+bool DeviceOrders::StartServo()
+{
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   if (this->Session.IsRunning())
   {
@@ -187,6 +197,10 @@ bool DeviceOrders::Publish()
       return false;
     }
     ticks->Publish(std::move(model));
+  }
+  else
+  {
+    this->Models.LetRemovalsGo();
   }
   return true;
 }

@@ -67,6 +67,7 @@ public:
   void TellMemoryTrouble();
 
 private:
+  bool StartServo();
   SafetyLimits MakeLimits() const;
   /** False, after an error, if the device is not ready or the guard can't be set up. */
   bool LetForceThrough(const std::function<void()>& order);

@@ -180,9 +180,11 @@ std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
     return nullptr;
   }
   const std::optional<SurfaceRegion> region = this->Regions.Follow(filter, this->Session.Tip);
-  return region ? HapticBaker(filter).BakeRegion(
-                    *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
-                : nullptr;
+  const std::shared_ptr<const HapticModel> model = region
+    ? HapticBaker(filter).BakeRegion(
+        *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
+    : nullptr;
+  return model && this->HoldRemovalOf(*model, filter) ? model : nullptr;
 }
 
 void ModelSource::EndPreparing()

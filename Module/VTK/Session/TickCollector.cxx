@@ -40,10 +40,12 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
-  if (this->Recording && this->Recording->IsAwaited() && removal &&
-    removal != this->GetLatestRemoval())
+  const bool isOther = this->Recording && this->Recording->IsAwaited() && removal &&
+    removal != this->GetLatestRemoval();
+  if (isOther)
   {
-    // Before the loop has it.
+    this->Loop.KeepNothing();
+    this->AwaitTick();
     removal->BeginSnapshot();
   }
   const std::uint64_t generation = this->Loop.Publish(model);
@@ -53,6 +55,10 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
     this->Recording->AddModel(generation, touch.Model, touch.Tool);
   }
   this->Models[generation] = touch;
+  if (isOther)
+  {
+    this->Loop.KeepTool();
+  }
   // If no reader asks for states, models must not pile up either.
   for (auto& [id, reader] : this->Readers)
   {
@@ -139,18 +145,33 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
   {
     recording->AddModel(generation, touch.Model, touch.Tool);
   }
+  if (TissueRemoval* const removal = this->GetLatestRemoval())
+  {
+    removal->BeginSnapshot();
+  }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
-  this->Keep(); // after it: the tick that keeps it is among those that come
+  this->Loop.KeepTool(); // after it: the tick that keeps it is among those that come
+}
+
+void TickCollector::AwaitTick() const
+{
+  const std::uint64_t last = this->Loop.GetTickCount();
+  for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void TickCollector::FollowRecording()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   TissueRemoval* const removal = this->GetLatestRemoval();
-  if (this->Recording && this->Recording->IsAwaited() && removal && removal->IsSnapshotLate())
+  if (this->Recording && this->Recording->IsAwaited() && removal && !this->Loop.IsKeepWanted() &&
+    removal->IsSnapshotLate())
   {
-    this->Keep();
+    removal->BeginSnapshot();
+    this->Loop.KeepTool();
   }
 }
 
@@ -161,25 +182,12 @@ TissueRemoval* TickCollector::GetLatestRemoval() const
   return model ? model->Baked->Removal.get() : nullptr;
 }
 
-void TickCollector::Keep()
-{
-  if (TissueRemoval* const removal = this->GetLatestRemoval())
-  {
-    removal->BeginSnapshot();
-  }
-  this->Loop.KeepTool();
-}
-
 std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
   this->Loop.KeepNothing();
   // The tick that runs now belongs to it, too.
-  const std::uint64_t last = this->Loop.GetTickCount();
-  for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  this->AwaitTick();
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return std::move(this->Recording);

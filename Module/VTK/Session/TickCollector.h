@@ -76,8 +76,8 @@ public:
 private:
   /** Of the model that was last published; null if nothing is removed. */
   TissueRemoval* GetLatestRemoval() const;
-  /** The loop keeps what a recording begins with. */
-  void Keep();
+  /** Waits for the end of the tick that runs now, up to 0.1 s. */
+  void AwaitTick() const;
   /** Drops the states that all readers have got. Call it under the mutex. */
   void ForgetStates();
   /** Drops the models of older generations, which no reader can ask for any more. */

@@ -9,6 +9,7 @@
 
 #include "Core/Servo/ServoTick.h"
 
+#include <limits>
 #include <vector>
 
 namespace VolumeHaptics
@@ -28,7 +29,11 @@ struct RecordedPath
   std::vector<bool> Spinning;           ///< per tick, of a burr; empty if it never did
   std::vector<RemovalRequest> Requests; ///< per tick; empty if there never was one
   ServoState InitialState;
-  std::vector<BrickShares> InitialShares; ///< of removed tissue, with the state
+  ///@{
+  /** With the state: the removed tissue, and the value of a sample without any, or NaN. */
+  std::vector<BrickShares> InitialShares;
+  double AirValue = std::numeric_limits<double>::quiet_NaN();
+  ///@}
   ///@{
   /** With the state: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;

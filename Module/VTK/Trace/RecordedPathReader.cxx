@@ -227,6 +227,12 @@ void RecordedPathReader::ReadRemoval()
   {
     this->Flaw = flaw;
   }
+  if (this->Path->GetFieldData()->GetArray(RecordingNames::AirValue))
+  {
+    vtkDataArray* const air = this->FindField(RecordingNames::AirValue, 1, 1);
+    this->Result.AirValue = air ? air->GetComponent(0, 0) : this->Result.AirValue;
+    this->Require(std::isfinite(this->Result.AirValue), RecordingNames::AirValue, 0, "finite");
+  }
   // Older recordings, and those of files that a user has made smaller, lack them.
   vtkPointData* const data = this->Path->GetPointData();
   const auto find = [&](const char* name)

@@ -30,6 +30,7 @@ constexpr const char* Caps = "Caps";                   ///< field array: N/m, N 
 constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
 /// field array: those of a tool with a shape then, see RecordedPath; a ContactRow each
 constexpr const char* InitialContacts = "InitialContacts";
+constexpr const char* AirValue = "AirValue"; ///< field array: of a sample without tissue
 constexpr const char* Settings = "Settings"; ///< field array: a text
 /// begins the line of the settings that has the hash of the label image, if there was one
 constexpr const char* LabelHash = "LabelHash: ";

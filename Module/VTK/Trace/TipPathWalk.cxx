@@ -43,7 +43,7 @@ void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
   this->TakeHand(model);
   this->ProvideTool(model);
-  VolumeHaptics::Tick(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
+  TickAndServe(model, this->State, tip, record, LocalSurfaceResult::Simulated(), &this->Taps,
     this->Tool.get());
 }
 

@@ -37,44 +37,43 @@ constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
 /** A path that is as long as this (ticks) is worth a thread that writes its trace. */
 constexpr vtkIdType LongPath = 4 * static_cast<vtkIdType>(TracePipe::BlockSize);
 
-/** The removal from which a path goes on, which no other one changes. */
-std::shared_ptr<TissueRemoval> CopyRemoval(
-  const TissueRemoval& from, bool isChanged, const RecordedPath* recording)
-{
-  // What only feels tissue needs no room to remove any.
-  const std::uint32_t bricks = std::max<std::uint32_t>(from.Bricks.GetCount(),
-    recording ? static_cast<std::uint32_t>(recording->InitialShares.size()) : 0);
-  auto removal = isChanged ? std::make_shared<TissueRemoval>()
-                           : std::make_shared<TissueRemoval>(std::max(bricks, 1U), 1);
-  if (recording)
-  {
-    WriteBricks(recording->InitialShares, removal->Bricks);
-  }
-  else
-  {
-    WriteBricks(CopyBricks(from.Bricks), removal->Bricks);
-  }
-  return removal;
-}
-
-/** Null if nothing is removed. */
+/**
+ * The removal from which a path goes on, which no other one changes: that of the model, or of the
+ * recording. Null if nothing is removed.
+ */
 std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const BakedVolume& baked, const RecordedPath* recording)
 {
+  const bool isRecorded = recording && std::isfinite(recording->AirValue) && !baked.IsMoving();
+  if (!baked.Removal && !isRecorded)
+  {
+    return nullptr;
+  }
+  const std::vector<BrickShares> shares =
+    recording ? recording->InitialShares : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
     baked.HasTool(ToolKind::Burr) || (recording && !recording->Requests.empty());
-  return baked.Removal ? CopyRemoval(*baked.Removal, isChanged, recording) : nullptr;
+  // What only feels tissue needs no room to remove any.
+  const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(shares.size(), 1));
+  auto removal = isChanged
+    ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
+    : std::make_shared<TissueRemoval>(bricks, 1);
+  WriteBricks(shares, removal->Bricks);
+  return removal;
 }
 
-std::shared_ptr<const HapticModel> WithRemoval(
-  std::shared_ptr<const HapticModel> model, const std::shared_ptr<TissueRemoval>& removal)
+std::shared_ptr<const HapticModel> WithRemoval(std::shared_ptr<const HapticModel> model,
+  const std::shared_ptr<TissueRemoval>& removal, const RecordedPath* recording)
 {
-  if (!removal || model->Baked->Removal == removal)
+  const BakedVolume& baked = *model->Baked;
+  if (!removal || baked.Removal == removal)
   {
     return model;
   }
+  const double air = recording && std::isfinite(recording->AirValue) ? recording->AirValue
+                                                                     : baked.Field.GetCarved().Air;
   return std::make_shared<const HapticModel>(
-    std::make_shared<const BakedVolume>(*model->Baked, removal), model->DeviceToWorld, model->Caps);
+    std::make_shared<const BakedVolume>(baked, removal, air), model->DeviceToWorld, model->Caps);
 }
 
 bool IsFiniteRecord(const TickRecord& record)
@@ -95,12 +94,12 @@ struct TipPathsWalk::Runner
     , Removal(MakeOwnRemoval(*model->Baked, paths.GetRecording()))
     , Finder(finder ? [this, &finder](std::shared_ptr<const HapticModel> felt,
                         const ServoState& state, const Vector3& tip)
-          { return WithRemoval(finder(std::move(felt), state, tip), this->Removal); }
+          { return WithRemoval(finder(std::move(felt), state, tip), this->Removal, nullptr); }
                     : ModelFinder())
     , Walk(paths.GetRecording()
           ? TipPathWalk(*paths.GetRecording())
           : TipPathWalk(TipReader(paths, path), this->Finder ? &this->Finder : nullptr))
-    , Model(WithRemoval(std::move(model), this->Removal))
+    , Model(WithRemoval(std::move(model), this->Removal, paths.GetRecording()))
   {
   }
 

@@ -81,7 +81,8 @@ void ExpectTools()
     Expect(message.find(fault) != std::string::npos, "--tool " + tool + " gives " + message);
   };
   expectError("needle", false, "the tool needle");
-  expectError("spoon", false, "take needle, or point, or a surface that ends in .stl");
+  expectError("burr", false, "the tool burr");
+  expectError("spoon", false, "take needle, burr, or point, or a surface that ends in .stl");
   expectError("tool.step", false, "is not known");
   expectError(folder + "/missing.stl", true, "there is no such file");
   expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");

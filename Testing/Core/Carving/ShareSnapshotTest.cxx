@@ -73,16 +73,21 @@ TEST(ShareSnapshot, HasWhatWasRemovedUntilItIsTaken)
   EXPECT_TRUE(EndKept(removal).empty()) << "it has ended";
 }
 
-TEST(ShareSnapshot, LeavesWholeBricksOut)
+TEST(ShareSnapshot, HasWholeBricksInTheirOrder)
 {
   TissueRemoval removal;
   ChangeKept(removal, 3, 0);
   ChangeKept(removal, 4, CarvedBricks::WholeRow);
   removal.BeginSnapshot();
   ASSERT_TRUE(removal.TakeSnapshot());
-  const KeptShares shares = EndKept(removal);
-  ASSERT_EQ(shares.size(), 1u);
-  EXPECT_EQ(shares.begin()->first, 3u);
+  const std::vector<BrickShares> shares = removal.EndSnapshot();
+  ASSERT_EQ(shares.size(), 2u);
+  EXPECT_EQ(shares[0].Key, 3u);
+  EXPECT_EQ(shares[1].Key, 4u);
+  const std::vector<BrickShares> used = CopyBricks(removal.Bricks);
+  ASSERT_EQ(used.size(), 1u);
+  EXPECT_EQ(used[0].Key, 3u);
+  EXPECT_FALSE(removal.Bricks.IsWhole());
 }
 
 TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
@@ -115,7 +120,13 @@ TEST(ShareSnapshot, EndsTheStrokesThatCanBeUndone)
   }
   removal.BeginSnapshot();
   ASSERT_TRUE(removal.TakeSnapshot());
-  EXPECT_EQ(EndKept(removal), before) << "only the stroke after it is undone";
+  KeptShares after = EndKept(removal);
+  for (const std::uint64_t row : after[10])
+  {
+    EXPECT_EQ(row, CarvedBricks::WholeRow);
+  }
+  after.erase(10);
+  EXPECT_EQ(after, before) << "only the stroke after it is undone";
 }
 
 TEST(ShareSnapshot, WaitsForTheEndOfARequest)
@@ -136,7 +147,8 @@ TEST(ShareSnapshot, WaitsForTheEndOfARequest)
     ASSERT_TRUE(removal.Serve());
   }
   EXPECT_GT(refused, 0);
-  EXPECT_TRUE(EndKept(removal).empty()) << "all tissue is back";
+  EXPECT_EQ(EndKept(removal), ReadKept(removal.Bricks));
+  EXPECT_TRUE(removal.Bricks.IsWhole()) << "all tissue is back";
 }
 
 TEST(ShareSnapshot, ThatIsTooLateIsBegunAgain)

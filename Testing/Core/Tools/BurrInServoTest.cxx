@@ -97,7 +97,7 @@ TEST_F(BurrOfModel, TicksInTheServo)
   }
   EXPECT_GT(hand.Removed, 0.5);
   EXPECT_EQ(hand.GetShares(), CopyShares(other.Removal->Bricks, this->Half.Volume.View.Dimensions));
-  EXPECT_EQ(this->Half.Removal->Journal.GetUndoable(), 3u) << "a stroke for each time it spun";
+  EXPECT_EQ(this->Half.Removal->Journal.GetUndoable(), 4u) << "a stroke for each time it spun";
   EXPECT_EQ(hand.Record.Contact, ContactState::Sticking);
   EXPECT_EQ(1000.0 * hand.Record.Proxy.X, 1000.0 * alone.Record.Shell.Tool.Position.X);
 }
@@ -273,4 +273,42 @@ TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
   EXPECT_EQ(alarms, 0);
   EXPECT_LE(observer.GetEnergy(), 0.0) << "J: the hand has put energy in";
   EXPECT_GT(hand.Removed, 1.0);
+}
+
+/// A tick carries no request out; that of the removal's owner does, and nothing is felt in it.
+TEST_F(BurrOfModel, OnlyItsOwnerServesRequests)
+{
+  ServoHand hand(this->Make());
+  hand.Tick(this->Above);
+  hand.Tick(this->Above + Vector3{ 0.0, 0.0, 1.5 });
+  for (int i = 0; i < 300; ++i)
+  {
+    hand.Press(2.0);
+  }
+  TissueRemoval& removal = *this->Half.Removal;
+  ASSERT_EQ(removal.Journal.GetUndoable(), 1u);
+  const auto shares = hand.GetShares();
+  hand.State.IsSpinning = false;
+  ASSERT_TRUE(removal.Request(RemovalRequest::Undo));
+  hand.Press(2.0);
+  EXPECT_EQ(removal.GetPending(), 1u);
+  EXPECT_EQ(hand.GetShares(), shares);
+  EXPECT_FALSE(hand.Record.IsServed);
+  int served = 0;
+  while (removal.GetPending() > 0)
+  {
+    TickAndServe(*hand.Model, hand.State, hand.Record.Tip, hand.Record,
+      LocalSurfaceResult::Simulated(), nullptr, hand.Memory.get());
+    EXPECT_TRUE(hand.Record.IsServed);
+    EXPECT_EQ(hand.Record.Request, served == 0 ? RemovalRequest::Undo : RemovalRequest::None);
+    EXPECT_EQ(Norm(hand.Record.Force), 0.0);
+    EXPECT_FALSE(hand.State.Enabled);
+    ASSERT_LT(++served, 1000);
+  }
+  EXPECT_GT(served, 0);
+  EXPECT_TRUE(removal.Bricks.IsWhole());
+  TickAndServe(*hand.Model, hand.State, hand.Record.Tip, hand.Record,
+    LocalSurfaceResult::Simulated(), nullptr, hand.Memory.get());
+  EXPECT_FALSE(hand.Record.IsServed);
+  EXPECT_EQ(Norm(hand.Record.Force), 0.0) << "the hand begins anew";
 }

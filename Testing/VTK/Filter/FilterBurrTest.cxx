@@ -85,7 +85,6 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   const double expected = 0.25 * rim * 1e-3 * Sum(trace, "NormalForce") / 4.0;
   EXPECT_GT(expected, 2.0) << "mm^3";
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
-  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("ShaftForces"));
 }
 
 /// Q is that of the law: twice the energy, half the volume at the same force; and none without any.

@@ -13,6 +13,7 @@
 #include <vtkHapticRemoval.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <cstdio>
@@ -89,8 +90,8 @@ TEST_F(FilterRemoval, HasTheAirOfTheVolume)
   EXPECT_TRUE(this->Filter->GetRemoval()->GetAutoAirValue());
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -1000.0);
-  this->Filter->GetRemoval()->AutoAirValueOff();
   this->Filter->GetRemoval()->SetAirValue(-900.0);
+  EXPECT_FALSE(this->Filter->GetRemoval()->GetAutoAirValue());
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), -900.0);
   // Where what is below the contact value is solid, air is above it.
@@ -98,6 +99,29 @@ TEST_F(FilterRemoval, HasTheAirOfTheVolume)
   this->Burr->SetSolidToBelow();
   this->Run(801);
   EXPECT_EQ(this->Filter->GetRemoval()->GetAirValue(), 1000.0);
+}
+
+/// A file is felt by the point alone, of a filter that no burr was in: its air is in the file.
+TEST_F(FilterRemoval, AFileIsFeltWithoutABurr)
+{
+  this->Filter->GetRemoval()->SetAirValue(-800.0);
+  ASSERT_TRUE(this->Drill()->WriteFile(this->File));
+  this->Filter->SetTool(nullptr);
+  this->Filter->SetMethodToForceField(); // so that the proxy is at the tip
+  this->Path = MakePath(Line({ 15.2, 15.4, 7.0 }, { 15.2, 15.4, 15.0 }, 80));
+  this->Filter->SetPathData(this->Path);
+  const vtkSmartPointer<vtkPolyData> felt = (this->Run(81), Keep(this->Filter));
+  EXPECT_EQ(Get(felt, "Value", 40), -800.0) << "in the hole, at z = 11";
+  EXPECT_LT(Get(felt, "Value", 52), 0.0) << "at z = 12.2, which was bone";
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->GetProperty()->DeepCopy(this->Property);
+  other->SetMethodToForceField();
+  other->SetInputData(this->Image);
+  other->SetPathData(this->Path);
+  ASSERT_TRUE(other->GetRemoval()->ReadFile(this->File));
+  other->Update();
+  EXPECT_TRUE(IsSame(felt, other->GetOutput()));
+  std::remove(this->File.c_str());
 }
 
 TEST_F(FilterRemoval, IsAnImageOfTheVolumesShape)
@@ -134,12 +158,14 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   this->Filter->SetRemoval(other);
   this->Filter->Update();
   EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
-  // On a volume of another shape all tissue is there.
+  // Nothing is lost on a volume of another shape.
   this->Image->SetExtent(0, 31, 0, 31, 0, 31);
   this->Image->SetOrigin(0.0, 0.0, 0.0);
   this->Image->Modified();
+  this->ExpectError({ "-5 to 26", "0 to 31", "WriteFile()", "SetRemoval(nullptr)" });
+  EXPECT_FALSE(other->IsEmpty());
+  this->Filter->SetRemoval(nullptr);
   this->Run(801);
-  EXPECT_TRUE(other->IsEmpty());
   std::remove(this->File.c_str());
 }
 
@@ -162,11 +188,19 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
   writer->SetInputData(this->Image);
   writer->Write();
   ExpectRefused(removal, this->File, { "no shares" });
-  std::string moved = whole;
-  const std::string extent = "WholeExtent=\"";
-  const std::size_t at = moved.find(extent) + extent.size();
-  ASSERT_NE(moved.find(extent), std::string::npos);
-  EXPECT_FALSE(moved.substr(at, 3).empty());
+  // The same shares, some of which are beyond their volume.
+  std::ofstream(this->File, std::ios::binary) << whole;
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(this->File.c_str());
+  reader->Update();
+  vtkNew<vtkImageData> moved;
+  moved->ShallowCopy(reader->GetOutput());
+  vtkDataArray* const extent = moved->GetFieldData()->GetArray("VolumeExtent");
+  ASSERT_TRUE(extent);
+  extent->SetComponent(0, 1, moved->GetExtent()[1] - 1);
+  writer->SetInputData(moved);
+  writer->Write();
+  ExpectRefused(removal, this->File, { "no shares" });
   std::remove(this->File.c_str());
 }
 
@@ -222,4 +256,6 @@ TEST_F(FilterRemoval, ResetBringsTissueBackWithoutAServo)
   EXPECT_TRUE(removal->Reset());
   EXPECT_EQ(removal->GetNumberOfRequests(), 0);
   EXPECT_EQ(GetShares(removal), whole);
+  EXPECT_TRUE(removal->IsEmpty());
+  EXPECT_FALSE(removal->Reset()) << "there is nothing to bring back";
 }

@@ -9,6 +9,7 @@
 #include "Rigs/RecordingRig.h"
 
 #include <vtkHapticBurr.h>
+#include <vtkHapticNeedle.h>
 #include <vtkHapticRemoval.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkUnsignedCharArray.h>
@@ -30,6 +31,12 @@ protected:
   }
   ~BurrRecording() override { this->Device->SpinningOff(); }
 
+  /// Armed, as a burr does not spin without.
+  void Begin()
+  {
+    Recording::Begin();
+    this->Device->Arm();
+  }
   vtkHapticRemoval* GetRemoval() { return this->Filter->GetRemoval(); }
   std::vector<unsigned char> GetShares()
   {
@@ -181,6 +188,64 @@ TEST_F(BurrRecording, ASecondRecordingBeginsAnew)
   this->ExpectSameRemoval();
 }
 
+/// A recording of the point in a hole, replayed by a filter that knows nothing of the hole.
+TEST_F(BurrRecording, AHoleReplaysWithoutTheBurr)
+{
+  this->Begin();
+  this->GetRemoval()->SetAirValue(-50.0);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 1.0));
+  ASSERT_TRUE(this->EndStroke());
+  this->Filter->SetTool(nullptr);
+  ASSERT_TRUE(this->Device->Publish());
+  this->StartRecording();
+  this->Wander(10);
+  EXPECT_TRUE(this->GetRemoval()->Reset());
+  this->Wander(20);
+  ASSERT_TRUE(this->Device->StopRecording());
+  this->Device->Stop();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(this->Name.c_str());
+  reader->Update();
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->SetInputData(this->Image);
+  other->GetProperty()->DeepCopy(this->Filter->GetProperty());
+  other->SetInputData(1, reader->GetOutput());
+  other->Update();
+  vtkPolyData* const replayed = other->GetOutput();
+  ASSERT_EQ(replayed->GetNumberOfPoints(), reader->GetOutput()->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < replayed->GetNumberOfPoints(); ++i)
+  {
+    for (const char* const array : { "Value", "NormalForce", "DragForce" })
+    {
+      ASSERT_EQ(Get(replayed, array, i), Get(reader->GetOutput(), array, i)) << array << " " << i;
+    }
+  }
+}
+
+TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
+{
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.5));
+  ASSERT_TRUE(this->EndStroke());
+  const auto shares = this->GetShares();
+  this->Device->Stop();
+  // A stroke's undo that was asked for at once before the end is carried out.
+  ASSERT_TRUE(this->Device->Start());
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_TRUE(this->GetRemoval()->Undo());
+  this->Device->Stop();
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
+  EXPECT_TRUE(this->GetRemoval()->IsEmpty());
+  // Publishing without a servo holds nothing.
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->GetRemoval()->Redo());
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
+  EXPECT_EQ(this->GetShares(), shares);
+}
+
 TEST_F(BurrRecording, AnotherDeviceNeedsAnotherRemoval)
 {
   this->Begin();
@@ -218,4 +283,57 @@ TEST_F(BurrRecording, AFileIsReadUnderTheHand)
   this->Device->SpinningOn();
   ASSERT_TRUE(this->Drill(8.0, 0.2)) << "the servo goes on with it";
   EXPECT_NE(this->GetShares(), shares);
+}
+
+TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
+{
+  this->Burr->SetSpinButton(1);
+  Recording::Begin();
+  this->Device->SetVirtualButtons(2);
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_FALSE(this->Device->IsSpinning()) << "nothing would be felt";
+  this->Device->Arm();
+  this->Device->SetVirtualButtons(1);
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_FALSE(this->Device->IsSpinning()) << "that is another one";
+  this->Device->SetVirtualButtons(3);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsSpinning(); }));
+  this->Device->SetVirtualButtons(0);
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsSpinning(); }));
+  this->Burr->SetSpinButton(-1);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Device->SetVirtualButtons(-1);
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_FALSE(this->Device->IsSpinning());
+  this->Filter->SetTool(nullptr);
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_FALSE(this->Device->IsSpinning()) << "a point does not spin";
+}
+
+TEST_F(BurrRecording, TheToolMayChangeUnderForce)
+{
+  vtkNew<vtkHapticNeedle> needle;
+  this->Begin();
+  this->Device->SpinningOn();
+  for (vtkHapticTool* const next :
+    { static_cast<vtkHapticTool*>(nullptr), static_cast<vtkHapticTool*>(needle.Get()) })
+  {
+    ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+    ASSERT_TRUE(this->WaitFullyArmed());
+    const double before = this->GetRemoval()->GetRemovedVolume();
+    ASSERT_TRUE(this->LeadInto(8.5));
+    ASSERT_TRUE(this->Wait([&] { return this->GetRemoval()->GetRemovedVolume() > before + 0.2; }));
+    this->Filter->SetTool(next);
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_TRUE(this->WaitTicks(20));
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
+    EXPECT_FALSE(this->Device->IsSpinning());
+    const auto shares = this->GetShares();
+    ASSERT_TRUE(this->WaitTicks(50));
+    EXPECT_EQ(this->GetShares(), shares) << "only a burr removes";
+    this->Filter->SetTool(this->Burr);
+    ASSERT_TRUE(this->Device->Publish());
+  }
 }

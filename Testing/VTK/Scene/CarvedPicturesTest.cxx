@@ -10,6 +10,12 @@
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkVariant.h>
+
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <thread>
 
 using namespace carvedtest;
 
@@ -113,4 +119,91 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   EXPECT_EQ(this->Pictures.FindImage(nullptr), nullptr);
   this->Pictures.Clear();
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
+}
+
+namespace
+{
+/// A picture of an image by a mapper without a texture, which nobody draws.
+struct Undrawn
+{
+  Undrawn(vtkImageData* image, const CarvedArray& array)
+  {
+    this->Mapper->SetInputData(image);
+    this->Picture = std::make_unique<CarvedPicture>(this->Mapper, array);
+  }
+  vtkDataArray* GetShown() const
+  {
+    return vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0))
+      ->GetPointData()
+      ->GetScalars();
+  }
+  bool Shows(vtkImageData* reference) const
+  {
+    vtkDataArray* const wanted = reference->GetPointData()->GetScalars();
+    vtkDataArray* const is = this->GetShown();
+    bool isSame = is->GetDataType() == wanted->GetDataType();
+    for (vtkIdType i = 0; i < wanted->GetNumberOfValues(); ++i)
+    {
+      const double value = wanted->GetVariantValue(i).ToDouble();
+      // Doubles are rounded in another order.
+      isSame = isSame && std::abs(is->GetVariantValue(i).ToDouble() - value) <= 1e-12 * 300.0;
+    }
+    return isSame;
+  }
+
+  vtkNew<vtkFixedPointVolumeRayCastMapper> Mapper;
+  std::unique_ptr<CarvedPicture> Picture;
+};
+} // namespace
+
+/// The nearest value of the type; the air of the last burr is beyond the range of small integers.
+TEST_F(CarvedPicturesScene, HasTheValuesOfItsType)
+{
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_DOUBLE })
+  {
+    for (const double air : { 7.0, -300.0 })
+    {
+      SCOPED_TRACE(type);
+      this->Image = MakeImage(type, 3, 5.0, 120.0);
+      this->Burr = Carving();
+      CarvedArray array = this->MakeArray();
+      array.Component = 1;
+      array.Air = air;
+      const Undrawn scene(this->Image, array);
+      EXPECT_FALSE(scene.Picture->Update());
+      this->Burr.At(28.0, 19.0, 30.0, 9.0);
+      EXPECT_TRUE(scene.Picture->Update());
+      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 1, air)));
+      EXPECT_FALSE(scene.Picture->Update());
+      this->Burr.At(18.0, 9.0, 20.0, 9.0);
+      EXPECT_TRUE(scene.Picture->Update());
+      EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 1, air)));
+    }
+  }
+}
+
+/// Whatever was seen meanwhile, the last change is seen.
+TEST_F(CarvedPicturesScene, FollowsAnotherThread)
+{
+  const Undrawn scene(this->Image, this->MakeArray());
+  std::atomic<bool> isDone{ false };
+  std::thread servo(
+    [&]
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        this->Burr.At(10.0 + i % 20, 17.0, 10.0 + i % 7, 4.0 + 0.1 * i);
+      }
+      isDone = true;
+    });
+  int changes = 0;
+  while (!isDone)
+  {
+    changes += scene.Picture->Update() ? 1 : 0;
+  }
+  servo.join();
+  scene.Picture->Update();
+  EXPECT_GT(changes, 1);
+  EXPECT_TRUE(scene.Shows(MakeCarved(this->Image, this->Burr.Shares, 0, 0.0)));
 }

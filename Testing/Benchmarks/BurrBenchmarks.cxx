@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Benchmarks.h"
+#include "Medians.h"
+#include "Motion.h"
+
+#include "Core/Tools/Burr/BurrTool.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+using namespace VolumeHaptics;
+
+namespace benchmarks
+{
+namespace
+{
+
+/** mm, and voxels: a burr of the size for which the surface that it leaves is within 0.05 voxel. */
+constexpr double BurrRadius = 4.0;
+/** J/mm^3, at 60 000/min: so soft that it removes a layer of bone, or so hard that little. */
+constexpr double Energies[] = { 1.0, 100.0 };
+
+/** A burr that slides around the ball, 2 mm deep, and removes tissue. */
+struct BurrSlide
+{
+  BurrSlide(const BallVolume& volume, double energy)
+    : Ways(SlideAt(volume, BallRadius + BurrRadius - 2.0))
+  {
+    HapticModelDescription d;
+    d.View = volume.View;
+    d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+    d.Removal = std::make_shared<TissueRemoval>();
+    d.Tool.Kind = ToolKind::Burr;
+    d.Tool.Burr.Settings.Radius = BurrRadius;
+    d.Tool.Burr.SpecificEnergy = ConstantPolyline(energy);
+    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(BurrRadius));
+    d.Tool.Shell.Touch.Level = BallLevel;
+    d.Tool.Shell.Touch.ContactArea = 0.1;
+    this->Model = std::make_unique<HapticModel>(d);
+    this->Points = std::make_unique<ShellMemory>(*this->Model->Baked->Tool->Shell);
+    // From outside, until it is in contact.
+    const Vector3 out = this->Ways.front() - volume.GetCentre();
+    for (int i = 100; i > 0; --i)
+    {
+      this->Tick(this->Ways.front() + (6e-2 * i / Norm(out)) * out);
+    }
+  }
+
+  void Tick(const Vector3& index) noexcept
+  {
+    TickBurr(*this->Model, { 0.001 * index, true, 1e-3 }, this->Shell, this->State,
+      { *this->Points, this->Carver }, this->Record);
+    this->Removed += this->Record.RemovedVolume;
+  }
+  void Next() noexcept
+  {
+    this->Step = this->Step + 1 < this->Ways.size() ? this->Step + 1 : 0;
+    this->Tick(this->Ways[this->Step]);
+  }
+
+  std::unique_ptr<HapticModel> Model;
+  std::unique_ptr<ShellMemory> Points;
+  SphereCarver Carver;
+  ShellState Shell;
+  BurrState State;
+  BurrRecord Record;
+  const Positions Ways;
+  std::size_t Step = 0;
+  double Removed = 0.0; ///< mm^3
+};
+
+void MeasureBurr(benchmark::State& bench, const BallVolume* volume, double energy)
+{
+  BurrSlide slide(*volume, energy);
+  for (auto _ : bench)
+  {
+    slide.Next();
+    benchmark::DoNotOptimize(slide.Record);
+  }
+  std::vector<double> times;
+  constexpr int ticks = 2000;
+  for (int i = 0; i < ticks; ++i)
+  {
+    const double begin = ReadClock();
+    slide.Next();
+    times.push_back(ReadClock() - begin);
+  }
+  bench.counters["p50"] = Summarize(times).Median;
+  bench.counters["p99"] = times[times.size() * 99 / 100]; // they are sorted now
+  bench.counters["mm3_removed"] = slide.Removed;
+  if (!(slide.Removed > 0.0))
+  {
+    bench.SkipWithError("nothing was removed");
+  }
+}
+
+} // namespace
+
+void RegisterBurrBenchmarks(const BallVolume& volume)
+{
+  for (const double energy : Energies)
+  {
+    const std::string name = energy < 10.0 ? "soft" : "hard";
+    benchmark::RegisterBenchmark(
+      NameOf("burr_tick", name, "slide", volume.Name).c_str(), MeasureBurr, &volume, energy);
+  }
+}
+
+} // namespace benchmarks

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The scene shows what a burr has removed, takes back what is undone, and leaves the image alone.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkHapticBurr.h>
+#include <vtkHapticRemoval.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+using namespace scenetest;
+
+namespace
+{
+using Levels = std::vector<int>;
+
+int MostDifference(const Levels& a, const Levels& b)
+{
+  int most = a.size() == b.size() && !a.empty() ? 0 : 256;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    most = std::max(most, std::abs(a[i] - b[i]));
+  }
+  return most;
+}
+
+class StyleBurr : public StyleTest
+{
+protected:
+  StyleBurr()
+  {
+    this->Burr->SetRadius(6.0);
+    this->Burr->SetSolidToAbove();
+    this->Burr->SetContactValue(0.0);
+    vtkPiecewiseFunction* const energy = this->Burr->GetSpecificEnergy();
+    energy->AddPoint(0.0, 0.05); // J/mm^3
+    this->Filter->SetTool(this->Burr);
+    vtkPiecewiseFunction* const strength = this->Filter->GetProperty()->GetSurfaceStrength();
+    strength->RemoveAllPoints();
+    strength->AddPoint(0.0, 1e4);
+    this->Filter->SetMethodToProxy();
+    this->Before->DeepCopy(this->Ball);
+    this->Interactor->SetAltKey(0);
+  }
+  ~StyleBurr() override { this->Device->Stop(); }
+
+  void Show(vtkVolumeMapper* mapper)
+  {
+    mapper->SetInputDataObject(this->Ball);
+    this->Shown->SetMapper(mapper);
+    SetLook(this->Shown, mapper);
+    this->Renderer->AddVolume(this->Shown);
+    this->Renderer->ResetCameraClippingRange();
+    this->Window->Render();
+  }
+  static void SetLook(vtkVolume* volume, vtkVolumeMapper* mapper)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(-100.0, 0.0);
+    opacity->AddPoint(300.0, 0.5);
+    volume->GetProperty()->SetScalarOpacity(opacity);
+    volume->GetProperty()->SetInterpolationTypeToLinear();
+    volume->GetProperty()->ShadeOn();
+    if (auto* const texture = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
+    {
+      texture->SetAutoAdjustSampleDistances(0);
+      texture->SetSampleDistance(2.0f);
+    }
+    if (auto* const software = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper))
+    {
+      software->SetAutoAdjustSampleDistances(0);
+      software->SetImageSampleDistance(1.0f);
+    }
+  }
+  static Levels Read(vtkRenderWindow* window)
+  {
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetPixelData(0, 0, 299, 299, 0, pixels);
+    return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+  }
+  /// What is drawn of an image from which a loop has removed the tissue, by the shares.
+  Levels DrawReference(vtkVolumeMapper* mapper)
+  {
+    vtkNew<vtkImageData> shares;
+    this->Filter->GetRemoval()->MakeShares(shares);
+    vtkNew<vtkImageData> left;
+    left->DeepCopy(this->Before);
+    vtkDataArray* const values = left->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      const double value = values->GetTuple1(i);
+      const double rho = shares->GetPointData()->GetScalars()->GetTuple1(i) / 255.0;
+      values->SetTuple1(
+        i, value - (1.0 - rho) * (value - this->Filter->GetRemoval()->GetAirValue()));
+    }
+    mapper->SetInputDataObject(left);
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(mapper);
+    SetLook(volume, mapper);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddVolume(volume);
+    renderer->SetActiveCamera(this->Renderer->GetActiveCamera());
+    vtkNew<vtkRenderWindow> window;
+    window->SetOffScreenRendering(1);
+    window->SetSize(300, 300);
+    window->AddRenderer(renderer);
+    window->Render();
+    return Read(window);
+  }
+  /// Drills into the ball.
+  void Drill()
+  {
+    this->PushIn();
+    this->Device->SpinningOn();
+    for (int i = 0; i < 10; ++i)
+    {
+      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Run(30);
+      this->Style->DrawHaptics();
+    }
+    EXPECT_GT(this->Filter->GetRemoval()->GetRemovedVolume(), 50.0);
+    this->Device->SpinningOff();
+    this->Run(20);
+    this->Press("Escape");
+    this->Run(20);
+  }
+  /// The style draws by itself until the picture is that.
+  bool Becomes(const Levels& wanted)
+  {
+    return Eventually(
+      [&]
+      {
+        this->Style->DrawHaptics();
+        return MostDifference(Read(this->Window), wanted) <= 2;
+      });
+  }
+  void Check(vtkVolumeMapper* mapper, vtkVolumeMapper* reference)
+  {
+    this->Show(mapper);
+    this->Style->TouchVolume(this->Shown);
+    const Levels whole = Read(this->Window);
+    this->Drill();
+    const Levels drilled = this->DrawReference(reference);
+    EXPECT_GT(MostDifference(drilled, whole), 20);
+    EXPECT_TRUE(this->Becomes(drilled));
+    // It feels the image that the application has set, not a picture of what is left.
+    EXPECT_EQ(this->Filter->GetTouchedImage(), this->Ball);
+    // What is undone comes back, also without a servo.
+    vtkHapticRemoval* const removal = this->Filter->GetRemoval();
+    const int strokes = removal->GetNumberOfUndos();
+    EXPECT_GT(strokes, 0);
+    for (int i = 0; i < strokes; ++i)
+    {
+      EXPECT_TRUE(removal->Undo());
+    }
+    EXPECT_TRUE(this->Becomes(whole))
+      << removal->GetNumberOfRequests() << " requests of " << strokes << " wait";
+    this->Device->Stop();
+    for (int i = 0; i < strokes; ++i)
+    {
+      EXPECT_TRUE(removal->Redo());
+    }
+    EXPECT_TRUE(this->Becomes(drilled));
+    this->Style->SetDevice(nullptr);
+    this->Window->Render();
+    EXPECT_LE(MostDifference(Read(this->Window), whole), 2) << "nobody feels it";
+    EXPECT_EQ(mapper->GetInputDataObject(0, 0), this->Ball);
+    vtkDataArray* const now = this->Ball->GetPointData()->GetScalars();
+    vtkDataArray* const before = this->Before->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < now->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(now->GetTuple1(i), before->GetTuple1(i));
+    }
+    EXPECT_TRUE(this->Log.Errors.empty());
+    EXPECT_TRUE(this->Log.Warnings.empty());
+  }
+
+  vtkNew<vtkHapticBurr> Burr;
+  vtkNew<vtkImageData> Before;
+  vtkNew<vtkVolume> Shown;
+};
+} // namespace
+
+TEST_F(StyleBurr, ShowsWhatItHasRemoved)
+{
+  this->Check(vtkNew<vtkOpenGLGPUVolumeRayCastMapper>(), vtkNew<vtkOpenGLGPUVolumeRayCastMapper>());
+}
+
+TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
+{
+  this->Check(
+    vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
+}

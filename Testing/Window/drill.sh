@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# In the explorer, on a screen of its own, a burr is pressed into a head and drills while the left button is pressed.
+# Key T writes what was removed, key U brings it back, and key J removes it again. A picture shows the burr.
+#
+# usage: drill.sh PROGRAM VOLUME [--pictures FOLDER]
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth python3" xvfb-run python3
+take_own_screen "$@"
+program=$(realpath "$1")
+volume=$(realpath "$2")
+pictures=${4:+$(realpath "$4")}
+size=${4:+700}
+size=${size:-240}
+take_own_home
+cd "$folder"
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2 || true
+  exit 1
+}
+
+# On the forehead: nothing is removed before the button is pressed, or after it was released.
+cat > drill.txt << END
+0.0  move 0.5 0.6
+0.5  key t
+1.0  wheel 6
+2.0  key T
+2.5  press left
+3.0  stroke 0.54 0.6 1.5
+5.0  key F12
+5.5  release left
+6.0  key T
+6.5  key U
+7.5  key T
+8.0  key J
+9.0  key T
+9.5  key q
+END
+"$program" "$volume" --size "$size" --tool burr --script drill.txt > "$folder/program.log" 2>&1 &
+child=$!
+expect_end
+
+grep -q "The hand holds a burr" program.log || fail "no burr is in the hand"
+[[ $(grep -c "The burr has removed nothing yet" program.log) -eq 2 ]] ||
+  fail "it removes without its button, or an undo leaves something"
+grep -q "The last stroke of the burr is undone" program.log || fail "nothing was undone"
+grep -q "A stroke of the burr is done again" program.log || fail "nothing was done again"
+[[ -s removal-001.vti && -s removal-002.vti ]] || fail "what was removed was not written"
+cmp removal-001.vti removal-002.vti || fail "a redo does not bring back what was removed"
+[[ -s picture-001.png ]] || fail "there is no picture"
+[[ -z "$pictures" ]] || cp picture-001.png "$pictures/drill.png"
