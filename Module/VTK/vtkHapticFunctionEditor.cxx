@@ -562,7 +562,8 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
     {
       vtkErrorMacro(
         "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
-        "vtk_module_autoinit, or in Python import vtkmodules.vtkRenderingContextOpenGL2.");
+        "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
+        "import vtkmodules.vtkRenderingContextOpenGL2.");
     }
   }
   if (d.CanDraw == 0)

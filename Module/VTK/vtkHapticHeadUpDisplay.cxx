@@ -513,7 +513,8 @@ bool vtkHapticHeadUpDisplay::vtkInternals::FindContext(vtkHapticHeadUpDisplay& s
     {
       vtkErrorWithObjectMacro(&self,
         "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
-        "vtk_module_autoinit, or in Python import vtkmodules.vtkRenderingContextOpenGL2.");
+        "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
+        "import vtkmodules.vtkRenderingContextOpenGL2.");
     }
   }
   return this->CanDraw == 1;
