@@ -77,7 +77,7 @@ std::string EncodeSlice(int k, const std::string& meaning)
   const std::string size = Whole(static_cast<int>(meta.size()));
   return std::string(128, '\0') + "DICM" + Element(2, 0, "UL", size + std::string(2, '\0')) + meta +
     Element(8, 0x0016, "UI", "1.2.840.10008.5.1.4.1.1.7") + Element(8, 0x0018, "UI", uid) +
-    Element(8, 0x0060, "CS", "CT") + Element(0x20, 0x000e, "UI", "1.2.7") +
+    Element(8, 0x0060, "CS", "US") + Element(0x20, 0x000e, "UI", "1.2.7") +
     Element(0x20, 0x0032, "DS", "0\\0\\" + std::to_string(2 * k)) +
     Element(0x20, 0x0037, "DS", "1\\0\\0\\0\\1\\0") +
     Element(0x28, 0x0002, "US", Whole(isGrey ? 1 : 3)) + Element(0x28, 0x0004, "CS", meaning) +

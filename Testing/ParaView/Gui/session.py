@@ -204,10 +204,15 @@ class Session:
         self.stop_trace()
 
     def picture(self):
-        # First, since it leaves the mapper at its full quality.
-        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
+        view = simple.GetActiveView()
+        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), view)
+        # A frame at rest: the next one of the hand would be drawn quickly.
+        view.EnableRenderOnInteraction = 0
+        view.OrientationAxesVisibility = 0  # they are in the corner of the graph
+        simple.Render(view)
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
+        view.EnableRenderOnInteraction = 1
 
     def recorded(self):
         assert self.device().Recording == 0
