@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 #include <system_error>
+#include <vector>
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -27,16 +28,111 @@ void LowerPriority() noexcept
 
 } // namespace
 
+/** What a thread has begun and no longer wants. */
+class BackgroundWork::Leavings
+{
+public:
+  /** Of the calling thread. */
+  static Leavings& OfThread()
+  {
+    thread_local Leavings leavings;
+    return leavings;
+  }
+
+  /** The end of a thread is the only place that waits for what it has begun. */
+  ~Leavings()
+  {
+    for (std::unique_ptr<Run>& run : this->Runs)
+    {
+      if (!run->IsOurs())
+      {
+        (void)run.release(); // its thread belongs to the parent
+        continue;
+      }
+      if (run->Thread.joinable())
+      {
+        run->Thread.join();
+      }
+    }
+    for (Spent& spent : this->Threads)
+    {
+      if (spent.Process == ServoClock::GetProcess())
+      {
+        spent.Thread.join();
+      }
+      else
+      {
+        spent.Thread.detach(); // there is none here
+      }
+    }
+  }
+
+  void Take(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
+
+  /** Releases what tasks hold that have returned. */
+  void Release()
+  {
+    const auto over = std::partition(this->Runs.begin(), this->Runs.end(),
+      [](const std::unique_ptr<Run>& run) { return !run->IsOurs() || !run->IsOver(); });
+    // A release may run code of the program, which may end other work.
+    std::vector<std::unique_ptr<Run>> runs(
+      std::make_move_iterator(over), std::make_move_iterator(this->Runs.end()));
+    this->Runs.erase(over, this->Runs.end());
+    for (std::unique_ptr<Run>& run : runs)
+    {
+      if (run->Thread.joinable())
+      {
+        this->Threads.push_back({ std::move(run->Thread), run->Process });
+      }
+    }
+  }
+
+  /** Threads that have nothing left to do but to end: another thread may wait for that. */
+  std::vector<std::thread> TakeThreads()
+  {
+    std::vector<std::thread> threads;
+    for (Spent& spent : this->Threads)
+    {
+      if (spent.Process == ServoClock::GetProcess())
+      {
+        threads.push_back(std::move(spent.Thread));
+      }
+      else
+      {
+        spent.Thread.detach(); // there is none here
+      }
+    }
+    this->Threads.clear();
+    return threads;
+  }
+
+private:
+  struct Spent
+  {
+    std::thread Thread;
+    std::int64_t Process;
+  };
+  std::vector<std::unique_ptr<Run>> Runs;
+  std::vector<Spent> Threads;
+};
+
 void BackgroundWork::Run::Do() noexcept
 {
+  while (this->Before && !this->Before->load(std::memory_order_acquire))
+  {
+    ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
+  }
   try
   {
-    this->Work(this->Monitor);
+    if (!this->Monitor.IsCancelled())
+    {
+      this->Work(this->Monitor);
+    }
   }
   catch (const std::bad_alloc&) // there is no result
   {
   }
-  this->HasReturned.store(true, std::memory_order_release);
+  this->HasReturned->store(true, std::memory_order_release);
 }
 
 void BackgroundWork::Begin(Task task)
@@ -44,20 +140,31 @@ void BackgroundWork::Begin(Task task)
   this->End();
   auto run = std::make_unique<Run>();
   run->Work = std::move(task);
+  run->Before = std::move(this->Last);
   this->Current = std::move(run);
   Run* const current = this->Current.get();
+  auto spent = std::make_shared<std::vector<std::thread>>(Leavings::OfThread().TakeThreads());
   try
   {
     current->Thread = std::thread(
-      [current]
+      [current, spent]
       {
         ServoClock::BlockSignals();
         LowerPriority();
+        for (std::thread& thread : *spent)
+        {
+          thread.join();
+        }
+        spent->clear();
         current->Do();
       });
   }
   catch (const std::system_error&)
   {
+    for (std::thread& thread : *spent)
+    {
+      thread.join();
+    }
     current->Do();
   }
 }
@@ -67,15 +174,14 @@ void BackgroundWork::End() noexcept
   if (this->Current && !this->IsOurs())
   {
     (void)this->Current.release(); // its thread belongs to the parent
+    this->Last = nullptr;
   }
   if (this->Current)
   {
     this->Current->Monitor.Cancel();
-    if (this->Current->Thread.joinable())
-    {
-      this->Current->Thread.join();
-    }
-    this->Current.reset();
+    this->Last = this->Current->HasReturned;
+    Leavings::OfThread().Take(std::move(this->Current));
+    Leavings::OfThread().Release();
   }
 }
 
@@ -89,8 +195,8 @@ void BackgroundWork::Cancel() noexcept
 
 bool BackgroundWork::HasReturned() const
 {
-  return this->Current && this->IsOurs() &&
-    this->Current->HasReturned.load(std::memory_order_acquire);
+  Leavings::OfThread().Release();
+  return this->Current && this->IsOurs() && this->Current->IsOver();
 }
 
 bool BackgroundWork::WaitFor(double seconds) const

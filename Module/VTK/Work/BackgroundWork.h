@@ -14,7 +14,10 @@
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
  * The owner releases the objects that the task holds, such as a reference to an array; the worker
- * never does: the last reference of a VTK object must not be dropped by another thread. The task
+ * never does: the last reference of a VTK object must not be dropped by another thread. Of work
+ * that is cancelled while it goes on, the owner's thread releases them the next time that it calls
+ * a function of any work after the end of the task's piece, or when that thread ends. So a task
+ * has to own all that it reads: it may outlive the object that began it. The task
  * reads values while the program may write them: the program announces that with Modified(), and
  * gets another result. The memory of the values must stay where it is for as long as the array
  * exists, as for the servo: see vtkHapticDevice.
@@ -70,17 +73,18 @@ public:
   using Task = std::function<void(WorkMonitor&)>;
 
   BackgroundWork() = default;
-  /** Cancels the task. */
+  /** Cancels the task, and does not wait for it. */
   ~BackgroundWork() { this->End(); }
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
   /**
-   * Begins a task, instead of one that is under way. If the system gives no thread, the task is
-   * done at once, before this returns.
+   * Begins a task, instead of one that is under way, which is cancelled; the new one begins when
+   * that one's piece has ended. If the system gives no thread, the task is done at once, before
+   * this returns.
    */
   void Begin(Task task);
-  /** Cancels the task, waits for the end of its piece, and releases what it holds. */
+  /** Cancels the task, does not wait for it, and releases what it holds if it has returned. */
   void End() noexcept;
 
   /** Cancels the task, and does not wait: HasReturned() tells when its piece has ended. */
@@ -89,10 +93,7 @@ public:
   /** Whether a task was begun, and End() was not called since. */
   bool IsBegun() const { return this->Current != nullptr; }
   /** Whether it was begun by this process, and not by one that this one was forked from. */
-  bool IsOurs() const
-  {
-    return this->Current && this->Current->Process == ServoClock::GetProcess();
-  }
+  bool IsOurs() const { return this->Current && this->Current->IsOurs(); }
   /** Whether the task has returned; what it wrote can be read. */
   bool HasReturned() const;
   /** Waits until the task has returned, or for some seconds; returns whether it has. */
@@ -101,18 +102,24 @@ public:
   double GetProgress() const;
 
 private:
+  using Flag = std::atomic<bool>;
   struct Run
   {
     Task Work;
     WorkMonitor Monitor;
-    std::atomic<bool> HasReturned{ false };
+    const std::shared_ptr<Flag> HasReturned = std::make_shared<Flag>(false);
+    std::shared_ptr<const Flag> Before; ///< of the run that has to end first; or null
     std::thread Thread;
     const std::int64_t Process = ServoClock::GetProcess();
 
+    bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
+    bool IsOver() const { return this->HasReturned->load(std::memory_order_acquire); }
     void Do() noexcept;
   };
+  class Leavings;
 
   std::unique_ptr<Run> Current;
+  std::shared_ptr<const Flag> Last; ///< of the run that was ended last; or null
 };
 
 /**
@@ -165,8 +172,7 @@ public:
   }
 
   /**
-   * The same, but does not wait for the end of the work's piece. Other work waits for that if it is
-   * begun before IsUnderWay() is false.
+   * The same, but IsUnderWay() tells when the work's piece has ended.
    */
   void Abandon()
   {

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <string>
@@ -29,11 +30,20 @@ namespace
 {
 using Work = KeyedWork<int, std::string>;
 
-/// A task that goes on until it is opened or cancelled.
+/// A task that goes on until it is opened or cancelled. Copies share their state, as a task may
+/// outlive the gate of a test.
 class Gate
 {
+  struct Passage
+  {
+    std::atomic<bool> IsOpen{ false };
+    std::atomic<int> Entered{ 0 };
+    std::atomic<int> Left{ 0 };
+  };
+  std::shared_ptr<Passage> Shared = std::make_shared<Passage>();
+
 public:
-  std::optional<std::string> Pass(WorkMonitor& monitor, const std::string& result)
+  std::optional<std::string> Pass(WorkMonitor& monitor, const std::string& result) const
   {
     ++this->Entered;
     while (!this->IsOpen && !monitor.IsCancelled())
@@ -43,14 +53,14 @@ public:
     ++this->Left;
     return monitor.IsCancelled() ? std::nullopt : std::optional<std::string>(result);
   }
-  Work::Maker Make(const std::string& result)
+  Work::Maker Make(const std::string& result) const
   {
-    return [this, result](WorkMonitor& monitor) { return this->Pass(monitor, result); };
+    return [gate = *this, result](WorkMonitor& monitor) { return gate.Pass(monitor, result); };
   }
 
-  std::atomic<bool> IsOpen{ false };
-  std::atomic<int> Entered{ 0 };
-  std::atomic<int> Left{ 0 };
+  std::atomic<bool>& IsOpen = this->Shared->IsOpen;
+  std::atomic<int>& Entered = this->Shared->Entered;
+  std::atomic<int>& Left = this->Shared->Left;
 };
 } // namespace
 
@@ -82,8 +92,12 @@ TEST(BackgroundWork, OfDataThatChangeBeginsAgain)
   Work work;
   work.Follow(1, old.Make("old"));
   ASSERT_TRUE(Eventually([&] { return old.Entered == 1; }));
-  EXPECT_EQ(work.Follow(2, gate.Make("new")), nullptr);
-  EXPECT_EQ(old.Left, 1) << "the old work has ended before the new one begins";
+  const Work::Maker make = [old, gate](WorkMonitor& monitor)
+  {
+    EXPECT_EQ(old.Left, 1) << "the old work has ended before the new one begins";
+    return gate.Pass(monitor, "new");
+  };
+  EXPECT_EQ(work.Follow(2, make), nullptr);
   gate.IsOpen = true;
   const std::string* result = nullptr;
   ASSERT_TRUE(Eventually([&] { return (result = work.Follow(2, gate.Make("new"))) != nullptr; }));
@@ -103,14 +117,16 @@ TEST(BackgroundWork, IsCancelledByItsOwner)
   Gate gate;
   Work work;
   work.Follow(1, gate.Make("one"));
+  ASSERT_TRUE(Eventually([&] { return gate.Entered == 1; }));
   work.Forget();
-  EXPECT_EQ(gate.Entered, gate.Left);
   EXPECT_FALSE(work.IsUnderWay());
+  EXPECT_TRUE(Eventually([&] { return gate.Left == 1; }));
   {
     Work gone;
     gone.Follow(1, gate.Make("one"));
+    ASSERT_TRUE(Eventually([&] { return gate.Entered == 2; }));
   }
-  EXPECT_EQ(gate.Entered, gate.Left);
+  EXPECT_TRUE(Eventually([&] { return gate.Left == 2; }));
   // It can begin again.
   gate.IsOpen = true;
   ASSERT_TRUE(Eventually([&] { return work.Follow(1, gate.Make("one")) != nullptr; }));
@@ -158,7 +174,7 @@ TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
         releaser = std::this_thread::get_id();
         delete number;
       });
-    const auto make = [held, &gate](WorkMonitor& monitor)
+    const auto make = [held, gate](WorkMonitor& monitor)
     { return gate.Pass(monitor, std::to_string(*held)); };
     work.Follow(1, make);
   }
@@ -171,13 +187,85 @@ TEST(BackgroundWork, LetsItsOwnerReleaseWhatItHolds)
   EXPECT_EQ(releaser, std::this_thread::get_id());
 }
 
+/// Work that hears no cancellation would hold its owner up for as long as it likes.
+TEST(BackgroundWork, ThatEndsIsNotWaitedFor)
+{
+  std::atomic<bool> isOpen{ false };
+  std::atomic<int> entered{ 0 };
+  std::atomic<int> left{ 0 };
+  std::atomic<int> most{ 0 };
+  std::atomic<int> released{ 0 };
+  const std::thread::id owner = std::this_thread::get_id();
+  const auto makeStubborn = [&]
+  {
+    const std::shared_ptr<int> held(new int(7),
+      [&released, owner](int* number)
+      {
+        released += std::this_thread::get_id() == owner ? 1 : 1000;
+        delete number;
+      });
+    return [&, held](WorkMonitor&) -> std::optional<std::string>
+    {
+      ++entered;
+      most = std::max(most.load(), entered - left);
+      while (!isOpen)
+      {
+        std::this_thread::yield();
+      }
+      ++left;
+      return std::to_string(*held);
+    };
+  };
+  Work work;
+  EXPECT_EQ(work.Follow(1, makeStubborn()), nullptr);
+  ASSERT_TRUE(Eventually([&] { return entered == 1; }));
+  work.Forget(); // would never return if it waited
+  EXPECT_EQ(work.Follow(2, makeStubborn()), nullptr);
+  EXPECT_EQ(work.Follow(3, makeStubborn()), nullptr);
+  {
+    Work gone;
+    gone.Follow(1, [](WorkMonitor&) { return std::optional<std::string>("gone"); });
+  }
+  EXPECT_EQ(left, 0);
+  EXPECT_EQ(released, 0) << "not while the tasks go on";
+  isOpen = true;
+  const std::string* result = nullptr;
+  ASSERT_TRUE(Eventually([&] { return (result = work.Find(3)) != nullptr; }));
+  EXPECT_EQ(*result, "7");
+  EXPECT_EQ(entered, 2) << "what is cancelled before it begins is not done";
+  EXPECT_EQ(most, 1) << "one after another";
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      work.IsUnderWay();
+      return work.Find(3) && released == 3;
+    }))
+    << released << ": each by the owner";
+}
+
+/// The end of a thread that owns work is waited for, so that nothing outlives it.
+TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
+{
+  Gate gate;
+  std::thread(
+    [&gate]
+    {
+      Work work;
+      work.Follow(1, gate.Make("one"));
+      EXPECT_TRUE(Eventually([&] { return gate.Entered == 1; }));
+    })
+    .join();
+  EXPECT_EQ(gate.Entered, 1);
+  EXPECT_EQ(gate.Left, 1);
+}
+
 TEST(BackgroundWork, TellsItsProgress)
 {
   Gate gate;
   Work work;
   EXPECT_EQ(work.GetProgress(), 0.0);
   work.Follow(1,
-    [&gate](WorkMonitor& monitor)
+    [gate](WorkMonitor& monitor)
     {
       monitor.SetProgress(0.25);
       return gate.Pass(monitor, "");
