@@ -40,9 +40,11 @@ set(Explore_SOURCES
   Analysis/VolumeAnalysis.cxx
   Errors/MessageCapture.cxx
   Exploration/Exploration.cxx
+  Exploration/GuideFile.cxx
   Exploration/HeardTicks.cxx
   Exploration/MethodScale.cxx
   Exploration/ModeChoice.cxx
+  Exploration/ShapeFile.cxx
   Exploration/TissueTable.cxx
   Live/FreeFile.cxx
   Live/HandTool.cxx

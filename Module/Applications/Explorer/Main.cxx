@@ -251,6 +251,7 @@ int RunAll(Explore::Options options)
       options.Displacements.clear();
       options.How.Method = "auto";
       options.How.Modes.clear();
+      options.How.Guide.clear();
     }
     try
     {

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Options.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/GuideFile.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Record/DemoScript.h"
@@ -222,6 +223,11 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     Explore::CheckMode(value);
     options.How.Modes.push_back(value);
   }
+  else if (name == "--guide")
+  {
+    Explore::CheckGuideFile(value);
+    options.How.Guide = value;
+  }
   else if (name == "--tool")
   {
     if (value != "needle" && value != "burr" && value != "point" && !Explore::IsToolFile(value))
@@ -362,7 +368,7 @@ Options ParseOptions(int argc, char* argv[])
     throw InputError("volumehaptics-explore", "no volume was named",
       "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
   }
-  if (!options.How.Modes.empty())
+  if (!options.How.Modes.empty() || !options.How.Guide.empty())
   {
     options.How.Method = "primitives";
   }
@@ -464,6 +470,10 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     add up; without any, the vectors are followed, else the tensors. NAME may also say what
                     you want: )" +
     ListModePresets() + R"(
+  --guide FILE      leads the hand along the lines of a file, or on its surface, as a mode of primitives, with
+                    2 N: .vtp .vtk .stl .ply .obj, in the volume's coordinates; or along the paths that you
+                    measured (--measurements: .csv .mrk.json .vtp), or a trace. The modes of --mode are felt,
+                    too; without any, the window offers them (key M)
   --estimator NAME  gradient: central, gaussian (default), bspline
   --size PX         width of the picture (default 900)
   --mapper NAME     volume rendering: auto (default), gpu, cpu; auto takes the

@@ -92,7 +92,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
                                     : settings.Method;
   if (method == "primitives")
   {
-    AddModes(settings.Modes, volume.Flow, volume.Image, filter);
+    AddModes(settings.Modes, volume.Flow, settings.Guide, volume.Image, filter);
   }
   filter->SetMethodByName(method.c_str());
   result.Method = filter->GetMethodText();

@@ -36,6 +36,7 @@ struct Settings
   // vectors, which are followed, else proxy.
   std::string Method = "auto";
   std::vector<std::string> Modes; // of the method primitives: see ModeChoice.h
+  std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
 };
 
 /// The results: all that the pictures and the summary show.

@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/GuideFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticRidgeMode.h"
@@ -144,10 +145,10 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
 }
 
 /// The modes that the fields of an image allow beside those of a filter, off, so that a window can
-/// turn them on. Those of vectors are about the array of the first mode, if that is about vectors.
+/// turn them on. Those of vectors are about the array of the last mode, if that is about vectors.
 void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
-  const std::string known = filter->GetMode(0)->GetArrayName();
+  const std::string known = filter->GetMode(filter->GetNumberOfModes() - 1)->GetArrayName();
   vtkDataArray* const array = image->GetPointData()->GetArray(known.c_str());
   const bool isOfVectors = array && array->GetNumberOfComponents() == 3;
   const std::string vectors = isOfVectors ? known : FindField(image, Needs::Vectors);
@@ -236,8 +237,12 @@ std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter)
 }
 
 void AddModes(const std::vector<std::string>& modes, const std::string& wantedFlow,
-  vtkImageData* image, vtkVolumeHapticsFilter* filter)
+  const std::string& guide, vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
+  if (!guide.empty())
+  {
+    filter->AddMode(ReadGuideFile(guide, image));
+  }
   for (const std::string& mode : modes)
   {
     AddMode(mode, image, filter);
@@ -251,6 +256,7 @@ void AddModes(const std::vector<std::string>& modes, const std::string& wantedFl
       : hasTensors                       ? "tensor-follow"
                                          : "surface";
     AddMode(first, image, filter);
+    filter->GetMode(filter->GetNumberOfModes() - 1)->SetActive(guide.empty());
     OfferModes(image, filter);
   }
 }

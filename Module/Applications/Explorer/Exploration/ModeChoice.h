@@ -23,10 +23,11 @@ void CheckMode(const std::string& mode);
 
 /// Adds modes to a filter, with strengths that suit the image. Without names: the vectors of the
 /// array `flow`, or of the first one, are followed, else the tensors, else the surfaces are felt;
-/// and the other modes of vectors and tensors are added, but not active. Throws InputError if the
-/// image lacks the array of a mode.
-void AddModes(const std::vector<std::string>& modes, const std::string& flow, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter);
+/// and the other modes of vectors and tensors are added, but not active. A file that guides the
+/// hand (GuideFile.h), if there is one, is the first mode; without names it is the only active
+/// one. Throws InputError if the image lacks the array of a mode.
+void AddModes(const std::vector<std::string>& modes, const std::string& flow,
+  const std::string& guide, vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
 /// The names of a filter's modes if its method feels them, each another one; empty for those that
 /// are not active.

@@ -3,47 +3,12 @@
 #include "Applications/Explorer/Live/ToolFile.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/ShapeFile.h"
 
-#include "vtkNew.h"
-#include "vtkOBJReader.h"
-#include "vtkPLYReader.h"
 #include "vtkPoints.h"
-#include "vtkSTLReader.h"
-#include "vtkXMLPolyDataReader.h"
-
-#include "vtksys/SystemTools.hxx"
 
 namespace
 {
-std::string FindEnding(const std::string& name)
-{
-  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
-}
-
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(const std::string& name)
-{
-  vtkNew<Reader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
-{
-  const std::string ending = FindEnding(name);
-  if (ending == ".stl")
-  {
-    return ReadWith<vtkSTLReader>(name);
-  }
-  if (ending == ".ply")
-  {
-    return ReadWith<vtkPLYReader>(name);
-  }
-  return ending == ".obj" ? ReadWith<vtkOBJReader>(name) : ReadWith<vtkXMLPolyDataReader>(name);
-}
-
 bool HasOrigin(const double* bounds)
 {
   return bounds[0] <= 0.0 && bounds[1] >= 0.0 && bounds[2] <= 0.0 && bounds[3] >= 0.0 &&
@@ -61,18 +26,11 @@ bool IsToolFile(const std::string& name)
 
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name)
 {
-  if (!vtksys::SystemTools::FileExists(name, true))
+  const char* const cure = "take the closed surface of a tool";
+  vtkSmartPointer<vtkPolyData> surface = ReadShapeFile("--tool", name, cure);
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
   {
-    throw InputError("--tool " + name, "there is no such file", "name one that is there");
-  }
-  const MessageCapture capture;
-  const vtkSmartPointer<vtkPolyData> surface = ReadSurface(name);
-  const std::string error = capture.FirstError();
-  if (!error.empty() || surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
-  {
-    throw InputError("--tool " + name,
-      error.empty() ? "it has no triangles" : "it can't be read: " + error,
-      "take the closed surface of a tool");
+    throw InputError("--tool " + name, "it has no triangles", cure);
   }
   double bounds[6];
   surface->GetBounds(bounds);

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_GuideFile_h
+#define Explore_GuideFile_h
+
+#include "vtkHapticGuideMode.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace Explore
+{
+/// Throws InputError if a name has not the ending of a file that --guide takes: a shape (.vtp,
+/// .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
+void CheckGuideFile(const std::string& name);
+
+/// The mode that leads along the lines of a file, or holds on its polygons, in the coordinates of
+/// an image. Of measurements, the paths lead. Throws InputError, also if all of it lies outside of
+/// the image.
+vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkImageData* image);
+} // namespace Explore
+
+#endif

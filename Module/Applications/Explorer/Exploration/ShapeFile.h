@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_ShapeFile_h
+#define Explore_ShapeFile_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+namespace Explore
+{
+/// The ending of a file's name, in lower case, such as ".stl".
+std::string FindEnding(const std::string& name);
+
+/// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Throws InputError,
+/// which begins with the option that names the file, and has the cure for one that can't be read.
+vtkSmartPointer<vtkPolyData> ReadShapeFile(
+  const std::string& option, const std::string& name, const std::string& cure);
+} // namespace Explore
+
+#endif
