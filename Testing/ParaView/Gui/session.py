@@ -200,19 +200,23 @@ class Session:
         raise AssertionError(f"only {self.force(device)} N are felt: {device.GetPropertyValue('StatusText')}")
 
     def armed(self):
-        assert self.device().Armed == 1, "Arm has not armed the device"
+        device = self.device()
+        device.UpdatePropertyInformation()
+        assert device.Armed == 1, f"Arm has not armed the device: {device.GetPropertyValue('StatusText')}"
         self.stop_trace()
 
-    def picture(self):
+    def at_rest(self):
+        """The next frame of the hand would be drawn quickly. The axes are in the corner of the graph."""
         view = simple.GetActiveView()
-        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), view)
-        # A frame at rest: the next one of the hand would be drawn quickly.
         view.EnableRenderOnInteraction = 0
-        view.OrientationAxesVisibility = 0  # they are in the corner of the graph
+        view.OrientationAxesVisibility = 0
         simple.Render(view)
+
+    def picture(self):
         if shutil.which("import"):
             subprocess.run(["import", "-window", "root", os.path.join(OUTPUT, "window.png")], check=True, timeout=60)
-        view.EnableRenderOnInteraction = 1
+        simple.SaveScreenshot(os.path.join(OUTPUT, "view.png"), simple.GetActiveView())
+        simple.GetActiveView().EnableRenderOnInteraction = 1
 
     def recorded(self):
         assert self.device().Recording == 0
