@@ -418,6 +418,15 @@ int vtkVolumeHapticsFilter::TouchPath(
     }
     return error.empty() ? 1 : 0;
   }
+  if (source && VolumeHaptics::AreTimeStepsFelt(this))
+  {
+    const std::string still = this->Resampled->DescribeStillSteps(
+      this->GetInputDataObject(0, 0), ReadTimeSteps(this->GetInputInformation(0, 0)));
+    if (!still.empty())
+    {
+      vtkWarningMacro(<< still);
+    }
+  }
   const RegionsAlongPath regions(source,
     [&](vtkImageData* region, std::string& flaw) {
       return HapticBaker(this).BakeImage(region, period, ForceCaps{}, nullptr, flaw, nullptr, {});

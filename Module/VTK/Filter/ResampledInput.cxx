@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace VolumeHaptics
@@ -50,6 +51,24 @@ std::string ResampledInput::DescribeFault(vtkDataObject* data) const
   return data ? std::string("A ") + data->GetClassName() +
       " can't be touched. Connect a vtkImageData, or a data set with cells, to input port 0."
               : "There is no image to touch. Connect a vtkImageData to input port 0.";
+}
+
+//------------------------------------------------------------------------------
+std::string ResampledInput::DescribeStillSteps(
+  vtkDataObject* data, const std::vector<double>& steps)
+{
+  if (!data || steps.empty() || steps == this->ToldSteps)
+  {
+    return {};
+  }
+  this->ToldSteps = steps;
+  std::ostringstream text;
+  text << "The " << data->GetClassName() << " on port 0 has " << steps.size()
+       << " time steps, of which only the first one, " << steps.front()
+       << ", is felt: what is resampled around the tip stands still. For a volume that moves put "
+          "vtkResampleToImage between source and filter, which gives an image of each step. Else "
+          "choose one step: SetTimeUnitsPerSecond(0), and UpdateTimeStep().";
+  return text.str();
 }
 
 } // namespace VolumeHaptics

@@ -30,6 +30,8 @@ public:
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
   /** Why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;
+  /** That only the first time step is felt, with the cure; empty if that was told before. */
+  std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 
 private:
   vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if there can be none
@@ -37,6 +39,7 @@ private:
   vtkMTimeType Time = 0;
   std::vector<std::string> Arrays;
   std::string Error;
+  std::vector<double> ToldSteps;
 };
 
 } // namespace VolumeHaptics

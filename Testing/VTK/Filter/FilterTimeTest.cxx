@@ -10,12 +10,15 @@
 #include "Rigs/TimeSource.h"
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkAppendFilter.h>
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNIFTIImageWriter.h>
 #include <vtkPointData.h>
+#include <vtkResampleToImage.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <cmath>
 #include <cstdio>
@@ -82,6 +85,40 @@ TEST_F(FilterTime, AWallThatComesPushesATipThatRests)
   EXPECT_EQ(this->Source->Asked, (std::vector<double>{ 10.0, 14.0, 13.0, 12.0, 11.0, 10.0 }));
   EXPECT_FALSE(
     this->Filter->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+}
+
+/// What is resampled around the tip stands still, which is told once; the cure that is told moves.
+TEST_F(FilterTime, AGridThatMovesIsFeltAsTheImagesOfItsSteps)
+{
+  vtkNew<vtkAppendFilter> grid;
+  grid->SetInputConnection(this->Source->GetOutputPort());
+  this->Filter->SetInputConnection(grid->GetOutputPort());
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  this->Filter->Update();
+  const auto still = Keep(this->Filter);
+  EXPECT_EQ(Get(still, "Force", 1000), Get(still, "Force", 0)) << "the first step stays";
+  ASSERT_EQ(this->Log.Warnings.size(), 1u);
+  for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
+  {
+    EXPECT_NE(this->Log.Warnings.front().find(part), std::string::npos) << part;
+  }
+  this->RestFor(0.5);
+  this->Filter->Update();
+  EXPECT_EQ(this->Log.Warnings.size(), 1u) << "once for a series";
+  this->RestFor(1.0);
+  this->Log.Warnings.clear();
+
+  vtkNew<vtkResampleToImage> image;
+  image->SetInputConnection(grid->GetOutputPort());
+  image->SetSamplingDimensions(24, 24, 24);
+  this->Filter->SetInputConnection(image->GetOutputPort());
+  image->UpdateInformation();
+  image->Update();
+  const char* const name = image->GetOutput()->GetPointData()->GetArrayName(0);
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+  vtkPolyData* const trace = this->Run(1001);
+  EXPECT_DOUBLE_EQ(Get(trace, "DataTime", 1000), 14.0);
+  EXPECT_NEAR(Get(trace, "Force", 1000), 0.001 * K * (WallAt(14.0) - Rest), 0.015);
 }
 
 TEST_F(FilterTime, OnlyTheStepsThatThePathNeedsAreRead)
