@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from demonstration import run
 from ramp import make_ramp
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
@@ -122,15 +124,19 @@ def test_a_spoon_lies_on_the_head(is_file, tmp_path):
 
 def test_a_burr_removes_by_its_energy():
     """Q = mu F v/U, F that of the trace (Archard's law by energy)."""
+    image = vtkImageData()
+    image.SetDimensions(32, 32, 32)
+    image.SetSpacing(0.5, 0.5, 0.5)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.repeat(1000.0 * (np.arange(32) > 15.5), 32 * 32), deep=True))
     burr = volumehaptics.vtkHapticBurr()
     burr.SetRadius(RADIUS)
     burr.SetSpeed(30000.0)
     burr.SetSolidToAbove()
-    burr.SetContactValue(LEVEL)
+    burr.SetContactValue(500.0)
     burr.GetSpecificEnergy().AddPoint(0.0, 5.0)
     depth = np.linspace(4.0, 8.0, 2000)
     tip = np.column_stack([np.full(2000, 7.1), np.full(2000, 7.2), depth])
-    felt = arrays(volumehaptics.touch(make_ramp(16), tip, tool=burr, property=above()))
+    felt = arrays(volumehaptics.touch(image, tip, tool=burr, property=above()))
     rim = 2.0 * math.pi * 1e-3 * RADIUS * 30000.0 / 60.0
     expected_volume = 0.3 * rim * 1e-3 * felt["NormalForce"].sum() / 5.0
     assert expected_volume > 0.5

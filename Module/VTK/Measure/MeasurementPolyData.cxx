@@ -36,6 +36,14 @@ constexpr const char* NumberArray = "Measurement";
 constexpr const char* NameField = "MeasurementName";
 constexpr const char* KindField = "MeasurementKind";
 
+/** Whether a number is finite: VTK can't read a file with an array in which none is. */
+bool HasNumber(vtkDoubleArray* array)
+{
+  const double* const begin = array->GetPointer(0);
+  return std::any_of(
+    begin, begin + array->GetNumberOfValues(), [](double number) { return std::isfinite(number); });
+}
+
 /** Points and cells, with what was felt at the points. */
 class ShapeMaker
 {
@@ -94,11 +102,13 @@ public:
     shape->SetVerts(this->Verts);
     shape->SetLines(this->Lines);
     shape->SetPolys(this->Polys);
-    if (isFelt)
+    for (vtkDoubleArray* const array :
+      { this->Times.Get(), this->Forces.Get(), this->Values.Get() })
     {
-      shape->GetPointData()->AddArray(this->Times);
-      shape->GetPointData()->AddArray(this->Forces);
-      shape->GetPointData()->AddArray(this->Values);
+      if (isFelt && HasNumber(array))
+      {
+        shape->GetPointData()->AddArray(array);
+      }
     }
   }
 

@@ -12,10 +12,13 @@
  * to the device), `TorqueCommand` (3; N m, the same), `Torque` (3; N m, computed),
  * `ToolOrientation` (4; of a tool with a shape, in the world; else 0), `Tick`, `Enabled`,
  * `Placement`, `Buttons`, `Armed`, `Fault`, `Share` (0 to 1, the share of the force that the gate
- * let through) and `Reason` (why that is not 1: a GateReason of ForceGate.h), and the field arrays
- * `DeviceToWorld` (16 for each placement), `InitialState`, `InitialContacts` (of a tool with a
- * shape that began in contact), `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`,
- * `Units`, `VolumeHash` and `LostTicks`.
+ * let through), `Reason` (why that is not 1: a GateReason of ForceGate.h), `Spinning` (whether a
+ * burr was to spin), `RemovalRequest` (1 undo, 2 redo, 3 reset that began) and `RemovedVolume`
+ * (mm^3), and the field arrays `DeviceToWorld` (16 for each placement), `InitialState`,
+ * `InitialContacts` (of a tool with a shape that began in contact), `InitialBricks` and
+ * `InitialShares` (if tissue had been removed: ShareArrays.h), `AirValue` (if it may be),
+ * `TickPeriod` (s), `Caps` (N/m and N s/m), `DeviceId`, `Settings`, `Units`, `VolumeHash` and
+ * `LostTicks`.
  */
 #ifndef HapticRecordingFile_h
 #define HapticRecordingFile_h

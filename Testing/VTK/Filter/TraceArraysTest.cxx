@@ -34,7 +34,7 @@ protected:
 using Texts = std::vector<std::string>;
 
 /// As the class documentation of vtkVolumeHapticsFilter lists them, without Label, DataTime,
-/// the eight ModeForce_i and the five of tools.
+/// the eight ModeForce_i and the six of tools.
 const Texts All = { "Time", "Tip", "Force", "NormalForce", "FrictionForce", "DragForce", "Normal",
   "Value", "GradientMagnitude", "SurfaceValue", "MediumValue", "Stiffness", "Friction", "Viscosity",
   "SurfaceStrength", "Contact", "Unfinished", "Renewed", "Energy" };
@@ -44,7 +44,7 @@ TEST_F(TraceArrays, AreAllByDefault)
 {
   EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
   EXPECT_EQ(this->Names(), All);
-  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2 + 8 + 5);
+  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2 + 8 + 6);
 }
 
 TEST_F(TraceArrays, TheChosenOnesAreTheSameToTheBit)

@@ -90,6 +90,23 @@ TEST_F(MeasurementFiles, ComeBackToTheBit)
   }
 }
 
+/// Positions alone, as those of a plan that nobody has touched: there is no force, value or time.
+TEST_F(MeasurementFiles, OfPositionsAloneComeBack)
+{
+  for (const char* const name : { "Plan.csv", "Plan.vtp", "Plan.mrk.json" })
+  {
+    SCOPED_TRACE(name);
+    const double a[3] = { 1.0, 2.0, 3.0 };
+    const double b[3] = { 4.0, 5.0, 7.0 };
+    this->List->AddDistance(a, b);
+    ASSERT_TRUE(this->List->WriteFile(File(name).c_str()));
+    vtkNew<vtkHapticMeasurements> read;
+    ASSERT_TRUE(read->ReadFile(File(name).c_str()));
+    ExpectSame(this->List, read);
+    this->List->RemoveAll();
+  }
+}
+
 TEST_F(MeasurementFiles, DoNotDependOnTheLocale)
 {
   const std::locale before = std::locale::global(std::locale(std::locale(), new GermanNumbers));

@@ -82,7 +82,7 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
     {
       EXPECT_EQ(trace->GetPointData()->GetArray(a)->GetNumberOfTuples(), count);
     }
-    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 35);
+    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 38);
     double work = 0.0;
     for (int i = 0; i < count; ++i)
     {
