@@ -134,8 +134,8 @@ def test_a_burr_removes_by_its_energy():
     burr.SetSolidToAbove()
     burr.SetContactValue(500.0)
     burr.GetSpecificEnergy().AddPoint(0.0, 5.0)
-    depth = np.linspace(4.0, 8.0, 2000)
-    tip = np.column_stack([np.full(2000, 7.1), np.full(2000, 7.2), depth])
+    depth = np.concatenate([np.linspace(4.0, 8.0, 2000), np.full(4000, 8.0)])
+    tip = np.column_stack([np.full(6000, 7.1), np.full(6000, 7.2), depth])
     felt = arrays(volumehaptics.touch(image, tip, tool=burr, property=above()))
     rim = 2.0 * math.pi * 1e-3 * RADIUS * 30000.0 / 60.0
     expected_volume = 0.3 * rim * 1e-3 * felt["NormalForce"].sum() / 5.0
