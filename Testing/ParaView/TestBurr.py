@@ -27,7 +27,7 @@ def half_space():
 
 
 def path():
-    z = numpy.concatenate([numpy.linspace(4, 6, 1001), numpy.full(1000, 6.0)])
+    z = numpy.concatenate([numpy.linspace(4, 6, 1001), numpy.full(5000, 6.0)])
     points = vtkPoints()
     points.SetData(numpy_to_vtk(numpy.stack([numpy.full_like(z, 5.8), numpy.full_like(z, 5.7), z], 1), deep=True))
     line = vtkPolyData()

@@ -101,7 +101,7 @@ assert abs((at(felt["out"], 15) - at(felt["out"], 5)) / 0.01 - 10) < 0.1, "N per
 
 refuse(touch, "NeedleShaftFriction", "much", "Needle Shaft Friction", "much", "pairs")
 refuse(touch, "NeedleCuttingForce", "1 2 3", "Needle Cutting Force", "1 2 3")
-refuse(touch, "Tool", "Spoon", "Spoon", '"Needle" or "Point shell"')
+refuse(touch, "Tool", "Spoon", "Spoon", '"Point shell" or "Burr"')
 refuse(touch, "Method", "Force field", "SetMethodToProxy()")
 touch.Tool = "None"
 assert "Depth" not in rig.arrays_of(touch)
