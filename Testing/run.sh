@@ -274,7 +274,8 @@ if [ $full = yes ]; then
     -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
     status=$?
 else
-  run_tests "$build_dir-thread" "$((2 * jobs))" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
+  # No more than there are processors: a loop that is made to wait for long repeats what it tests.
+  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' || status=$?
 fi
 unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
 

@@ -61,11 +61,22 @@ bool CarvedBricks::HasBricks(const std::int64_t* low, const std::int64_t* high) 
   return false;
 }
 
+bool CarvedBricks::IsWhole(std::uint32_t brick) const noexcept
+{
+  auto* const begin = this->Shares.get() + RowAt(brick, 0);
+  return std::all_of(begin, begin + Rows,
+    [](const auto& row) { return row.load(std::memory_order_relaxed) == WholeRow; });
+}
+
 bool CarvedBricks::IsWhole() const noexcept
 {
-  auto* const begin = this->Shares.get();
-  return std::all_of(begin, begin + std::size_t{ this->GetCount() } * Rows,
-    [](const auto& row) { return row.load(std::memory_order_relaxed) == WholeRow; });
+  const std::uint32_t count = this->GetCount();
+  std::uint32_t brick = 0;
+  while (brick < count && this->IsWhole(brick))
+  {
+    ++brick;
+  }
+  return brick == count;
 }
 
 std::uint32_t CarvedBricks::FindOrAdd(std::uint64_t key) noexcept
@@ -94,16 +105,20 @@ std::uint32_t CarvedBricks::FindOrAdd(std::uint64_t key) noexcept
   return brick;
 }
 
-int CarvedBricks::AddFollower() noexcept
+int CarvedBricks::AddFollower(int keptFree) noexcept
 {
   std::uint32_t all = this->Followers.load(std::memory_order_relaxed);
   int follower = 0;
   do
   {
-    for (follower = 0; (all >> follower & 1) != 0; ++follower)
+    int free = 0;
+    for (int i = MostFollowers - 1; i >= 0; --i)
     {
+      const bool isFree = (all >> i & 1) == 0;
+      follower = isFree ? i : follower;
+      free += isFree ? 1 : 0;
     }
-    if (follower == MostFollowers)
+    if (free <= keptFree)
     {
       return -1;
     }

@@ -70,6 +70,13 @@ public:
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
   /** Whether all tissue remains; looks at all bricks if it does. */
   bool IsWhole() const noexcept;
+  /** The same of one brick. */
+  bool IsWhole(std::uint32_t brick) const noexcept;
+  /** Grows with each change of a brick. */
+  std::uint64_t GetChanges() const noexcept
+  {
+    return this->Changes.load(std::memory_order_acquire);
+  }
   /** The number of a brick, 0 to GetCount() - 1; None if all of its tissue remains. */
   std::uint32_t Find(std::uint64_t key) const noexcept
   {
@@ -105,15 +112,17 @@ public:
   {
     this->Changed[brick / BricksOfWord].fetch_or(
       AllFollowers << MostFollowers * (brick % BricksOfWord), std::memory_order_release);
+    this->Changes.store(
+      this->Changes.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
   ///@}
 
   ///@{
   /**
-   * From any thread: the number of a new follower, to which all bricks are changed; -1 if there are
-   * as many as there can be.
+   * From any thread: the number of a new follower, to which all bricks are changed; -1 if then less
+   * than keptFree could come after it.
    */
-  int AddFollower() noexcept;
+  int AddFollower(int keptFree = 0) noexcept;
   void RemoveFollower(int follower) noexcept
   {
     this->Followers.fetch_and(~(1U << follower), std::memory_order_release);
@@ -172,6 +181,7 @@ private:
   std::unique_ptr<std::atomic<std::uint64_t>[]> Shares;
   /** For each brick, a bit for each follower, whether there is such a one or not. */
   std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;
+  std::atomic<std::uint64_t> Changes{ 0 };
   std::atomic<std::uint32_t> Followers{ 0 }; ///< a bit for each that there is
   std::atomic<std::uint32_t> Count{ 0 };
 };

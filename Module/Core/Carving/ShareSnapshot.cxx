@@ -18,12 +18,6 @@ void CopyBrick(const CarvedBricks& bricks, std::uint32_t brick, BrickShares& to)
   }
 }
 
-bool IsWholeBrick(const BrickShares& brick) noexcept
-{
-  return std::all_of(brick.Rows.begin(), brick.Rows.end(),
-    [](std::uint64_t row) { return row == CarvedBricks::WholeRow; });
-}
-
 } // namespace
 
 std::vector<BrickShares> CopyBricks(const CarvedBricks& bricks)
@@ -32,11 +26,10 @@ std::vector<BrickShares> CopyBricks(const CarvedBricks& bricks)
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)
   {
-    all.emplace_back();
-    CopyBrick(bricks, brick, all.back());
-    if (IsWholeBrick(all.back()))
+    if (!bricks.IsWhole(brick))
     {
-      all.pop_back();
+      all.emplace_back();
+      CopyBrick(bricks, brick, all.back());
     }
   }
   return all;

@@ -55,9 +55,9 @@ public:
   bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
 
   ///@{
-  /** Called by the thread that ticks, at the beginning of a tick. */
   /**
-   * Carries out a piece of a request; false if there was none. Tissue may have come back then.
+   * Called by the thread that ticks, at the beginning of a tick: carries out a piece of a request;
+   * false if there was none. Tissue may have come back then.
    * @param begun if not null, the request of which this was the first piece, or None
    */
   bool Serve(RemovalRequest* begun = nullptr) noexcept;

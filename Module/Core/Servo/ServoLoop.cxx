@@ -243,8 +243,10 @@ void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 bool ServoLoop::IsSpinning(std::uint32_t buttons) const noexcept
 {
   const HapticModel* const model = this->Current->Model.get();
-  const bool isArmed = this->Gate.GetState() != GateState::Disarmed;
-  if (!model || !isArmed || !model->Baked->HasTool(ToolKind::Burr))
+  const GateState gate = this->Gate.GetState();
+  const bool isFelt =
+    gate == GateState::Ramping || gate == GateState::Armed || gate == GateState::Fading;
+  if (!model || !isFelt || !model->Baked->HasTool(ToolKind::Burr))
   {
     return false;
   }

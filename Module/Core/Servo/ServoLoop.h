@@ -218,7 +218,10 @@ public:
   void ForgetTurn() noexcept { this->Hand.Forget(); }
   ///@}
 
-  /** A burr spins while the loop is armed, whether its button is pressed or not. */
+  /**
+   * A burr spins, whether its button is pressed or not, as long as force flows: not while the loop
+   * is disarmed, held or confirming, and not after a fault.
+   */
   void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
 
   void SetLimits(const SafetyLimits& limits) noexcept { this->Limits.Write(limits); }

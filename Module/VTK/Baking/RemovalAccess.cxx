@@ -69,11 +69,14 @@ RemovalData& RemovalData::Of(vtkHapticRemoval* removal)
   return *removal->Data;
 }
 
-void RemovalData::ServeAll() const
+bool RemovalData::ServeAll() const
 {
+  bool hasServed = false;
   while (this->Tissue && this->Tissue->Serve())
   {
+    hasServed = true;
   }
+  return hasServed;
 }
 
 void RemovalData::SetFoundAir(vtkHapticRemoval* removal, double value)
@@ -119,7 +122,10 @@ void LetRemovalGo(vtkHapticRemoval* removal, const void* holder)
   if (data.Holder == holder)
   {
     data.Holder = nullptr;
-    data.ServeAll();
+    if (data.ServeAll())
+    {
+      removal->Modified();
+    }
   }
 }
 

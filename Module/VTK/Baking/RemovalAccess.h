@@ -34,8 +34,8 @@ struct RemovalData
   bool HasAir = false;           ///< the AirValue is that of the volume, or of a file
   const void* Holder = nullptr;  ///< whose servo ticks with it; null: none
 
-  /** Carries all requests out, while nobody holds it. */
-  void ServeAll() const;
+  /** Carries all requests out, while nobody holds it; false if there are none. */
+  bool ServeAll() const;
   /** Sets the AirValue that was found, which does not count as a change of the object. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /** New tissue with these shares, for a volume of that geometry. False if they are too many. */

@@ -102,6 +102,13 @@ bool CarvedCopy::Update()
   {
     return this->Replace();
   }
+  // The mapper no longer asks for it.
+  this->Before->Update(this->BeforePort);
+  if (this->Before->GetOutputDataObject(this->BeforePort) != this->Image)
+  {
+    this->Mapper->SetInputConnection(this->Port, this->GetReplaced());
+    return this->Replace();
+  }
   if (this->Image->GetMTime() != this->ImageTime)
   {
     this->CopyImage();

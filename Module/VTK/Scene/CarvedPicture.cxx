@@ -91,7 +91,11 @@ bool CarvedPicture::Update()
     const bool isDue = this->Texture->TakeFrameDue();
     return isNew || isDue;
   }
-  this->Texture = nullptr;
+  if (this->Texture)
+  {
+    this->Texture->Restore();
+    this->Texture = nullptr;
+  }
   this->Copy = std::make_unique<CarvedCopy>(mapper, this->Carved, this->Bricks);
   return this->Copy->Update();
 }

@@ -23,7 +23,7 @@ class FollowedBricks
 public:
   explicit FollowedBricks(std::shared_ptr<TissueRemoval> removal)
     : Removal(std::move(removal))
-    , Follower(Removal->Bricks.AddFollower())
+    , Follower(Removal->Bricks.AddFollower(KeptFree))
     , Waits(Removal->Bricks.GetMost(), false)
   {
   }
@@ -38,15 +38,15 @@ public:
   FollowedBricks& operator=(const FollowedBricks&) = delete;
 
   /**
-   * Looks for changes; whether there are any. With more followers than the bricks can have, each
-   * brick counts as changed.
+   * Looks for changes; whether there are any. With more followers than the bricks can have, all
+   * bricks count as changed if one is.
    */
   bool Follow()
   {
     CarvedBricks& bricks = this->Removal->Bricks;
     if (this->Follower < 0)
     {
-      this->Follower = bricks.AddFollower();
+      this->Follower = bricks.AddFollower(KeptFree);
     }
     bool isAny = false;
     const auto note = [this, &isAny](std::uint32_t brick)
@@ -63,7 +63,9 @@ public:
       bricks.TakeChanged(this->Follower, note);
       return isAny;
     }
-    const std::uint32_t count = bricks.GetCount();
+    const std::uint64_t changes = bricks.GetChanges();
+    const std::uint32_t count = changes == this->Changes ? 0 : bricks.GetCount();
+    this->Changes = changes;
     for (std::uint32_t brick = 0; brick < count; ++brick)
     {
       note(brick);
@@ -94,8 +96,12 @@ public:
   }
 
 private:
+  /** Followers that the bricks can still have: a recording needs one. */
+  static constexpr int KeptFree = 1;
+
   std::shared_ptr<TissueRemoval> Removal;
   int Follower;
+  std::uint64_t Changes = 0; ///< when it last looked without being a follower
   std::vector<bool> Waits;
   std::vector<std::uint32_t> Waiting;
 };

@@ -238,6 +238,7 @@ void DeviceOrders::EndPreparing()
 
 void DeviceOrders::Follow()
 {
+  this->Models.LetUnusedRemovalsGo();
   if (this->Models.IsAwaited() && this->Session.IsRunning())
   {
     this->Publish();

@@ -141,6 +141,25 @@ void ModelSource::LetRemovalsGo()
   this->Held.clear();
 }
 
+void ModelSource::LetUnusedRemovalsGo()
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (this->Held.empty() || !ticks || !ticks->IsLatestUsed())
+  {
+    return;
+  }
+  const HapticModel* const model = ticks->GetLatestModel();
+  const auto unused = std::partition(this->Held.begin(), this->Held.end(),
+    [model](vtkHapticRemoval* removal)
+    { return model && model->Baked->Removal == GetTissueRemoval(removal); });
+  const std::vector<vtkSmartPointer<vtkHapticRemoval>> released(unused, this->Held.end());
+  this->Held.erase(unused, this->Held.end());
+  for (vtkHapticRemoval* const removal : released)
+  {
+    LetRemovalGo(removal, this);
+  }
+}
+
 const char* ModelSource::Prepare(double rate)
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;

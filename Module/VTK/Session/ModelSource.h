@@ -91,8 +91,11 @@ public:
   double GetFrameTime() const { return this->Playback.GetShown(this->Filter).Time; }
   ///@}
 
-  /** Lets go of all that Make() held: when the servo has ended. */
+  ///@{
+  /** Lets go of what Make() held: of all when the servo has ended, or of what it no longer uses. */
   void LetRemovalsGo();
+  void LetUnusedRemovalsGo();
+  ///@}
 
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;

@@ -36,18 +36,33 @@ void TickCollector::Drain()
   }
 }
 
-void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
+bool TickCollector::AwaitsOther(const TissueRemoval* removal)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
-  const bool isOther = this->Recording && this->Recording->IsAwaited() && removal &&
+  return this->Recording && this->Recording->IsAwaited() && removal &&
     removal != this->GetLatestRemoval();
-  if (isOther)
+}
+
+void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
+{
+  TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
+  if (this->AwaitsOther(removal))
   {
+    // The tick with which it begins may still come, with the removal that it has now.
     this->Loop.KeepNothing();
     this->AwaitTick();
+    this->Drain();
+  }
+  const bool isOther = this->AwaitsOther(removal);
+  if (isOther)
+  {
+    if (TissueRemoval* const before = this->GetLatestRemoval())
+    {
+      (void)before->EndSnapshot();
+    }
     removal->BeginSnapshot();
   }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   const std::uint64_t generation = this->Loop.Publish(model);
   const PublishedTouch touch{ std::move(model), this->Loop.GetTool() };
   if (this->Recording)

@@ -40,6 +40,11 @@ public:
   {
     return this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
   }
+  /** Whether the loop uses that model. */
+  bool IsLatestUsed() const
+  {
+    return !this->Models.empty() && this->Loop.GetAcknowledged() >= this->Models.rbegin()->first;
+  }
   /** The model of a generation that the owner may still find in a state; null before the first. */
   const HapticModel* FindModel(std::uint64_t generation);
 
@@ -74,6 +79,8 @@ public:
   void Drain();
 
 private:
+  /** Whether a recording waits for its first tick, with another removal than that. */
+  bool AwaitsOther(const TissueRemoval* removal);
   /** Of the model that was last published; null if nothing is removed. */
   TissueRemoval* GetLatestRemoval() const;
   /** Waits for the end of the tick that runs now, up to 0.1 s. */

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #if defined(__linux__)
@@ -32,28 +33,25 @@ void LowerPriority() noexcept
 class BackgroundWork::Leavings
 {
 public:
-  /** Of the calling thread. */
-  static Leavings& OfThread()
+  /** Of the calling thread; null at its end, when static objects may still end their work. */
+  static Leavings* OfThread()
   {
     thread_local Leavings leavings;
-    return leavings;
+    return IsGone ? nullptr : &leavings;
   }
 
   /** The end of a thread is the only place that waits for what it has begun. */
   ~Leavings()
   {
-    for (std::unique_ptr<Run>& run : this->Runs)
+    // What a task holds may end other work when it is released.
+    while (!this->Runs.empty())
     {
-      if (!run->IsOurs())
+      for (std::unique_ptr<Run>& run : std::exchange(this->Runs, {}))
       {
-        (void)run.release(); // its thread belongs to the parent
-        continue;
-      }
-      if (run->Thread.joinable())
-      {
-        run->Thread.join();
+        WaitFor(std::move(run));
       }
     }
+    IsGone = true;
     for (Spent& spent : this->Threads)
     {
       if (spent.Process == ServoClock::GetProcess())
@@ -64,6 +62,19 @@ public:
       {
         spent.Thread.detach(); // there is none here
       }
+    }
+  }
+
+  /** Waits for the end of a run, and releases what it holds. */
+  static void WaitFor(std::unique_ptr<Run> run)
+  {
+    if (!run->IsOurs())
+    {
+      (void)run.release(); // its thread belongs to the parent
+    }
+    else if (run->Thread.joinable())
+    {
+      run->Thread.join();
     }
   }
 
@@ -114,7 +125,10 @@ private:
   };
   std::vector<std::unique_ptr<Run>> Runs;
   std::vector<Spent> Threads;
+  static thread_local bool IsGone; // without a destructor: it can be read until the thread ends
 };
+
+thread_local bool BackgroundWork::Leavings::IsGone = false;
 
 void BackgroundWork::Run::Do() noexcept
 {
@@ -140,10 +154,13 @@ void BackgroundWork::Begin(Task task)
   this->End();
   auto run = std::make_unique<Run>();
   run->Work = std::move(task);
-  run->Before = std::move(this->Last);
+  // Nothing in a forked process ends what its parent has begun.
+  run->Before = this->LastProcess == ServoClock::GetProcess() ? std::move(this->Last) : nullptr;
   this->Current = std::move(run);
   Run* const current = this->Current.get();
-  auto spent = std::make_shared<std::vector<std::thread>>(Leavings::OfThread().TakeThreads());
+  Leavings* const leavings = Leavings::OfThread();
+  auto spent = std::make_shared<std::vector<std::thread>>(
+    leavings ? leavings->TakeThreads() : std::vector<std::thread>());
   try
   {
     current->Thread = std::thread(
@@ -180,8 +197,16 @@ void BackgroundWork::End() noexcept
   {
     this->Current->Monitor.Cancel();
     this->Last = this->Current->HasReturned;
-    Leavings::OfThread().Take(std::move(this->Current));
-    Leavings::OfThread().Release();
+    this->LastProcess = this->Current->Process;
+    if (Leavings* const leavings = Leavings::OfThread())
+    {
+      leavings->Take(std::move(this->Current));
+      leavings->Release();
+    }
+    else
+    {
+      Leavings::WaitFor(std::move(this->Current));
+    }
   }
 }
 
@@ -195,7 +220,10 @@ void BackgroundWork::Cancel() noexcept
 
 bool BackgroundWork::HasReturned() const
 {
-  Leavings::OfThread().Release();
+  if (Leavings* const leavings = Leavings::OfThread())
+  {
+    leavings->Release();
+  }
   return this->Current && this->IsOurs() && this->Current->IsOver();
 }
 

@@ -120,6 +120,7 @@ private:
 
   std::unique_ptr<Run> Current;
   std::shared_ptr<const Flag> Last; ///< of the run that was ended last; or null
+  std::int64_t LastProcess = 0;     ///< that has begun it
 };
 
 /**
@@ -171,9 +172,7 @@ public:
     this->Made.reset();
   }
 
-  /**
-   * The same, but IsUnderWay() tells when the work's piece has ended.
-   */
+  /** As Forget(), but keeps the work until it has returned, so that IsUnderWay() can tell. */
   void Abandon()
   {
     if (!this->IsUnderWay())

@@ -153,13 +153,16 @@ TEST(CarvedBricks, TellEachFollowerByItself)
   const std::set<std::uint32_t> both{ 0, 1 };
   EXPECT_EQ(take(second), both) << "that were changed before it came";
   EXPECT_EQ(take(first), both);
+  const std::uint64_t changes = bricks.GetChanges();
   change(8);
+  EXPECT_NE(bricks.GetChanges(), changes);
   EXPECT_EQ(take(first), std::set<std::uint32_t>{ 1 });
   EXPECT_TRUE(take(first).empty());
   EXPECT_EQ(take(second), std::set<std::uint32_t>{ 1 });
   bricks.RemoveFollower(first);
   for (int i = 1; i < CarvedBricks::MostFollowers; ++i)
   {
+    EXPECT_EQ(bricks.AddFollower(CarvedBricks::MostFollowers - i), -1) << "they are kept free";
     EXPECT_GE(bricks.AddFollower(), 0);
   }
   EXPECT_EQ(bricks.AddFollower(), -1);

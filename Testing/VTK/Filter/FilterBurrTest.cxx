@@ -105,10 +105,10 @@ TEST_F(FilterBurr, DenseTissueIsRemovedMoreSlowly)
 /// B2: the point without a tool feels a hole of the burr's radius, along its sides.
 TEST_F(FilterBurr, ItsHoleIsFeltWithThePoint)
 {
-  SetConstant(this->Burr->GetSpecificEnergy(), 0.2);
-  const std::vector<Point> plunge = Plunge(5.5, 16000);
+  SetConstant(this->Burr->GetSpecificEnergy(), 0.05);
+  const std::vector<Point> plunge = Plunge(5.5, 5000);
   vtkPolyData* const trace = this->Follow(plunge);
-  EXPECT_GT(trace->GetPoint(15999)[2] + 3.0 - Surface, 4.8) << "the depth of the hole";
+  EXPECT_GT(trace->GetPoint(4999)[2] + 3.0 - Surface, 4.8) << "the depth of the hole";
   ASSERT_TRUE(this->Filter->GetRemoval()->IsEmpty()) << "paths leave the hand's volume alone";
   ASSERT_TRUE(this->Filter->GetRemoval()->ReadTrace(trace));
   EXPECT_FALSE(this->Filter->GetRemoval()->IsEmpty());

@@ -246,6 +246,23 @@ TEST_F(BurrRecording, WithoutAServoRequestsAreCarriedOutAtOnce)
   EXPECT_EQ(this->GetShares(), shares);
 }
 
+/// Requests to what another filter's burr has removed are carried out once the hand has left it.
+TEST_F(BurrRecording, ARemovalThatIsNoLongerFeltIsFree)
+{
+  this->Begin();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.3));
+  ASSERT_TRUE(this->EndStroke());
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->SetInputData(this->Image);
+  this->Device->SetVolumeHaptics(other);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_TRUE(this->GetRemoval()->Undo());
+  EXPECT_EQ(this->GetRemoval()->GetNumberOfRequests(), 0);
+  EXPECT_TRUE(this->GetRemoval()->IsEmpty());
+}
+
 TEST_F(BurrRecording, AnotherDeviceNeedsAnotherRemoval)
 {
   this->Begin();
@@ -297,6 +314,11 @@ TEST_F(BurrRecording, SpinsWhileItsButtonIsPressed)
   ASSERT_TRUE(this->WaitTicks(5));
   EXPECT_FALSE(this->Device->IsSpinning()) << "that is another one";
   this->Device->SetVirtualButtons(3);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsSpinning(); }));
+  // Nor while the force is held back, whatever the button says.
+  this->Device->BeginLongWork("the test thinks", 10.0);
+  ASSERT_TRUE(this->Wait([this] { return !this->Device->IsSpinning(); }));
+  this->Device->EndLongWork();
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsSpinning(); }));
   this->Device->SetVirtualButtons(0);
   ASSERT_TRUE(this->Wait([this] { return !this->Device->IsSpinning(); }));

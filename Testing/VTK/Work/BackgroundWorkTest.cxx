@@ -259,6 +259,54 @@ TEST(BackgroundWork, EndsWithTheThreadThatBeganIt)
   EXPECT_EQ(gate.Left, 1);
 }
 
+namespace
+{
+/// As a static object of a program: it ends after all that the work has kept for its thread.
+struct LateOwner
+{
+  ~LateOwner()
+  {
+    this->HeldWork.reset();
+    if (this->Left)
+    {
+      this->AreEnded = *this->Left == 1;
+    }
+  }
+  std::unique_ptr<Work> HeldWork;
+  std::atomic<int>* Left = nullptr;
+  static std::atomic<bool> AreEnded;
+};
+std::atomic<bool> LateOwner::AreEnded{ false };
+} // namespace
+
+TEST(BackgroundWork, EndsWithAnOwnerThatOutlivesItsThread)
+{
+  std::atomic<int> left{ 0 };
+  std::atomic<bool> isEntered{ false };
+  std::thread(
+    [&]
+    {
+      thread_local LateOwner owner; // constructed first, so that it ends last
+      owner.Left = &left;
+      owner.HeldWork = std::make_unique<Work>();
+      owner.HeldWork->Follow(1,
+        [&](WorkMonitor& monitor) -> std::optional<std::string>
+        {
+          isEntered = true;
+          while (monitor.GoesOn(0.0))
+          {
+            std::this_thread::yield();
+          }
+          ++left;
+          return std::nullopt;
+        });
+      EXPECT_TRUE(Eventually([&] { return isEntered.load(); }));
+    })
+    .join();
+  EXPECT_TRUE(LateOwner::AreEnded);
+  EXPECT_EQ(left, 1);
+}
+
 TEST(BackgroundWork, TellsItsProgress)
 {
   Gate gate;
@@ -309,6 +357,41 @@ TEST(BackgroundWork, OfAParentIsNotWaitedForInAForkedChild)
   }
   int status = 0;
   waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+/// Work that the parent has ended, and whose piece has not, is not waited for in the child either.
+TEST(BackgroundWork, OfAParentThatHasEndedItDoesNotHoldBackThatOfAChild)
+{
+  Gate gate;
+  Work work;
+  // Shared, as the task outlives this test.
+  const auto mayLeave = std::make_shared<std::atomic<bool>>(false);
+  const auto isEntered = std::make_shared<std::atomic<bool>>(false);
+  work.Follow(1,
+    [mayLeave, isEntered](WorkMonitor&) -> std::optional<std::string>
+    {
+      *isEntered = true;
+      while (!*mayLeave)
+      {
+        std::this_thread::yield();
+      }
+      return std::nullopt;
+    });
+  ASSERT_TRUE(Eventually([&] { return isEntered->load(); }));
+  work.Forget();
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    alarm(30);
+    gate.IsOpen = true;
+    work.Follow(2, gate.Make("two"));
+    const bool isDone = work.WaitFor(20.0) && work.Follow(2, gate.Make("two"));
+    _exit(isDone ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  *mayLeave = true;
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 #endif
