@@ -4,14 +4,13 @@
 
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Files/XmlFiles.h"
 #include "VTK/Labels/CsvLabels.h"
 #include "VTK/Labels/LabelEntry.h"
 #include "VTK/Labels/LabelFieldData.h"
 #include "VTK/Labels/LabelFiles.h"
 #include "VTK/Labels/LabelText.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -127,20 +126,12 @@ constexpr double NotSet = -1.0;
 bool ReadFieldDataOf(const std::string& file, vtkFieldData* data, std::string& error)
 {
   vtkNew<vtkXMLImageDataReader> reader;
-  // Its messages go to the caller's error instead of the console.
-  vtkNew<vtkCallbackCommand> quiet;
-  quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetReaderErrorObserver(quiet);
-  reader->SetParserErrorObserver(quiet);
-  reader->SetFileName(file.c_str());
   if (!reader->CanReadFile(file.c_str()))
   {
     error = "it is no VTK image (.vti), or not all of one. Save an image with the table.";
     return false;
   }
-  reader->Update();
+  ReadXmlFile(reader, file);
   if (reader->GetErrorCode() != 0)
   {
     error = "it is damaged. Check that the file is complete.";

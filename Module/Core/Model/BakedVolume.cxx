@@ -152,10 +152,13 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
 {
 }
 
-BakedVolume::BakedVolume(
-  const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series)
+BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal,
+  double airValue, const VolumeFrame& shown, const std::vector<VolumeFrame>& frames,
+  const FrameSeries& series)
   : Kernel(other.Kernel)
-  , Field(frames.front().View, this->Kernel)
+  , Removal(std::move(removal))
+  , Field(shown.View, this->Kernel,
+      CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, airValue })
   , Series(series)
   , Frames(MakeFrames(frames, this->Series, other.IndexToWorld.Linear, this->Kernel))
   , Materials(other.Materials)
@@ -164,8 +167,8 @@ BakedVolume::BakedVolume(
   , LargestSpacing(other.LargestSpacing)
   , Settings(other.Settings)
   , ResidentShare(other.ResidentShare)
-  , Samples(frames.front().Samples)
-  , Mesh(other.Mesh ? frames.front().Mesh : nullptr)
+  , Samples(shown.Samples)
+  , Mesh(other.Mesh ? shown.Mesh : nullptr)
   , Labels(other.Labels)
   , Walls(other.Walls)
   , Cut(other.Cut)
@@ -177,27 +180,16 @@ BakedVolume::BakedVolume(
 }
 
 BakedVolume::BakedVolume(
+  const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series)
+  : BakedVolume(other, nullptr, 0.0, frames.front(), frames, series)
+{
+}
+
+BakedVolume::BakedVolume(
   const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue)
-  : Kernel(other.Kernel)
-  , Removal(std::move(removal))
-  , Field(other.Field.GetView(), this->Kernel, CarvedView{ &this->Removal->Bricks, airValue })
-  , Series(other.Series)
-  , Frames(other.Frames)
-  , Materials(other.Materials)
-  , Distinctness(other.Distinctness)
-  , IndexToWorld(other.IndexToWorld)
-  , LargestSpacing(other.LargestSpacing)
-  , Settings(other.Settings)
-  , ResidentShare(other.ResidentShare)
-  , Samples(other.Samples)
-  , Mesh(other.Mesh)
-  , Labels(other.Labels)
-  , Walls(other.Walls)
-  , Cut(other.Cut)
-  , HasOtherSurfaces(other.HasOtherSurfaces)
-  , Modes(other.Modes)
-  , Tool(other.Tool)
-  , Number(other.Number)
+  : BakedVolume(other, std::move(removal), airValue,
+      VolumeFrame{ 0.0, other.Field.GetView(), other.Samples, {}, {}, other.Mesh }, {},
+      other.Series)
 {
 }
 

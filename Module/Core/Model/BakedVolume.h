@@ -149,6 +149,13 @@ struct BakedVolume
   const std::uint64_t Number;
 
 private:
+  /**
+   * With another removal and other frames; `shown` is the first one, or the volume if it does not
+   * move.
+   */
+  BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
+    const VolumeFrame& shown, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
+
   FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
   /** Of the frame after this one, at a data time. */
   double FindShare(std::size_t frame, double time) const noexcept;

@@ -281,7 +281,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const Vector3 before = s.Record.Force;
-  // What is felt after it is that of another volume.
+  // After a request was carried out, the hand feels another volume.
   this->IsModelNew = this->IsModelNew || s.Record.IsServed;
   if (const HapticModel* const model = this->Current->Model.get())
   {

@@ -134,7 +134,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   }
   if (model.Baked->Removal)
   {
-    // Tissue may be removed until somebody asks for it.
+    // Read now: a later tick may remove tissue here.
     record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;

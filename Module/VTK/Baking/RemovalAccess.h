@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is behind a vtkHapticRemoval, for models and for the thread that ticks with them.
+ * The data of a vtkHapticRemoval, which models and the servo use.
  */
 #ifndef RemovalAccess_h
 #define RemovalAccess_h
@@ -34,7 +34,10 @@ struct RemovalData
   bool HasAir = false;           ///< the AirValue is that of the volume, or of a file
   const void* Holder = nullptr;  ///< whose servo ticks with it; null: none
 
-  /** Carries all requests out, while nobody holds it; false if there are none. */
+  /**
+   * Carries out the requests that wait, if no servo holds the removal. Returns whether there were
+   * any.
+   */
   bool ServeAll() const;
   /** Sets the AirValue that was found, which does not count as a change of the object. */
   static void SetFoundAir(vtkHapticRemoval* removal, double value);

@@ -3,13 +3,11 @@
 #include "VTK/Baking/RemovalFile.h"
 
 #include "Core/Carving/ShareImage.h"
-#include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Files/XmlFiles.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -87,24 +85,12 @@ bool ReadImage(const std::string& file, vtkImageData* image, std::string& error)
     return false;
   }
   vtkNew<vtkXMLImageDataReader> reader;
-  bool hasFailed = false;
-  // One error that tells the cure replaces those of the reader.
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&hasFailed);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
-  reader->SetReaderErrorObserver(observer);
-  reader->SetParserErrorObserver(observer);
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  reader->SetFileName(file.c_str());
   if (!reader->CanReadFile(file.c_str()))
   {
     error = "is no VTK image (.vti), or not all of one." + std::string(WriteCure);
     return false;
   }
-  reader->Update();
-  if (hasFailed || reader->GetErrorCode() != 0)
+  if (!ReadXmlFile(reader, file) || reader->GetErrorCode() != 0)
   {
     error = "is damaged." + std::string(WriteCure);
     return false;
@@ -142,11 +128,6 @@ void MakeShareImage(
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
   const std::string& file, std::string& error)
 {
-  FileReplacement replacement;
-  if (!replacement.Open(file, error))
-  {
-    return false;
-  }
   const int* const volume = geometry->GetExtent();
   vtkNew<vtkImageData> image;
   MakeShareImage(&bricks, geometry, FindUsedExtent(CopyBricks(bricks), volume).data(), image);
@@ -160,12 +141,7 @@ bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData*
   air->InsertNextValue(airValue);
   image->GetFieldData()->AddArray(air);
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(image);
-  writer->SetDataModeToBinary(); // newer expats can't read appended data
-  writer->Write();
-  replacement.Write(writer->GetOutputString());
-  return replacement.Commit(error);
+  return WriteXmlFile(writer, image, file, error);
 }
 
 bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error)

@@ -30,7 +30,7 @@ void MakeShareImage(
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
   const std::string& file, std::string& error);
 
-/** What a file has. */
+/** The contents of a file of removed tissue. */
 struct RemovalContent
 {
   vtkNew<vtkImageData> Geometry; ///< of the volume

@@ -3,6 +3,7 @@
 #include "VTK/Trace/TraceWriter.h"
 
 #include "VTK/Files/FileReplacement.h"
+#include "VTK/Files/XmlFiles.h"
 #include "VTK/Trace/TraceTable.h"
 
 #include "vtkDataArray.h"
@@ -20,18 +21,8 @@ namespace VolumeHaptics
 
 bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string& error)
 {
-  FileReplacement replacement;
-  if (!replacement.Open(file, error))
-  {
-    return false;
-  }
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(trace);
-  writer->SetDataModeToBinary(); // newer expats can't read appended data
-  writer->Write();
-  replacement.Write(writer->GetOutputString());
-  return replacement.Commit(error);
+  return WriteXmlFile(writer, trace, file, error);
 }
 
 bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error)

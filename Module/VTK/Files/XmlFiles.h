@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads and writes VTK's XML files without the messages of VTK's readers and writers.
+ */
+#ifndef XmlFiles_h
+#define XmlFiles_h
+
+#include <string>
+
+class vtkDataObject;
+class vtkXMLReader;
+class vtkXMLWriter;
+
+namespace VolumeHaptics
+{
+
+/** Returns false after an error; the output of the reader is then what could be read. */
+bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
+/** Writes all of the file, or nothing. Returns false, with the reason and the cure. */
+bool WriteXmlFile(
+  vtkXMLWriter* writer, vtkDataObject* data, const std::string& file, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif
