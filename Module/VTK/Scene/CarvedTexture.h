@@ -25,6 +25,7 @@
 #include "vtkWeakPointer.h"
 
 #include <utility>
+#include <vector>
 
 class vtkCallbackCommand;
 class vtkVolumeTexture;
@@ -43,7 +44,6 @@ public:
   CarvedTexture(const CarvedTexture&) = delete;
   CarvedTexture& operator=(const CarvedTexture&) = delete;
 
-  vtkOpenGLGPUVolumeRayCastMapper* GetMapper() const { return this->Mapper; }
   /** Whether the last rendering did not show everything, so that there has to be another one. */
   bool TakeFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**
