@@ -10,6 +10,7 @@
 #ifndef FieldKernels_h
 #define FieldKernels_h
 
+#include "Core/Field/BlendedSum.h"
 #include "Core/Field/LinearKernels.h"
 #include "Core/Field/SeparableSum.h"
 #include "Core/Field/SplineWeights.h"
@@ -20,7 +21,7 @@ namespace
 {
 
 template <typename T>
-double SplineValue(const FieldView& view, double x, double y, double z) noexcept
+VOLUME_HAPTICS_INLINE double Spline(const FieldView& view, double x, double y, double z)
 {
   Footprint<4> foot;
   LocateSpline<false>(view, x, y, z, foot);
@@ -28,14 +29,25 @@ double SplineValue(const FieldView& view, double x, double y, double z) noexcept
 }
 
 template <typename T>
-ValuePair SplinePair(
-  const FieldView& view, double x, double y, double z, double dx, double dy, double dz) noexcept
+VOLUME_HAPTICS_INLINE double Spline(const FrameBlend& blend, double x, double y, double z)
 {
-  Footprint<4> feet[2];
-  LocateSpline<false>(view, x + dx, y + dy, z + dz, feet[0]);
-  LocateSpline<false>(view, x - dx, y - dy, z - dz, feet[1]);
-  return { Separable<T, 4, false>(view.Volume, feet[0], nullptr),
-    Separable<T, 4, false>(view.Volume, feet[1], nullptr) };
+  Footprint<4> foot;
+  LocateSpline<false>(blend.First, x, y, z, foot);
+  return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
+}
+
+/** Of a field, or of a blend of two. */
+template <typename T, typename Source>
+double SplineValue(const Source& from, double x, double y, double z) noexcept
+{
+  return Spline<T>(from, x, y, z);
+}
+
+template <typename T, typename Source>
+ValuePair SplinePair(
+  const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept
+{
+  return { Spline<T>(from, x + dx, y + dy, z + dz), Spline<T>(from, x - dx, y - dy, z - dz) };
 }
 
 template <typename T, int N>
@@ -55,12 +67,12 @@ FieldSample SplineGradient(const FieldView& view, double x, double y, double z) 
 }
 
 template <typename T>
-FramePair<FieldSample> SplineGradients(
-  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept
+FieldSample BlendedSpline(
+  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
 {
   Footprint<4> foot;
-  LocateSpline<true>(first, x, y, z, foot);
-  return { SumGradient<T, 4>(first, foot), SumGradient<T, 4>(second, foot) };
+  LocateSpline<true>(blend.First, x, y, z, foot);
+  return SumBlendedGradient<T, 4>(blend, foot, memories);
 }
 
 /** The gradient from the taps of a memory, which are read anew if they are of another place. */
@@ -69,19 +81,9 @@ VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<
   FillFunction fill, TapMemory& memory, FieldSample& sample)
 {
   static_assert(N <= TapMemory::MostTaps, "the memory has no room for more taps");
-  if (memory.Field != view.Number || memory.First[0] != foot.First[0] ||
-    memory.First[1] != foot.First[1] || memory.First[2] != foot.First[2])
+  if (!KeepTaps(view, foot.First, fill, memory))
   {
-    memory.Field = 0;
-    if (!fill(view.Volume, foot.First, memory))
-    {
-      return false;
-    }
-    memory.Field = view.Number;
-    for (int a = 0; a < 3; ++a)
-    {
-      memory.First[a] = foot.First[a];
-    }
+    return false;
   }
   sample.Value = SumTaps<N>(memory.Taps, foot, &sample.Gradient);
   return IsNumber(sample.Value);
@@ -93,16 +95,6 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
   Footprint<4> foot;
   LocateSpline<true>(view, x, y, z, foot);
   return SumRemembered<4>(view, foot, fill, memory, sample);
-}
-
-bool RememberedSplines(const FieldView& first, const FieldView& second, double x, double y,
-  double z, FillFunction fill, const FramePair<TapMemory*>& memories,
-  FramePair<FieldSample>& samples) noexcept
-{
-  Footprint<4> foot;
-  LocateSpline<true>(first, x, y, z, foot);
-  return SumRemembered<4>(first, foot, fill, *memories.First, samples.First) &&
-    SumRemembered<4>(second, foot, fill, *memories.Second, samples.Second);
 }
 
 /** First tap and weights of the Gaussian along one axis, from the kernel's table. */
@@ -149,12 +141,12 @@ FieldSample GaussianGradient(const FieldView& view, double x, double y, double z
 }
 
 template <typename T, int N>
-FramePair<FieldSample> GaussianGradients(
-  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept
+FieldSample BlendedGaussian(
+  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
 {
   Footprint<N> foot;
-  LocateGaussian<N>(first, x, y, z, foot);
-  return { SumGradient<T, N>(first, foot), SumGradient<T, N>(second, foot) };
+  LocateGaussian<N>(blend.First, x, y, z, foot);
+  return SumBlendedGradient<T, N>(blend, foot, memories);
 }
 
 template <int N>
@@ -164,17 +156,6 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   Footprint<N> foot;
   LocateGaussian<N>(view, x, y, z, foot);
   return SumRemembered<N>(view, foot, fill, memory, sample);
-}
-
-template <int N>
-bool RememberedGaussians(const FieldView& first, const FieldView& second, double x, double y,
-  double z, FillFunction fill, const FramePair<TapMemory*>& memories,
-  FramePair<FieldSample>& samples) noexcept
-{
-  Footprint<N> foot;
-  LocateGaussian<N>(first, x, y, z, foot);
-  return SumRemembered<N>(first, foot, fill, *memories.First, samples.First) &&
-    SumRemembered<N>(second, foot, fill, *memories.Second, samples.Second);
 }
 
 /** The same for any number of taps, in plain loops. */
@@ -229,17 +210,20 @@ template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 {
   FieldFunctions f;
-  f.Value = TrilinearValue<T>;
-  f.Pair = TrilinearPair<T>;
-  f.Pairs = TrilinearPairs<T>;
+  f.Value = TrilinearValue<T, FieldView>;
+  f.Pair = TrilinearPair<T, FieldView>;
+  f.BlendedValue = TrilinearValue<T, FrameBlend>;
+  f.BlendedPair = TrilinearPair<T, FrameBlend>;
   switch (estimator)
   {
     case GradientEstimator::CentralDifference:
       f.Gradient = CentralDifference<T>;
+      f.BlendedGradient = BlendedDifference<T>;
       return f;
     case GradientEstimator::CubicBSpline:
-      return { SplineValue<T>, SplinePair<T>, SplineGradient<T>, nullptr, SplineGradients<T>,
-        FillTaps<T, 4>, RememberedSpline, RememberedSplines };
+      return { SplineValue<T, FieldView>, SplinePair<T, FieldView>, SplineGradient<T>,
+        SplineValue<T, FrameBlend>, SplinePair<T, FrameBlend>, BlendedSpline<T>, FillTaps<T, 4>,
+        RememberedSpline };
     case GradientEstimator::Gaussian:
       break;
   }
@@ -247,21 +231,19 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
   {
     case 4:
       f.Gradient = GaussianGradient<T, 4>;
-      f.Gradients = GaussianGradients<T, 4>;
+      f.BlendedGradient = BlendedGaussian<T, 4>;
       f.Fill = FillTaps<T, 4>;
       f.Remembered = RememberedGaussian<4>;
-      f.RememberedPair = RememberedGaussians<4>;
       return f;
     case 6:
       f.Gradient = GaussianGradient<T, 6>;
-      f.Gradients = GaussianGradients<T, 6>;
+      f.BlendedGradient = BlendedGaussian<T, 6>;
       f.Fill = FillTaps<T, 6>;
       f.Remembered = RememberedGaussian<6>;
-      f.RememberedPair = RememberedGaussians<6>;
       return f;
     case 8:
       f.Gradient = GaussianGradient<T, 8>;
-      f.Gradients = GaussianGradients<T, 8>;
+      f.BlendedGradient = BlendedGaussian<T, 8>;
       return f;
     default:
       f.Gradient = WideGaussianGradient<T>;

@@ -66,8 +66,7 @@ FieldSampler::FieldSampler(const VolumeView& view, const GradientKernel& kernel,
   , Given(view)
   , Carved(carved)
   , Functions(SelectFunctions(view, kernel, instructions))
-  , HasOwnValues(kernel.Estimator == GradientEstimator::CubicBSpline)
-  , ValueReach(this->HasOwnValues ? 1 : 0)
+  , ValueReach(kernel.Estimator == GradientEstimator::CubicBSpline ? 1 : 0)
 {
   this->View.Volume.Data = WholeData(view);
   this->View.Number = MakeUniqueNumber();

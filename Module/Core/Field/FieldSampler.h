@@ -52,12 +52,20 @@ struct ValuePair
   double Behind;
 };
 
-/** What is read of two frames of a volume that moves, at one place. */
-template <typename T>
-struct FramePair
+/** Two frames, of which the second one has a share from 0 to 1. */
+struct FrameBlend
 {
-  T First;
-  T Second;
+  const FieldView& First;
+  const FieldView& Second;
+  double Share;
+};
+
+/** The memories of a tick, with those of a blend's frames. All are null, or none. */
+struct BlendMemories
+{
+  TapMemory* First = nullptr;
+  TapMemory* Second = nullptr;
+  TickMemory* Tick = nullptr;
 };
 
 // Positions are passed as numbers, which the compiler keeps in registers.
@@ -66,11 +74,12 @@ using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** The same of two frames with the same geometry, type and kernel, which share the weights. */
-using PairsFunction = FramePair<ValuePair> (*)(const FieldView& first, const FieldView& second,
-  double x, double y, double z, double dx, double dy, double dz) noexcept;
-using GradientsFunction = FramePair<FieldSample> (*)(
-  const FieldView& first, const FieldView& second, double x, double y, double z) noexcept;
+/** The same of a blend of two frames with the same geometry, type and kernel. */
+using BlendedValueFunction = double (*)(const FrameBlend&, double x, double y, double z) noexcept;
+using BlendedPairFunction = ValuePair (*)(
+  const FrameBlend&, double x, double y, double z, double dx, double dy, double dz) noexcept;
+using BlendedGradientFunction = FieldSample (*)(
+  const FrameBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 /** Reads all taps from the first one; false if they are not all in the samples. */
 using FillFunction = bool (*)(
@@ -78,10 +87,6 @@ using FillFunction = bool (*)(
 /** The gradient from the memory's taps, read anew if need be; false if it can't be had so. */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
-/** The same of two frames that share the weights. */
-using RememberedPairFunction = bool (*)(const FieldView& first, const FieldView& second, double x,
-  double y, double z, FillFunction, const FramePair<TapMemory*>& memories,
-  FramePair<FieldSample>& samples) noexcept;
 
 /** The kernels for one scalar type and one estimator. */
 struct FieldFunctions
@@ -89,16 +94,14 @@ struct FieldFunctions
   ValueFunction Value = nullptr;
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
-  ///@{
-  /** Null for estimators whose frames have nothing to share. */
-  PairsFunction Pairs = nullptr;
-  GradientsFunction Gradients = nullptr;
-  ///@}
+  BlendedValueFunction BlendedValue = nullptr;
+  BlendedPairFunction BlendedPair = nullptr;
+  /** Null for kernels of many taps. */
+  BlendedGradientFunction BlendedGradient = nullptr;
   ///@{
   /** Null for estimators that gain nothing by a memory. */
   FillFunction Fill = nullptr;
   RememberedFunction Remembered = nullptr;
-  RememberedPairFunction RememberedPair = nullptr;
   ///@}
 };
 
@@ -137,12 +140,6 @@ public:
     return this->Checked(this->Functions.Value(this->View, index.X, index.Y, index.Z));
   }
 
-  /** Whether a gradient tells V where it was read: the value of CubicBSpline is V itself. */
-  bool TellsValue(const FieldSample& sample) const noexcept
-  {
-    return this->HasOwnValues && !this->Carved.HasAny() && std::isfinite(sample.Value);
-  }
-
   /** V at index + offset and at index - offset, which is faster than two calls of Value. */
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
   {
@@ -178,36 +175,51 @@ public:
 
   ///@{
   /**
-   * As Values and Gradient of each, but faster: the other frame is of the same volume. Each frame
-   * has a memory of its own.
+   * The same where another frame of the volume has a share from 0 to 1. Where it can be, samples
+   * are blended before they are summed; else sums are.
    */
-  FramePair<ValuePair> Values(
-    const FieldSampler& other, const Vector3& index, const Vector3& offset) const noexcept
+  double Value(const FieldSampler& other, double share, const Vector3& index) const noexcept
   {
-    if (!this->Functions.Pairs || !this->SharesWeights(other))
+    if (!this->BlendsSamples(other))
     {
-      return { this->Values(index, offset), other.Values(index, offset) };
+      return Blend(this->Value(index), other.Value(index), share);
     }
-    const auto [first, second] = this->Functions.Pairs(
-      this->View, other.View, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
-    return { { this->Checked(first.Ahead), this->Checked(first.Behind) },
-      { other.Checked(second.Ahead), other.Checked(second.Behind) } };
+    return this->Checked(
+      this->Functions.BlendedValue({ this->View, other.View, share }, index.X, index.Y, index.Z));
   }
-  FramePair<FieldSample> Gradients(const FieldSampler& other, const Vector3& index,
-    const FramePair<TapMemory*>& memories = {}) const noexcept
+  ValuePair Values(const FieldSampler& other, double share, const Vector3& index,
+    const Vector3& offset) const noexcept
   {
-    if (!this->Functions.Gradients || !this->SharesWeights(other))
+    if (!this->BlendsSamples(other))
     {
-      return { this->Gradient(index, memories.First), other.Gradient(index, memories.Second) };
+      const ValuePair first = this->Values(index, offset);
+      const ValuePair second = other.Values(index, offset);
+      return { Blend(first.Ahead, second.Ahead, share), Blend(first.Behind, second.Behind, share) };
     }
-    FramePair<FieldSample> samples;
-    if (memories.First && memories.Second && this->Functions.RememberedPair &&
-      this->Functions.RememberedPair(
-        this->View, other.View, index.X, index.Y, index.Z, this->Functions.Fill, memories, samples))
+    const ValuePair pair = this->Functions.BlendedPair(
+      { this->View, other.View, share }, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+    return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
+  }
+  FieldSample Gradient(const FieldSampler& other, double share, const Vector3& index,
+    const BlendMemories& memories = {}) const noexcept
+  {
+    if (!this->Functions.BlendedGradient || !this->BlendsSamples(other))
     {
-      return samples;
+      return Blend(
+        this->Gradient(index, memories.First), other.Gradient(index, memories.Second), share);
     }
-    return this->Functions.Gradients(this->View, other.View, index.X, index.Y, index.Z);
+    return this->Functions.BlendedGradient(
+      { this->View, other.View, share }, index.X, index.Y, index.Z, memories);
+  }
+  static double Blend(double first, double second, double share) noexcept
+  {
+    return first + share * (second - first);
+  }
+  static FieldSample Blend(
+    const FieldSample& first, const FieldSample& second, double share) noexcept
+  {
+    return { Blend(first.Value, second.Value, share),
+      first.Gradient + share * (second.Gradient - first.Gradient) };
   }
   ///@}
   /**
@@ -247,14 +259,18 @@ public:
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
 private:
-  /** Whether the kernel, the type and the resident samples of another frame are the same. */
-  bool SharesWeights(const FieldSampler& other) const noexcept
+  /**
+   * Whether the kernel, the type and the resident samples of another frame are the same, and all
+   * of the tissue is there.
+   */
+  bool BlendsSamples(const FieldSampler& other) const noexcept
   {
     const FieldView& a = this->View;
     const FieldView& b = other.View;
     return this->Functions.Gradient == other.Functions.Gradient &&
       a.Kernel.Table == b.Kernel.Table && a.Kernel.Radius == b.Kernel.Radius &&
-      std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last);
+      std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
+      !this->Carved.HasAny() && !other.Carved.HasAny();
   }
   double Checked(double value) const noexcept
   {
@@ -271,9 +287,8 @@ private:
   CarvedView Carved;
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
-  FieldFunctions OfCopies;   ///< of doubles
-  bool HasOwnValues = false; ///< V is the value of the estimator
-  int ValueReach = 0;        ///< samples beyond a position's cell
+  FieldFunctions OfCopies; ///< of doubles
+  int ValueReach = 0;      ///< samples beyond a position's cell
 };
 
 } // namespace VolumeHaptics

@@ -66,27 +66,84 @@ VOLUME_HAPTICS_INLINE CellPlace LocateCell(const FieldView& view, double x, doub
     LocateCell(z, view.First[2], view.Last[2]) };
 }
 
+/** The eight samples of a cell. */
 template <typename T>
-VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, const CellPlace& place)
+struct CellSamples
+{
+  const T* First;
+  const std::int64_t* Stride;
+};
+
+/** Those of two frames. */
+template <typename T>
+struct CellBlend
+{
+  CellSamples<T> First;
+  CellSamples<T> Second;
+  double Share;
+};
+
+template <typename T>
+VOLUME_HAPTICS_INLINE CellSamples<T> FindSamples(const FieldView& view, const CellPlace& place)
+{
+  const std::int64_t* const stride = view.Volume.Stride;
+  return { static_cast<const T*>(view.Volume.Data) + place.X.Cell * stride[0] +
+      place.Y.Cell * stride[1] + place.Z.Cell * stride[2],
+    stride };
+}
+
+template <typename T>
+VOLUME_HAPTICS_INLINE CellBlend<T> FindSamples(const FrameBlend& blend, const CellPlace& place)
+{
+  return { FindSamples<T>(blend.First, place), FindSamples<T>(blend.Second, place), blend.Share };
+}
+
+///@{
+/** The four samples of the first plane (0) or the second one, line by line. */
+template <typename T>
+VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellSamples<T>& cell, int plane)
+{
+  const std::int64_t sx = cell.Stride[0];
+  const std::int64_t sy = cell.Stride[1];
+  const T* const q = cell.First + plane * cell.Stride[2];
+  if (sx == 1)
+  {
+    return LoadPairs(q, q + sy);
+  }
+  const T taps[4] = { q[0], q[sx], q[sy], q[sy + sx] };
+  return LoadDouble4(taps);
+}
+template <typename T>
+VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellBlend<T>& cell, int plane)
+{
+  const Double4 first = LoadPlane(cell.First, plane);
+  return first + cell.Share * (LoadPlane(cell.Second, plane) - first);
+}
+///@}
+
+///@{
+/** A sample by its number, which counts along x, y and z. */
+template <typename T>
+VOLUME_HAPTICS_INLINE double LoadSample(const CellSamples<T>& cell, int i)
+{
+  return static_cast<double>(cell.First[(i & 1) * cell.Stride[0] + ((i >> 1) & 1) * cell.Stride[1] +
+    (i >> 2) * cell.Stride[2]]);
+}
+template <typename T>
+VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
+{
+  const double first = LoadSample(cell.First, i);
+  return first + cell.Share * (LoadSample(cell.Second, i) - first);
+}
+///@}
+
+/** Of samples, or of a blend. */
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
 {
   const auto& [ax, ay, az] = place;
-  const std::int64_t sx = view.Volume.Stride[0];
-  const std::int64_t sy = view.Volume.Stride[1];
-  const std::int64_t sz = view.Volume.Stride[2];
-  const T* const p =
-    static_cast<const T*>(view.Volume.Data) + ax.Cell * sx + ay.Cell * sy + az.Cell * sz;
-  // Both samples along x of both lines of a plane.
-  const auto plane = [&](const T* q)
-  {
-    if (sx == 1)
-    {
-      return LoadPairs(q, q + sy);
-    }
-    const T taps[4] = { q[0], q[sx], q[sy], q[sy + sx] };
-    return LoadDouble4(taps);
-  };
-  const Double4 near = plane(p);
-  const Double4 lines = near + az.Fraction * (plane(p + sz) - near);
+  const Double4 near = LoadPlane(cell, 0);
+  const Double4 lines = near + az.Fraction * (LoadPlane(cell, 1) - near);
   const double a = lines[0] + ay.Fraction * (lines[2] - lines[0]);
   const double b = lines[1] + ay.Fraction * (lines[3] - lines[1]);
   const double value = a + ax.Fraction * (b - a);
@@ -102,8 +159,7 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, const CellPlace& p
       for (int i = 0; i < 8; ++i)
       {
         const double weight = wx[i & 1] * wy[(i >> 1) & 1] * wz[i >> 2];
-        const T tap = p[(i & 1) * sx + ((i >> 1) & 1) * sy + (i >> 2) * sz];
-        sum += weight == 0.0 ? 0.0 : weight * static_cast<double>(tap);
+        sum += weight == 0.0 ? 0.0 : weight * LoadSample(cell, i);
       }
       return sum;
     }
@@ -114,45 +170,58 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, const CellPlace& p
 template <typename T>
 VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)
 {
-  return Trilinear<T>(view, LocateCell(view, x, y, z));
+  const CellPlace place = LocateCell(view, x, y, z);
+  return Interpolate<T>(FindSamples<T>(view, place), place);
 }
 
 template <typename T>
-double TrilinearValue(const FieldView& view, double x, double y, double z) noexcept
+VOLUME_HAPTICS_INLINE double Trilinear(const FrameBlend& blend, double x, double y, double z)
 {
-  return Trilinear<T>(view, x, y, z);
+  const CellPlace place = LocateCell(blend.First, x, y, z);
+  return Interpolate<T>(FindSamples<T>(blend, place), place);
 }
 
-template <typename T>
+/** Of a field, or of a blend of two. */
+template <typename T, typename Source>
+double TrilinearValue(const Source& from, double x, double y, double z) noexcept
+{
+  return Trilinear<T>(from, x, y, z);
+}
+
+template <typename T, typename Source>
 ValuePair TrilinearPair(
-  const FieldView& view, double x, double y, double z, double dx, double dy, double dz) noexcept
+  const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept
 {
-  return { Trilinear<T>(view, x + dx, y + dy, z + dz), Trilinear<T>(view, x - dx, y - dy, z - dz) };
+  return { Trilinear<T>(from, x + dx, y + dy, z + dz), Trilinear<T>(from, x - dx, y - dy, z - dz) };
 }
 
-template <typename T>
-FramePair<ValuePair> TrilinearPairs(const FieldView& first, const FieldView& second, double x,
-  double y, double z, double dx, double dy, double dz) noexcept
+template <typename T, typename Source>
+VOLUME_HAPTICS_INLINE FieldSample FindDifference(
+  const Source& from, int radius, double x, double y, double z)
 {
-  const CellPlace ahead = LocateCell(first, x + dx, y + dy, z + dz);
-  const CellPlace behind = LocateCell(first, x - dx, y - dy, z - dz);
-  return { { Trilinear<T>(first, ahead), Trilinear<T>(first, behind) },
-    { Trilinear<T>(second, ahead), Trilinear<T>(second, behind) } };
+  const double r = radius;
+  const double scale = 0.5 / r;
+  const double x0 = Trilinear<T>(from, x - r, y, z);
+  const double x1 = Trilinear<T>(from, x + r, y, z);
+  const double y0 = Trilinear<T>(from, x, y - r, z);
+  const double y1 = Trilinear<T>(from, x, y + r, z);
+  const double z0 = Trilinear<T>(from, x, y, z - r);
+  const double z1 = Trilinear<T>(from, x, y, z + r);
+  return { (x0 + x1 + y0 + y1 + z0 + z1) / 6.0,
+    Vector3{ scale * (x1 - x0), scale * (y1 - y0), scale * (z1 - z0) } };
 }
 
 template <typename T>
 FieldSample CentralDifference(const FieldView& view, double x, double y, double z) noexcept
 {
-  const double r = view.Kernel.Radius;
-  const double scale = 0.5 / r;
-  const double x0 = Trilinear<T>(view, x - r, y, z);
-  const double x1 = Trilinear<T>(view, x + r, y, z);
-  const double y0 = Trilinear<T>(view, x, y - r, z);
-  const double y1 = Trilinear<T>(view, x, y + r, z);
-  const double z0 = Trilinear<T>(view, x, y, z - r);
-  const double z1 = Trilinear<T>(view, x, y, z + r);
-  return { (x0 + x1 + y0 + y1 + z0 + z1) / 6.0,
-    Vector3{ scale * (x1 - x0), scale * (y1 - y0), scale * (z1 - z0) } };
+  return FindDifference<T>(view, view.Kernel.Radius, x, y, z);
+}
+
+template <typename T>
+FieldSample BlendedDifference(
+  const FrameBlend& blend, double x, double y, double z, const BlendMemories&) noexcept
+{
+  return FindDifference<T>(blend, blend.First.Kernel.Radius, x, y, z);
 }
 
 } // namespace

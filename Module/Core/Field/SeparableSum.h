@@ -219,13 +219,11 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
 }
 
 /**
- * The sum over a copy of the taps: at the border, beyond which taps replicate the last sample;
- * between other components; and around samples that are not numbers, which count only if they have
- * a weight.
+ * A copy of the taps: at the border, beyond which taps replicate the last sample; between other
+ * components; and around samples that are not numbers, which count only if they have a weight.
  */
-template <typename T, int N, bool WithGradient>
-VOLUME_HAPTICS_OUTLINE double SumCopy(
-  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE void CopyTaps(const VolumeView& view, const Footprint<N>& foot, T* to)
 {
   std::int64_t offset[3][N];
   for (int a = 0; a < 3; ++a)
@@ -235,8 +233,6 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
       offset[a][i] = ClampedOffset(view, a, foot.First[a] + i);
     }
   }
-  T block[N * N * N];
-  T* to = block;
   for (int k = 0; k < N; ++k)
   {
     for (int j = 0; j < N; ++j)
@@ -249,6 +245,14 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
       }
     }
   }
+}
+
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_OUTLINE double SumCopy(
+  const VolumeView& view, const Footprint<N>& foot, Vector3* gradient)
+{
+  T block[N * N * N];
+  CopyTaps<T, N>(view, foot, block);
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
@@ -324,6 +328,40 @@ bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memo
       to += 2 * N;
     }
   }
+  return true;
+}
+
+VOLUME_HAPTICS_INLINE bool HoldsTaps(
+  const TapMemory& memory, std::uint64_t field, const std::int64_t* first)
+{
+  return memory.Field == field && memory.First[0] == first[0] && memory.First[1] == first[1] &&
+    memory.First[2] == first[2];
+}
+
+VOLUME_HAPTICS_INLINE void SetPlace(
+  std::uint64_t field, const std::int64_t* first, TapMemory& memory)
+{
+  memory.Field = field;
+  for (int a = 0; a < 3; ++a)
+  {
+    memory.First[a] = first[a];
+  }
+}
+
+/** Reads the taps behind the first one, unless the memory has them; false if it can't. */
+VOLUME_HAPTICS_INLINE bool KeepTaps(
+  const FieldView& view, const std::int64_t* first, FillFunction fill, TapMemory& memory)
+{
+  if (HoldsTaps(memory, view.Number, first))
+  {
+    return true;
+  }
+  memory.Field = 0;
+  if (!fill(view.Volume, first, memory))
+  {
+    return false;
+  }
+  SetPlace(view.Number, first, memory);
   return true;
 }
 

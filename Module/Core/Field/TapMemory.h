@@ -23,13 +23,23 @@ struct TapMemory
   alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
 };
 
+/** The samples of two frames, blended: those of TapMemory::Field come first. */
+struct BlendMemory : TapMemory
+{
+  std::uint64_t SecondField = 0;
+  double Share = 0.0; ///< of the second frame
+};
+
 /**
- * The memories of a tick: one for each of the two frames that are blended while a volume moves. A
- * frame has the same one before and after it; a volume that stands still has the first one.
+ * The memories of a tick: one for each of the two frames that are blended while a volume moves, and
+ * one for each of two blends, as a tick goes from one instant to another one. A frame has the same
+ * memory before and after it; a volume that stands still has the first one.
  */
 struct TickMemory
 {
   TapMemory Frames[2];
+  BlendMemory Blends[2];
+  int OldBlend = 0; ///< the one that is to be replaced next
 
   TapMemory& Of(std::size_t frame) noexcept { return this->Frames[frame % 2]; }
 };

@@ -124,6 +124,12 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
   return frames;
 }
 
+bool KnowMotion(const std::vector<FieldFrame>& frames)
+{
+  return std::any_of(
+    frames.begin(), frames.end(), [](const FieldFrame& frame) { return frame.Motion.has_value(); });
+}
+
 } // namespace
 
 BakedVolume::BakedVolume(const HapticModelDescription& d)
@@ -133,6 +139,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
       CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, d.AirValue })
   , Series(MakeSeries(d))
   , Frames(MakeFrames(d.Frames, this->Series, d.IndexToWorld.Linear, this->Kernel))
+  , HasMotion(KnowMotion(this->Frames))
   , Materials({ MakeStiffness(d), d.Material.Friction, d.Material.SurfaceStrength,
       d.Material.Viscosity, d.Material.ScalarVisibility })
   , Distinctness({ d.Material.Distinctness, d.Material.GradientVisibility })
@@ -161,6 +168,7 @@ BakedVolume::BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval
       CarvedView{ this->Removal ? &this->Removal->Bricks : nullptr, airValue })
   , Series(series)
   , Frames(MakeFrames(frames, this->Series, other.IndexToWorld.Linear, this->Kernel))
+  , HasMotion(KnowMotion(this->Frames))
   , Materials(other.Materials)
   , Distinctness(other.Distinctness)
   , IndexToWorld(other.IndexToWorld)
@@ -229,9 +237,7 @@ FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noex
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
   return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
-    before.Motion ? &*before.Motion : nullptr,
-    memory ? FramePair<TapMemory*>{ &memory->Of(frame), &memory->Of(frame + 1) }
-           : FramePair<TapMemory*>{} };
+    before.Motion ? &*before.Motion : nullptr, memory, frame };
 }
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept

@@ -75,6 +75,7 @@ struct BakedVolume
    * not move.
    */
   const std::vector<FieldFrame> Frames;
+  const bool HasMotion;                 ///< of the material, between any frames
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const Affine3 IndexToWorld;
@@ -110,8 +111,7 @@ struct BakedVolume
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time, memory)
-                            : FieldAtTime(this->Field, memory ? &memory->Frames[0] : nullptr);
+    return this->IsMoving() ? this->BlendFrames(time, memory) : FieldAtTime(this->Field, memory);
   }
   FrameWindow GetWindow() const noexcept
   {

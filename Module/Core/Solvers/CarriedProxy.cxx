@@ -14,12 +14,14 @@ constexpr int MostCarrySteps = 3;
 /** Voxels. */
 constexpr double LongestCarry = 0.25;
 /**
- * After a step s as short as this (voxels), Newton's method has converged: what is left is
- * s^2 / (2 sigma), of an edge of width sigma. A level that holds the proxy is the same in all
- * ticks, so that the next one corrects that; where none holds it, what is left adds up.
+ * After a step s as short as this (voxels), the level is reached: what is left is s^2 / (2 sigma)
+ * at most, of an edge of width sigma. A level that holds the proxy is the same in all ticks, so
+ * that the next one corrects that; where none holds it, what is left adds up.
  */
 constexpr double ShortCarry = 0.01;
 constexpr double ShortCarryToLevel = 0.06;
+/** The surface is the same within so many voxels: a hand moves farther in a tick of the law. */
+constexpr double SameSurface = 0.06;
 
 /**
  * Levels and gradients whose relative difference is less than this are the same material's:
@@ -31,9 +33,9 @@ constexpr double SameMaterial = 1e-6;
 struct Change
 {
   FieldSample Now;
-  double LevelBefore;
-  double LevelNow;
-  bool IsNone;
+  double LevelBefore = 0.0;
+  double LevelNow = 0.0;
+  bool IsNone = false;
 };
 
 /** PRECISE holds its proxy on levels of the estimator's own value, PAPER reads V. */
@@ -51,44 +53,29 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
     std::abs(levelB - levelA) <= SameMaterial * (slope + std::abs(levelA));
 }
 
-/** @param index of the proxy, before and after it went along with the material */
-Change FindChange(const HapticModel& model, const ServoState& state, const Vector3& from,
-  const Vector3& index, TickMemory* memory) noexcept
+/** @param from, index of the proxy, before and after it went along with the material */
+Change FindChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
+  const Vector3& from, const Vector3& index) noexcept
 {
-  const BakedVolume& baked = *model.Baked;
-  const FieldAtTime before = baked.At(state.CarriedTo, memory);
-  const FieldAtTime now = baked.At(state.DataTime, memory);
-  FieldSample old;
-  Change change;
   const bool isShifted = !IsIdentical(from, index);
-  const bool isOwn = HasOwnLevels(model);
-  if (now.HasFramesOf(before) && !isShifted)
+  Change change;
+  change.Now = now.Gradient(index);
+  FieldSample old;
+  if (HasOwnLevels(model))
   {
-    // Each frame is read once.
-    const FramePair<FieldSample> pair = now.ReadFrames(index);
-    change.Now = now.Blend(pair);
-    old = before.Blend(pair);
-    if (!isOwn)
-    {
-      const FramePair<double> values = now.ReadValues(index, pair);
-      change.LevelBefore = before.Blend(values);
-      change.LevelNow = now.Blend(values);
-    }
+    old = before.Gradient(from);
+    change.LevelBefore = old.Value;
+    change.LevelNow = change.Now.Value;
   }
   else
   {
-    change.Now = now.Gradient(index);
-    old = before.Gradient(from);
-    if (!isOwn)
+    change.LevelBefore = before.Value(from);
+    change.LevelNow = now.Value(index);
+    if (!isShifted && change.LevelBefore != change.LevelNow)
     {
-      change.LevelBefore = before.Value(from, old);
-      change.LevelNow = now.Value(index, change.Now);
+      return change; // whatever the gradient was
     }
-  }
-  if (isOwn)
-  {
-    change.LevelBefore = old.Value;
-    change.LevelNow = change.Now.Value;
+    old = before.Gradient(from);
   }
   change.IsNone = isShifted
     ? IsSame(old, change.Now, change.LevelBefore, change.LevelNow)
@@ -111,11 +98,13 @@ bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
     state.Stiffness > HapticModel::MinimumStiffness;
 }
 
-/** The step (m) of Newton's method along the gradient; not inward past the tip. */
-double FindCarry(const HapticModel& model, const Surface& surface, double rise, const Vector3& lag,
-  bool isHeld) noexcept
+/**
+ * The step (m) along the gradient by which the level rises by `rise`, if it does so by `slope` per
+ * metre; not inward past the tip.
+ */
+double FindCarry(const HapticModel& model, const Surface& surface, double rise, double slope,
+  const Vector3& lag, bool isHeld) noexcept
 {
-  const double slope = surface.GradientMagnitude * model.WorldUnitsPerMeter;
   const double longest = LongestCarry / model.MostVoxelsPerMeter;
   const double wanted = rise / slope;
   const double step = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -longest, longest);
@@ -129,9 +118,24 @@ double FindCarry(const HapticModel& model, const Surface& surface, double rise, 
                                                        : std::min(step, std::max(push, 0.0));
 }
 
+/** Of the estimator's level along the gradient, per metre. */
+double FindSlope(const HapticModel& model, const Surface& surface) noexcept
+{
+  return surface.GradientMagnitude * model.WorldUnitsPerMeter;
+}
+
+/** The slope of V, which is another one than the estimator's: between two places, where it can. */
+double FindSlopeOfValue(double estimated, double rise, double step) noexcept
+{
+  constexpr double most = 4.0;
+  const double secant = rise / step;
+  return secant > estimated / most && secant < most * estimated ? secant : estimated;
+}
+
 } // namespace
 
-CarriedProxy CarryProxy(const HapticModel& model, ServoState& state, TickMemory* memory) noexcept
+CarriedProxy CarryProxy(
+  const HapticModel& model, ServoState& state, const FieldAtTime& now, TickMemory* memory) noexcept
 {
   CarriedProxy carried;
   Vector3 index = model.DeviceToIndex(state.Proxy);
@@ -141,7 +145,7 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state, TickMemory*
   }
   const Vector3 from = index;
   const Vector3 start = state.Proxy;
-  if (!model.Baked->FeelsLabels())
+  if (model.Baked->HasMotion && !model.Baked->FeelsLabels())
   {
     index = model.Baked->FollowMaterial(from, state.CarriedTo, state.DataTime);
   }
@@ -152,36 +156,54 @@ CarriedProxy CarryProxy(const HapticModel& model, ServoState& state, TickMemory*
     state.Precise.ReachedTip += carried.Shift;
     carried.Work = FindWork(state, start);
   }
-  const Change change = FindChange(model, state, from, index, memory);
+  const FieldAtTime before = model.Baked->At(state.CarriedTo, memory);
+  const Change change = FindChange(model, before, now, from, index);
   if (change.IsNone)
   {
     return carried;
   }
-  carried.IsChanged = true;
-  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
-  carried.There = model.Baked->HasOtherSurfaces
-    ? Law::FindSurface(model, field, index, state.Labels)
-    : Law::MakeFieldSurface(model, index, change.Now);
-  const bool isHeld = state.Precise.IsHeld && HasOwnLevels(model);
+  Surface& there = carried.There.emplace(model.Baked->HasOtherSurfaces
+      ? Law::FindSurface(model, now, index, state.Labels)
+      : Law::MakeFieldSurface(model, index, change.Now));
+  const bool isOwn = HasOwnLevels(model);
+  const bool isHeld = state.Precise.IsHeld && isOwn;
   const double target = isHeld ? state.Precise.Level : change.LevelBefore;
   double level = change.LevelNow;
-  for (int i = 0; i < MostCarrySteps && IsSurfaceThere(state, carried.There); ++i)
+  double slope = FindSlope(model, there);
+  double away = 0.0; // from where the surface was found, m
+  for (int i = 0; i < MostCarrySteps && IsSurfaceThere(state, there); ++i)
   {
     const Vector3 lag = state.PreviousTip - state.Proxy;
-    const double step = FindCarry(model, carried.There, target - level, lag, isHeld);
-    state.Proxy += step * carried.There.Normal;
-    carried.There.Value += step * carried.There.GradientMagnitude * model.WorldUnitsPerMeter;
+    const double step = FindCarry(model, there, target - level, slope, lag, isHeld);
+    state.Proxy += step * there.Normal;
+    away += step;
+    there.Value += step * FindSlope(model, there);
     if (std::abs(step) * model.MostVoxelsPerMeter <= (isHeld ? ShortCarryToLevel : ShortCarry))
     {
       break;
     }
     index = model.DeviceToIndex(state.Proxy);
-    const FieldSample sample = field.Gradient(index);
-    level = HasOwnLevels(model) ? sample.Value : field.Value(index, sample);
-    carried.There = Law::MakeFieldSurface(model, index, sample);
+    if (isOwn)
+    {
+      const FieldSample sample = now.Gradient(index);
+      level = sample.Value;
+      there = Law::MakeFieldSurface(model, index, sample);
+      slope = FindSlope(model, there);
+      away = 0.0;
+    }
+    else
+    {
+      const double reached = now.Value(index);
+      slope = FindSlopeOfValue(slope, reached - level, step);
+      level = reached;
+    }
   }
-  const Vector3 motion = state.Proxy - start - carried.Shift;
-  carried.Voxels = Norm(model.DeviceToIndex.Linear * motion);
+  if (std::abs(away) * model.MostVoxelsPerMeter > SameSurface)
+  {
+    index = model.DeviceToIndex(state.Proxy);
+    there = Law::MakeFieldSurface(model, index, now.Gradient(index));
+  }
+  carried.Motion = state.Proxy - start - carried.Shift;
   carried.Work = FindWork(state, start);
   return carried;
 }

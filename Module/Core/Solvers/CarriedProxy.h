@@ -15,11 +15,13 @@
  * it is: beyond T_N W_d the proxy slips through the surface, so that a wall never pushes more
  * strongly than it holds, and outward the proxy is free.
  *
- * The proxy moves along the gradient, by Newton's method: along the surface, values do not tell how
- * the volume moves. If displacements do (BakedVolume::FollowMaterial), proxy and reached tip first
- * go along with the material, wherever they are; so a volume that moves as a whole is felt as the
- * tip's opposite motion: surfaces take a hand along that friction holds, and a medium drags it. The
- * level then only corrects what the displacements leave.
+ * The proxy moves along the gradient: along the surface, values do not tell how the volume moves.
+ * Levels of PRECISE are the estimator's, which come with their gradients: Newton's method. Those
+ * of PAPER are V, whose slope is another one: the secant method. If displacements tell more
+ * (BakedVolume::FollowMaterial), proxy and reached tip first go along with the material, wherever
+ * they are; so a volume that moves as a whole is felt as the tip's opposite motion: surfaces take
+ * a hand along that friction holds, and a medium drags it. The level then only corrects what the
+ * displacements leave.
  *
  * By the level, the proxy does not move inward past the tip, since a surface pushes and never
  * pulls. Surfaces that labels make stand still, and where they are felt, so does the material.
@@ -31,25 +33,28 @@
 #include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ServoState.h"
 
+#include <optional>
+
 namespace VolumeHaptics
 {
 
 /** The volume at the proxy after it was carried. */
 struct CarriedProxy
 {
-  Vector3 Shift;          ///< with the material, m
-  bool IsChanged = false; ///< the volume has changed at the proxy; else Voxels and There are void
-  double Voxels = 0.0;    ///< the length of the motion by the level
-  double Work = 0.0;      ///< J, of the wall against the spring
-  Surface There;          ///< through the proxy, with an ascending normal
+  Vector3 Shift;     ///< with the material, m
+  Vector3 Motion;    ///< by the level, m
+  double Work = 0.0; ///< J, of the wall against the spring
+  /** Through the proxy, with an ascending normal; none if the volume has not changed there. */
+  std::optional<Surface> There;
 };
 
 /**
  * Moves state.Proxy (and with the material state.Precise.ReachedTip) from data time state.CarriedTo
- * to state.DataTime. For a volume that moves, and a state that is enabled.
+ * to state.DataTime, when the volume is as `now`. For a volume that moves, and a state that is
+ * enabled.
  */
 CarriedProxy CarryProxy(
-  const HapticModel& model, ServoState& state, TickMemory* memory = nullptr) noexcept;
+  const HapticModel& model, ServoState& state, const FieldAtTime& now, TickMemory* memory) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -154,6 +154,74 @@ TEST_P(InstructionSets, MemoriesAreOfOneField)
   }
 }
 
+TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
+{
+  // Kernels of many taps are blended after they are summed.
+  const auto isBefore = [this](int radius)
+  { return this->GetParam() != GradientEstimator::Gaussian || radius < 4; };
+  const auto isNear = [](const FieldSample& a, const FieldSample& b, double scale)
+  {
+    return std::abs(a.Value - b.Value) <= 1e-12 * scale &&
+      Norm(a.Gradient - b.Gradient) <= 1e-12 * scale;
+  };
+  const auto compare =
+    [&](const TestVolume& first, const TestVolume& second, double share, int radius)
+  {
+    TestVolume blended(ScalarType::Float64, { 12, 11, 10 });
+    double largest = 0.0;
+    blended.Fill<double>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const double a = first(i, j, k);
+        const double b = second(i, j, k);
+        largest = std::max({ largest, std::abs(a), std::abs(b) });
+        return a + share * (b - a);
+      });
+    const GradientKernel kernel(this->GetParam(), radius);
+    const FieldSampler expected(blended.View, kernel);
+    for (const InstructionSet set : { InstructionSet::Baseline, InstructionSet::AVX2 })
+    {
+      const FieldSampler a(first.View, kernel, set);
+      const FieldSampler b(second.View, kernel, set);
+      TickMemory memory;
+      std::mt19937_64 engine(11);
+      std::uniform_real_distribution<double> uniform(0.0, 9.0);
+      for (int i = 0; i < 100; ++i)
+      {
+        const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
+        const Vector3 near{ std::floor(p.X) + 0.3, std::floor(p.Y) + 0.9, std::floor(p.Z) };
+        for (const Vector3& at : { p, near, p })
+        {
+          const FieldSample sample = a.Gradient(b, share, at);
+          const FieldSample blend = expected.Gradient(at);
+          ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
+          const BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
+          ASSERT_TRUE(IsSame(a.Gradient(b, share, at, memories), sample));
+          // At other instants, which take the same memories in turn.
+          a.Gradient(b, 0.5 * share, at, memories);
+          ASSERT_TRUE(IsSame(a.Gradient(a, share, at), a.Gradient(at)));
+          ASSERT_TRUE(IsSame(a.Value(b, share, at), expected.Value(at)));
+        }
+      }
+    }
+  };
+  for (const int radius : { 1, 2, 3, 4 })
+  {
+    for (const ScalarType type : AllScalarTypes)
+    {
+      SCOPED_TRACE(testing::Message() << "radius " << radius << " type " << static_cast<int>(type));
+      TestVolume first(type, { 12, 11, 10 });
+      TestVolume second(type, { 12, 11, 10 });
+      TestVolume strided(type, { 12, 11, 10 }, 3);
+      first.FillRandom(1);
+      second.FillRandom(2);
+      strided.FillRandom(3);
+      compare(first, second, 0.3, radius);
+      compare(first, strided, 0.9, radius);
+    }
+  }
+}
+
 TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
 {
   const auto compare = [this](const TestVolume& first, const TestVolume& second, int radius)
@@ -163,32 +231,29 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
     {
       const FieldSampler a(first.View, kernel, set);
       const FieldSampler b(second.View, kernel, set);
-      TapMemory memories[2];
       std::mt19937_64 engine(11);
       std::uniform_real_distribution<double> uniform(0.0, 9.0);
       for (int i = 0; i < 100; ++i)
       {
         const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
-        const Vector3 near{ std::floor(p.X) + 0.3, std::floor(p.Y) + 0.9, std::floor(p.Z) };
-        for (const Vector3& at : { p, near, p })
-        {
-          const auto gradients = a.Gradients(b, at);
-          ASSERT_TRUE(IsSame(gradients.First, a.Gradient(at)));
-          ASSERT_TRUE(IsSame(gradients.Second, b.Gradient(at)));
-          const auto remembered = a.Gradients(b, at, { &memories[0], &memories[1] });
-          ASSERT_TRUE(IsSame(remembered.First, gradients.First));
-          ASSERT_TRUE(IsSame(remembered.Second, gradients.Second));
-          if (a.TellsValue(gradients.First))
-          {
-            ASSERT_TRUE(IsSame(gradients.First.Value, a.Value(at)));
-          }
-        }
+        const FieldSample gradients[2] = { a.Gradient(p), b.Gradient(p) };
+        const FieldSample blend = a.Gradient(b, 0.5, p);
+        const double scale = std::abs(gradients[0].Value) + std::abs(gradients[1].Value) +
+          Norm(gradients[0].Gradient) + Norm(gradients[1].Gradient);
+        ASSERT_NEAR(blend.Value, 0.5 * (gradients[0].Value + gradients[1].Value), 1e-10 * scale);
+        ASSERT_LE(Norm(blend.Gradient - 0.5 * (gradients[0].Gradient + gradients[1].Gradient)),
+          1e-10 * scale);
         const Vector3 offset{ 2.0, -3.0, 0.7 }; // often beyond the border
-        const auto values = a.Values(b, p, offset);
-        ASSERT_TRUE(IsSame(values.First.Ahead, a.Value(p + offset)));
-        ASSERT_TRUE(IsSame(values.First.Behind, a.Value(p - offset)));
-        ASSERT_TRUE(IsSame(values.Second.Ahead, b.Value(p + offset)));
-        ASSERT_TRUE(IsSame(values.Second.Behind, b.Value(p - offset)));
+        const ValuePair values = a.Values(b, 0.5, p, offset);
+        const auto expectMean = [&](double value, const Vector3& at)
+        {
+          const double first = a.Value(at);
+          const double second = b.Value(at);
+          ASSERT_NEAR(value, 0.5 * (first + second), 1e-10 * (std::abs(first) + std::abs(second)));
+        };
+        expectMean(values.Ahead, p + offset);
+        expectMean(values.Behind, p - offset);
+        expectMean(a.Value(b, 0.5, p), p);
       }
     }
   };

@@ -270,18 +270,10 @@ TEST(MovingMaterial, AFastWallIsAWallAllTheWay)
 }
 
 /// Where nothing moves, displacements change nothing.
-TEST(MovingMaterial, DisplacementsOfZeroAreABlendToTheBit)
+TEST(MovingMaterial, DisplacementsOfZeroAreABlend)
 {
-  TestVolume noise(ScalarType::Float64, { 28, 26, 24 });
-  noise.FillRandom(11);
   const MaterialMovie movie(
-    3,
-    [&](const Vector3& index, int frame)
-    {
-      return noise(static_cast<std::int64_t>(index.X), static_cast<std::int64_t>(index.Y),
-               static_cast<std::int64_t>(index.Z)) *
-        (1.0 + 0.1 * frame);
-    },
+    3, [](const Vector3& index, int frame) { return BumpyWall(index, 12.0 + 0.3 * frame); },
     [](const Vector3&, int) { return Vector3{}; });
   for (const HapticSolver solver : { HapticSolver::Paper, HapticSolver::Precise })
   {
@@ -295,13 +287,16 @@ TEST(MovingMaterial, DisplacementsOfZeroAreABlendToTheBit)
     }
     MaterialHand unknown(description);
     Wanderer wanderer(26.0);
+    int touched = 0;
     for (int tick = 0; tick < 4000; ++tick)
     {
       const Vector3 tip = wanderer.Next();
       const double time = 5e-4 * tick;
-      ASSERT_TRUE(IsIdentical(known.Touch(tip, time).Force, unknown.Touch(tip, time).Force))
-        << "tick " << tick;
+      const Vector3 difference = known.Touch(tip, time).Force - unknown.Touch(tip, time).Force;
+      ASSERT_LT(Norm(difference), 1e-6) << "tick " << tick; // N
+      touched += Norm(known.Record.Force) > 0.1 ? 1 : 0;
     }
+    EXPECT_GT(touched, 100) << "the hand feels little";
   }
 }
 

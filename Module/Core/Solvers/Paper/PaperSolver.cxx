@@ -41,13 +41,12 @@ Vector3 Advance(
 }
 
 /** A tick from the proxy on; the surface through it is null if it has to be found. */
-void Step(const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory,
+void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
 {
   const Vector3& tip = record.Tip;
   const Vector3 position = state.Enabled ? state.Proxy : tip;
   const Vector3 lag = tip - position;
-  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = found ? *found : Law::FindSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
@@ -62,15 +61,16 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, TickM
 void StepPaper(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
-    Step(model, state, record, memory, nullptr);
+    Step(model, state, record, field, nullptr);
     return;
   }
-  const CarriedProxy carried = CarryProxy(model, state, memory);
+  const CarriedProxy carried = CarryProxy(model, state, field, memory);
   record.WallWork = carried.Work;
-  Step(model, state, record, memory, carried.IsChanged ? &carried.There : nullptr);
+  Step(model, state, record, field, carried.There ? &*carried.There : nullptr);
 }
 
 } // namespace VolumeHaptics

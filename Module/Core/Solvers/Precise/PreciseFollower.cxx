@@ -73,11 +73,11 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
   }
 }
 
-void PreciseFollower::TakeOver(const CarriedProxy& carried) noexcept
+void PreciseFollower::TakeOver(const Surface& there, const Vector3& motion) noexcept
 {
   const Vector3 lag = this->State.ReachedTip - this->Proxy;
-  this->State.Here = this->Field.Look(this->Proxy, carried.There, lag, this->FindTouched(lag),
-    this->State.CachedSampleDistance + carried.Voxels);
+  this->State.Here = this->Field.Look(this->Proxy, there, lag, this->FindTouched(lag),
+    this->State.CachedSampleDistance + this->Field.Voxels(motion));
   this->State.CachedSampleDistance = 0.0;
   this->Refresh(Norm(lag));
 }

@@ -28,8 +28,8 @@ public:
   {
   }
 
-  /** The volume moves, and the proxy was carried along. */
-  void TakeOver(const CarriedProxy& carried) noexcept;
+  /** The volume moves: the proxy was carried by a motion (m) to the surface that is there. */
+  void TakeOver(const Surface& there, const Vector3& motion) noexcept;
   /** Moves the tip straight to a position, and makes the proxy follow it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */

@@ -36,18 +36,19 @@ void StepPrecise(
     return;
   }
   const Vector3 before = state.Proxy;
-  const CarriedProxy carried = CarryProxy(model, state, memory);
+  const CarriedProxy carried =
+    CarryProxy(model, state, model.Baked->At(state.DataTime, memory), memory);
   record.WallWork = carried.Work;
-  if (carried.IsChanged)
+  if (carried.There)
   {
     const Vector3& tip = state.Precise.ReachedTip;
     const Vector3 lag = tip - before - carried.Shift;
     state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
   }
   PreciseFollower follower(model, state, memory);
-  if (carried.IsChanged)
+  if (carried.There)
   {
-    follower.TakeOver(carried);
+    follower.TakeOver(*carried.There, carried.Motion);
   }
   Follow(follower, record);
 }
