@@ -20,9 +20,9 @@ cd "$root"
 source CMake/install-packages.sh
 require_packages doxygen python3 python3-venv
 
-packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1)
+packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1 sphinx-gallery==0.22.1)
 python=build/site-python
-if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme' 2> /dev/null; then
+if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme, sphinx_gallery' 2> /dev/null; then
   rm -rf "$python"
   /usr/bin/python3 -m venv "$python"
   if ! "$python/bin/pip" install -q "${packages[@]}"; then
@@ -31,7 +31,7 @@ if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme' 2> /dev/n
   fi
 fi
 
-rm -rf "$site"
+rm -rf "$site" build/pyvista-pages
 mkdir -p "$site"
 warnings=$(mktemp)
 trap 'rm -f "$warnings"' EXIT

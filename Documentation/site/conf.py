@@ -9,6 +9,11 @@ VTK's macros by itself, and its pages are complete.
 
 import pathlib
 import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+
+from pyvista_scripts import write_scripts  # noqa: E402
 
 root = pathlib.Path(__file__).parents[2]
 
@@ -19,11 +24,12 @@ version = release = re.search(
     r"project\(VolumeHaptics\s+VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text(encoding="utf-8")
 )[1]
 
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "sphinx_gallery.gen_gallery"]
 templates_path = ["templates"]
 root_doc = "Documentation/index"
-include_patterns = ["*.md", "Documentation/*.md", "Examples/**.md", "Data/README.md"]
-exclude_patterns = ["build*"]
+include_patterns = ["*.md", "Documentation/*.md", "Examples/**.md", "Data/README.md", "build/pyvista-pages/*.rst"]
+# Writes build/pyvista-pages from the scripts.
+sphinx_gallery_conf = write_scripts(root, root / "build" / "pyvista-scripts")
 
 # Anchors as GitHub makes them, to which the documents link.
 myst_heading_anchors = 4
