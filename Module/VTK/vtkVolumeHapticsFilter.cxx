@@ -418,14 +418,9 @@ int vtkVolumeHapticsFilter::TouchPath(
     }
     return error.empty() ? 1 : 0;
   }
-  if (source && VolumeHaptics::AreTimeStepsFelt(this))
+  if (VolumeHaptics::AreTimeStepsFelt(this))
   {
-    const std::string still = this->Resampled->DescribeStillSteps(
-      this->GetInputDataObject(0, 0), ReadTimeSteps(this->GetInputInformation(0, 0)));
-    if (!still.empty())
-    {
-      vtkWarningMacro(<< still);
-    }
+    HapticBaker(this).WarnOfStillSteps();
   }
   const RegionsAlongPath regions(source,
     [&](vtkImageData* region, std::string& flaw) {

@@ -67,6 +67,29 @@ void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const
 }
 
 //------------------------------------------------------------------------------
+bool HapticBaker::IsResampled() const
+{
+  vtkHapticRegionSource* const source = this->Filter->GetRegionSource();
+  return source && source != this->Filter->GetInputAlgorithm(0, 0);
+}
+
+//------------------------------------------------------------------------------
+void HapticBaker::WarnOfStillSteps() const
+{
+  if (this->Filter->GetFrames() != vtkVolumeHapticsFilter::TIME_STEPS ||
+    this->Filter->GetTimeUnitsPerSecond() == 0.0 || !this->IsResampled())
+  {
+    return;
+  }
+  const std::string warning = this->Filter->Resampled->DescribeStillSteps(
+    this->Filter->GetInputDataObject(0, 0), ReadTimeSteps(this->Filter->GetInputInformation(0, 0)));
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const ForceCaps& deviceCaps,
   vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const
 {

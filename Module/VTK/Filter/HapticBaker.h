@@ -127,6 +127,10 @@ public:
    */
   double EstimateTime() const { return this->Filter->Preparation->EstimateTime(); }
 
+  /** Whether port 0 has a grid, which is resampled around the tip. */
+  bool IsResampled() const;
+  /** Warns once of time steps of a grid, of which only the first one is felt. */
+  void WarnOfStillSteps() const;
   /**
    * Warns, once for a series of frames, if their edges are too fast for a blend of them.
    * @param isLoop whether the first frame follows the last one

@@ -119,8 +119,12 @@ std::string DataPlayback::Describe() const
 
 bool DataPlayback::IsFelt(vtkVolumeHapticsFilter* filter) const
 {
-  return this->IsMoving && filter && filter->GetTimeUnitsPerSecond() != 0.0 &&
-    (filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS || HasTimeSteps(filter));
+  if (!this->IsMoving || !filter || filter->GetTimeUnitsPerSecond() == 0.0)
+  {
+    return false;
+  }
+  return filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS ||
+    (HasTimeSteps(filter) && !HapticBaker(filter).IsResampled());
 }
 
 bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
@@ -128,6 +132,7 @@ bool DataPlayback::FindFelt(vtkVolumeHapticsFilter* filter) const
   if (this->IsMoving && filter && filter->GetNumberOfInputConnections(0) > 0)
   {
     filter->GetInputAlgorithm(0, 0)->UpdateInformation();
+    HapticBaker(filter).WarnOfStillSteps();
   }
   return this->IsFelt(filter);
 }

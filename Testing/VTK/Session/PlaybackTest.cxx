@@ -10,12 +10,15 @@
 #include "Rigs/TimeSource.h"
 
 #include <vtkAlgorithmOutput.h>
+#include <vtkAppendFilter.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkResampleToImage.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
@@ -177,6 +180,38 @@ protected:
   vtkNew<vtkImageData> Frames;
 };
 } // namespace
+
+/// What is resampled around the tip stands still, which is told once it is to move, with a cure.
+TEST_F(PlaybackOfSteps, OfAGridIsTold)
+{
+  vtkNew<vtkAppendFilter> grid;
+  grid->SetInputConnection(this->Source->GetOutputPort());
+  this->Filter->SetInputConnection(grid->GetOutputPort());
+  this->Rest();
+  EXPECT_TRUE(this->FilterLog.Warnings.empty()) << "nothing is to move";
+  this->Device->Play();
+  ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
+  for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
+  {
+    EXPECT_NE(this->FilterLog.Warnings.front().find(part), std::string::npos) << part;
+  }
+  this->Filter->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_EQ(this->FilterLog.Warnings.size(), 1U) << "once for a series";
+  this->FilterLog.Warnings.clear();
+
+  vtkNew<vtkResampleToImage> image;
+  image->SetInputConnection(grid->GetOutputPort());
+  image->SetSamplingDimensions(24, 24, 24);
+  image->Update();
+  const char* const name = image->GetOutput()->GetPointData()->GetArrayName(0);
+  this->Filter->SetInputConnection(image->GetOutputPort());
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+  this->Filter->SetTimeUnitsPerSecond(4.0);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() > 13.5; }));
+  this->ExpectForceOfTheWall();
+}
 
 TEST_F(PlaybackOfSteps, AWallThatBeatsPushesAHandThatRests)
 {
