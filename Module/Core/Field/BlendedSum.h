@@ -88,6 +88,11 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   const T* const second = FindCorner<T, N>(b, foot.First);
   if (first && second)
   {
+    if constexpr (N > 4)
+    {
+      PrefetchRows(first, N, a.Stride[1], a.Stride[2]);
+      PrefetchRows(second, N, b.Stride[1], b.Stride[2]);
+    }
     const double value = SumBlend<T, N, WithGradient>({ first, a.Stride[1], a.Stride[2] },
       { second, b.Stride[1], b.Stride[2] }, blend.Share, foot, gradient);
     if (!std::is_floating_point_v<T> || IsNumber(value))

@@ -60,7 +60,7 @@ struct FrameBlend
   double Share;
 };
 
-/** The memories of a tick, with those of a blend's frames. All are null, or none. */
+/** The memories of a tick, with those of a blend's frames. Either all are null or none is. */
 struct BlendMemories
 {
   TapMemory* First = nullptr;
@@ -180,25 +180,32 @@ public:
    */
   double Value(const FieldSampler& other, double share, const Vector3& index) const noexcept
   {
-    if (!this->BlendsSamples(other))
+    if (this->BlendsSamples(other))
     {
-      return Blend(this->Value(index), other.Value(index), share);
+      const double value =
+        this->Functions.BlendedValue({ this->View, other.View, share }, index.X, index.Y, index.Z);
+      if (std::isfinite(value))
+      {
+        return value;
+      }
     }
-    return this->Checked(
-      this->Functions.BlendedValue({ this->View, other.View, share }, index.X, index.Y, index.Z));
+    return Blend(this->Value(index), other.Value(index), share);
   }
   ValuePair Values(const FieldSampler& other, double share, const Vector3& index,
     const Vector3& offset) const noexcept
   {
-    if (!this->BlendsSamples(other))
+    if (this->BlendsSamples(other))
     {
-      const ValuePair first = this->Values(index, offset);
-      const ValuePair second = other.Values(index, offset);
-      return { Blend(first.Ahead, second.Ahead, share), Blend(first.Behind, second.Behind, share) };
+      const ValuePair pair = this->Functions.BlendedPair(
+        { this->View, other.View, share }, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+      if (std::isfinite(pair.Ahead) && std::isfinite(pair.Behind))
+      {
+        return pair;
+      }
     }
-    const ValuePair pair = this->Functions.BlendedPair(
-      { this->View, other.View, share }, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
-    return { this->Checked(pair.Ahead), this->Checked(pair.Behind) };
+    const ValuePair first = this->Values(index, offset);
+    const ValuePair second = other.Values(index, offset);
+    return { Blend(first.Ahead, second.Ahead, share), Blend(first.Behind, second.Behind, share) };
   }
   FieldSample Gradient(const FieldSampler& other, double share, const Vector3& index,
     const BlendMemories& memories = {}) const noexcept

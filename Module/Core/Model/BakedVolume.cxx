@@ -242,6 +242,10 @@ FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noex
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept
 {
+  if (!this->HasMotion)
+  {
+    return index;
+  }
   const double front = this->Frames.front().Time;
   const double back = this->Frames.back().Time;
   const bool isWindowOfLoop = back <= front;

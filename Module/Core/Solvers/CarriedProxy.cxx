@@ -20,7 +20,10 @@ constexpr double LongestCarry = 0.25;
  */
 constexpr double ShortCarry = 0.01;
 constexpr double ShortCarryToLevel = 0.06;
-/** The surface is the same within so many voxels: a hand moves farther in a tick of the law. */
+/**
+ * After a carry of up to so many voxels, the surface is not read again: its normal and gradient
+ * hardly change within it.
+ */
 constexpr double SameSurface = 0.06;
 
 /**
@@ -59,16 +62,17 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
 {
   const bool isShifted = !IsIdentical(from, index);
   Change change;
-  change.Now = now.Gradient(index);
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    old = before.Gradient(from);
+    old = before.Gradient(from); // first: it is of the older of both blends
+    change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
     change.LevelNow = change.Now.Value;
   }
   else
   {
+    change.Now = now.Gradient(index);
     change.LevelBefore = before.Value(from);
     change.LevelNow = now.Value(index);
     if (!isShifted && change.LevelBefore != change.LevelNow)
@@ -118,13 +122,24 @@ double FindCarry(const HapticModel& model, const Surface& surface, double rise, 
                                                        : std::min(step, std::max(push, 0.0));
 }
 
-/** Of the estimator's level along the gradient, per metre. */
+/** The surface through an index at which the estimator reads this sample. */
+Surface FindThere(const HapticModel& model, ServoState& state, const FieldAtTime& now,
+  const Vector3& index, const FieldSample& sample) noexcept
+{
+  return model.Baked->HasOtherSurfaces ? Law::FindSurface(model, now, index, state.Labels)
+                                       : Law::MakeFieldSurface(model, index, sample);
+}
+
+/** How much the estimator's level rises per metre along the gradient. */
 double FindSlope(const HapticModel& model, const Surface& surface) noexcept
 {
   return surface.GradientMagnitude * model.WorldUnitsPerMeter;
 }
 
-/** The slope of V, which is another one than the estimator's: between two places, where it can. */
+/**
+ * The slope of V, from its rise over the last step; the estimator's if that is more than four times
+ * off, as where V is flat.
+ */
 double FindSlopeOfValue(double estimated, double rise, double step) noexcept
 {
   constexpr double most = 4.0;
@@ -145,7 +160,7 @@ CarriedProxy CarryProxy(
   }
   const Vector3 from = index;
   const Vector3 start = state.Proxy;
-  if (model.Baked->HasMotion && !model.Baked->FeelsLabels())
+  if (!model.Baked->FeelsLabels())
   {
     index = model.Baked->FollowMaterial(from, state.CarriedTo, state.DataTime);
   }
@@ -162,9 +177,7 @@ CarriedProxy CarryProxy(
   {
     return carried;
   }
-  Surface& there = carried.There.emplace(model.Baked->HasOtherSurfaces
-      ? Law::FindSurface(model, now, index, state.Labels)
-      : Law::MakeFieldSurface(model, index, change.Now));
+  Surface& there = carried.There.emplace(FindThere(model, state, now, index, change.Now));
   const bool isOwn = HasOwnLevels(model);
   const bool isHeld = state.Precise.IsHeld && isOwn;
   const double target = isHeld ? state.Precise.Level : change.LevelBefore;
@@ -187,21 +200,21 @@ CarriedProxy CarryProxy(
     {
       const FieldSample sample = now.Gradient(index);
       level = sample.Value;
-      there = Law::MakeFieldSurface(model, index, sample);
+      there = FindThere(model, state, now, index, sample);
       slope = FindSlope(model, there);
       away = 0.0;
     }
-    else
+    else if (i + 1 < MostCarrySteps)
     {
       const double reached = now.Value(index);
-      slope = FindSlopeOfValue(slope, reached - level, step);
+      slope = FindSlopeOfValue(FindSlope(model, there), reached - level, step);
       level = reached;
     }
   }
   if (std::abs(away) * model.MostVoxelsPerMeter > SameSurface)
   {
     index = model.DeviceToIndex(state.Proxy);
-    there = Law::MakeFieldSurface(model, index, now.Gradient(index));
+    there = FindThere(model, state, now, index, now.Gradient(index));
   }
   carried.Motion = state.Proxy - start - carried.Shift;
   carried.Work = FindWork(state, start);

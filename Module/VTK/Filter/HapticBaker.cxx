@@ -69,8 +69,8 @@ void HapticBaker::WarnOfFastMotion(const BakedVolume& volume, bool isLoop) const
 //------------------------------------------------------------------------------
 bool HapticBaker::IsResampled() const
 {
-  vtkHapticRegionSource* const source = this->Filter->GetRegionSource();
-  return source && source != this->Filter->GetInputAlgorithm(0, 0);
+  vtkDataObject* const data = this->Filter->GetInputDataObject(0, 0);
+  return data && !vtkImageData::SafeDownCast(data);
 }
 
 //------------------------------------------------------------------------------

@@ -283,6 +283,45 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
   }
 }
 
+/// V goes to that of the next frame without a step, also where one frame lacks a sample.
+TEST_P(InstructionSets, ASampleThatOneFrameLacksMakesNoStep)
+{
+  const GradientKernel kernel(this->GetParam(), 2);
+  TestVolume frames[2] = { { ScalarType::Float32, { 12, 11, 10 } },
+    { ScalarType::Float32, { 12, 11, 10 } } };
+  for (const int lacking : { 0, 1 })
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      frames[i].Fill<float>(
+        [&](std::int64_t x, std::int64_t y, std::int64_t z)
+        {
+          const bool isThere = i != lacking || x != 5 || y != 5 || z != 5;
+          return isThere ? 100.0F + static_cast<float>(10 * i + x) : std::nanf("");
+        });
+    }
+    const FieldSampler first(frames[0].View, kernel);
+    const FieldSampler second(frames[1].View, kernel);
+    const Vector3 at{ 5.4, 5.2, 4.7 };
+    const Vector3 offset{ 0.2, 0.1, -0.1 };
+    double before = first.Value(at);
+    double ahead = first.Values(at, offset).Ahead;
+    const double whole = std::abs(second.Value(at) - before) + std::abs(ahead) + 1.0;
+    constexpr int steps = 1000;
+    for (int i = 1; i <= steps; ++i)
+    {
+      const double share = static_cast<double>(i) / steps;
+      const double now = i < steps ? first.Value(second, share, at) : second.Value(at);
+      const double nowAhead =
+        i < steps ? first.Values(second, share, at, offset).Ahead : second.Values(at, offset).Ahead;
+      EXPECT_LE(std::abs(now - before), 2.0 * whole / steps) << share;
+      EXPECT_LE(std::abs(nowAhead - ahead), 2.0 * whole / steps) << share;
+      before = now;
+      ahead = nowAhead;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, InstructionSets, testing::ValuesIn(AllEstimators));
 
 TEST(InstructionSetsOfLabels, AgreeForEveryTypeAndLayout)

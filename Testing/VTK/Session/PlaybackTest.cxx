@@ -187,9 +187,8 @@ TEST_F(PlaybackOfSteps, OfAGridIsTold)
   vtkNew<vtkAppendFilter> grid;
   grid->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(grid->GetOutputPort());
+  this->Device->Play(); // before the grid is there
   this->Rest();
-  EXPECT_TRUE(this->FilterLog.Warnings.empty()) << "nothing is to move";
-  this->Device->Play();
   ASSERT_TRUE(this->Wait([&] { return this->FilterLog.Warnings.size() == 1; }));
   for (const char* const part : { "vtkUnstructuredGrid", "5 time steps", "vtkResampleToImage" })
   {

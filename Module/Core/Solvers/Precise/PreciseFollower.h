@@ -7,7 +7,6 @@
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
 
-#include "Core/Solvers/CarriedProxy.h"
 #include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/Precise/PreciseSurroundings.h"
 #include "Core/Solvers/ServoState.h"
