@@ -3,12 +3,14 @@
 #include "HapticDock.h"
 
 #include "vtkHapticProperty.h"
+#include "vtkHapticViewStyle.h"
 #include "vtkStringArray.h"
 
 #include "pqFileDialog.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QCursor>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -31,6 +33,14 @@ const char* const Methods[] = { QT_TRANSLATE_NOOP("HapticDock", "Proxy"),
   QT_TRANSLATE_NOOP("HapticDock", "Force field"), QT_TRANSLATE_NOOP("HapticDock", "Surface proxy"),
   QT_TRANSLATE_NOOP("HapticDock", "Local surface"), QT_TRANSLATE_NOOP("HapticDock", "Primitives") };
 
+/** Asks the window system, so that it knows of motions whose events are still to come. */
+void FindPointer(int position[2])
+{
+  const QPoint place = QCursor::pos();
+  position[0] = place.x();
+  position[1] = place.y();
+}
+
 void SetChecked(QPushButton* button, bool on)
 {
   const QSignalBlocker blocker(button);
@@ -43,6 +53,7 @@ HapticDock::HapticDock(QWidget* parent)
   : Superclass(tr("Volume Haptics"), parent)
   , Controller(new HapticController(this))
 {
+  vtkHapticViewStyle::SetPointerQuery(FindPointer);
   auto* const panel = new QWidget(this);
   panel->setObjectName("HapticPanel");
   auto* const grid = new QGridLayout;

@@ -164,6 +164,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
       break;
     default:
       d.DeviceProxy = nullptr;
+      d.Style->ForgetVolumes();
       this->End("The connection was closed. Attach again in another one.");
   }
 }

@@ -3,6 +3,7 @@
 #include "vtkHapticViewStyle.h"
 
 #include "HapticSlices.h"
+#include "HapticVolumeFrames.h"
 #include "vtkHapticDevice.h"
 
 #include "vtkCommand.h"
@@ -22,6 +23,7 @@ vtkStandardNewMacro(vtkHapticViewStyle);
 //------------------------------------------------------------------------------
 vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
+  , Frames(std::make_unique<VolumeHaptics::HapticVolumeFrames>())
 {
   // The properties of the filter Volume Haptics say what is felt: ParaView's undo and redo compare.
   this->SetKey("Compare", "");
@@ -34,10 +36,23 @@ vtkHapticViewStyle::~vtkHapticViewStyle() = default;
 void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
+  this->Frames->SetView(view);
   // It takes precedence over the renderer under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::ForgetVolumes()
+{
+  this->Frames->Forget();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticViewStyle::SetPointerQuery(void (*query)(int position[2]))
+{
+  VolumeHaptics::HapticVolumeFrames::SetPointerQuery(query);
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +176,17 @@ void vtkHapticViewStyle::DrawScene(bool quickly)
   {
     return;
   }
-  quickly ? this->View->InteractiveRender() : this->View->StillRender();
+  using Touch = VolumeHaptics::HapticVolumeFrames::Touch;
+  vtkHapticDevice* const device = this->GetDevice();
+  const int status = device ? device->GetStatus() : vtkHapticDevice::CLOSED;
+  const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
+  const bool isTouched =
+    this->GetTouchMode() || (device && device->HasFrames() && device->IsPlaying());
+  this->Frames->Draw(quickly,
+    !this->GetAutoAdjustVolumeQuality() ? Touch::Off
+      : isArmed                         ? Touch::Armed
+      : isTouched                       ? Touch::On
+                                        : Touch::Off);
 }
 
 //------------------------------------------------------------------------------

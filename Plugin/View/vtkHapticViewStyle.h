@@ -11,6 +11,10 @@
  * device's property Armed, which follows the device when something disarms it; the key for the next
  * method sets Method and Solver of the touched filter.
  *
+ * While the scene is touched, ParaView's volumes are drawn by VTK's ray caster for processors where
+ * OpenGL runs on the processor, too, without speckles and as quickly as 20 frames a second allow.
+ * AutoAdjustVolumeQualityOff() leaves them to ParaView.
+ *
  * @sa vtkHapticViewLink
  */
 #ifndef vtkHapticViewStyle_h
@@ -25,7 +29,8 @@
 namespace VolumeHaptics
 {
 class HapticSlices;
-}
+class HapticVolumeFrames;
+} // namespace VolumeHaptics
 class vtkSMHapticDeviceProxy;
 class vtkSMRenderViewProxy;
 
@@ -44,6 +49,9 @@ public:
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
+  /** Call it before the end of a session whose server may have gone: nothing is sent there. */
+  void ForgetVolumes();
+
   ///@{
   /**
    * Whether the slices of Orthographic Slice Views of the view's session follow the tip when it
@@ -53,6 +61,13 @@ public:
   vtkGetMacro(SlicesFollowTip, bool);
   vtkBooleanMacro(SlicesFollowTip, bool);
   ///@}
+
+  /**
+   * Tells where the pointer is on the screen, in pixels, in a program whose events of the mouse
+   * wait in a queue that is not VTK's: it is asked during fine frames, and a motion gives the frame
+   * up. The dock window sets Qt's. Null: such frames are drawn to their end. Default null.
+   */
+  static void SetPointerQuery(void (*query)(int position[2]));
 
   /** Sets the property Armed of the device's proxy. */
   void SetArmed(bool on);
@@ -80,6 +95,7 @@ private:
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
   bool SlicesFollowTip = true;
   std::unique_ptr<VolumeHaptics::HapticSlices> Slices;
+  std::unique_ptr<VolumeHaptics::HapticVolumeFrames> Frames;
   bool IsBusy = false; ///< a timer may fire while a view that renders waits for its server
 };
 

@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures from outside how quickly a window follows the hand, as an eye sees it, and prints it:
 
-    pace.py TITLE [--at X Y] [--steps N] [--rounds N]
+    pace.py TITLE [--at X Y] [--steps N] [--rounds N] [--delay S] [--click 1]
 
 A window with this title is open on this screen, on X11, with a volume that can be touched at the fraction X, Y of its
 width and height (0.5, 0.5). The pointer goes there, the key t begins the touch, and N steps of the wheel (4) press.
+--delay: seconds before that (1). --click: a click gives the volume the keyboard's focus, which ParaView's takes.
 
 frames per second: how often the picture around the proxy changes during a stroke of three seconds.
 
@@ -111,9 +112,10 @@ class Screen:
             TEST.XTestFakeKeyEvent(self.display, X11.XKeysymToKeycode(self.display, ord(key)), down, 0)
         X11.XFlush(self.display)
 
-    def turn(self):
+    def push(self, button):
+        """A mouse button, of which the fourth is a step of the wheel."""
         for down in (1, 0):
-            TEST.XTestFakeButtonEvent(self.display, 4, down, 0)
+            TEST.XTestFakeButtonEvent(self.display, button, down, 0)
         X11.XFlush(self.display)
 
 
@@ -161,6 +163,8 @@ def main():
     parser.add_argument("--at", nargs=2, type=float, default=(0.5, 0.5))
     parser.add_argument("--steps", type=int, default=4)
     parser.add_argument("--rounds", type=int, default=40)
+    parser.add_argument("--delay", type=float, default=1.0)
+    parser.add_argument("--click", type=int, default=0)
     options = parser.parse_args()
     screen = Screen()
     end = time.monotonic() + 120
@@ -171,11 +175,14 @@ def main():
     left, top, width, height = found
     x, y = left + int(options.at[0] * width), top + int(options.at[1] * height)
     screen.move(x, y)
-    time.sleep(1.0)
+    time.sleep(options.delay)
+    if options.click:
+        screen.push(1)
+        time.sleep(0.5)
     screen.press("t")
     time.sleep(1.5)  # the force rises, and frames learn how long they take
     for _ in range(options.steps):
-        screen.turn()
+        screen.push(4)
         time.sleep(0.1)
     time.sleep(0.5)
     stroke(screen, x, y, 1.0)

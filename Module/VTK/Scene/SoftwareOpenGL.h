@@ -15,20 +15,21 @@ namespace VolumeHaptics
 {
 
 /**
- * By the name of the renderer: those of Mesa and of Windows that run on the processor. False before
- * the window has rendered.
+ * Whether a text of vtkRenderWindow::ReportCapabilities names one of the renderers of Mesa and of
+ * Windows that run on the processor.
  */
-inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
+inline bool NamesSoftwareOpenGL(const std::string& capabilities)
 {
-  if (!window || window->GetNeverRendered())
-  {
-    return false;
-  }
-  const std::string capabilities = window->ReportCapabilities();
   const auto isNamed = [&](const char* name)
   { return capabilities.find(name) != std::string::npos; };
   return isNamed("llvmpipe") || isNamed("softpipe") || isNamed("Software Rasterizer") ||
     isNamed("GDI Generic") || isNamed("Microsoft Basic Render");
+}
+
+/** By the name of the renderer. False before the window has rendered. */
+inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
+{
+  return window && !window->GetNeverRendered() && NamesSoftwareOpenGL(window->ReportCapabilities());
 }
 
 } // namespace VolumeHaptics

@@ -10,6 +10,8 @@ import sys
 import time
 
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
 from view import force, hands, lead_out, make_link, press, run, wait_until
 
@@ -86,6 +88,54 @@ def slices(view, device, link):
     link.SlicesFollowTip = 0
     lead_out(view, device)
     assert list(sliced.SlicePosition) == [0, 0, 0], "the slices follow although they should not"
+
+
+def volume(view, device, link):
+    """On software OpenGL frames in motion have no speckles; afterwards the view has its own ray caster back."""
+    window = view.GetRenderWindow()
+    shown = simple.GetRepresentation(simple.FindSource("Head"), view)
+    simple.ColorBy(shown, ("POINTS", "HU"))
+    simple.GetColorTransferFunction("HU").ApplyPreset("Grayscale", True)
+    opacity = simple.GetOpacityTransferFunction("HU")
+    opacity.Points = [-1000, 0, 0.5, 0, -600, 0, 0.5, 0, -200, 0.35, 0.5, 0, 2000, 0.9, 0.5, 0]
+    shown.SetRepresentationType("Volume")
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-315, -400, 60], [0, 0, 0], [0, 0, 1]
+
+    def look():
+        pixels = vtkUnsignedCharArray()
+        window.GetPixelData(110, 150, 169, 199, 0, pixels, 0)  # the temple, with neither the hand nor its figures
+        return vtk_to_numpy(pixels).reshape(50, 60, 3)[:, :, 0].astype(float)
+
+    def speckles(picture):
+        """How much pixels differ from the mean of their neighbours."""
+        mean = (picture[:-2, 1:-1] + picture[2:, 1:-1] + picture[1:-1, :-2] + picture[1:-1, 2:]) / 4
+        return abs(picture[1:-1, 1:-1] - mean).mean()
+
+    simple.Render(view)
+    before = look()
+    if "llvmpipe" not in window.ReportCapabilities():
+        print("Not software OpenGL: nothing to see", flush=True)
+        return
+    link.Attached = 1
+    press(view, device)
+    quick, rates = [], []
+
+    def note(*_):
+        if window.GetDesiredUpdateRate() > 1:
+            quick.append(speckles(look()))
+            rates.append(window.GetDesiredUpdateRate())
+
+    tag = window.AddObserver("EndEvent", note)
+    for x in range(20):
+        device.VirtualTip = [-25 + x, -72, 45]
+        count = len(quick)
+        wait_until(view, lambda: len(quick) > count, "no frame in motion was drawn")
+    window.RemoveObserver(tag)
+    assert max(quick) < 2.0 * speckles(before) + 0.5, f"speckles: {quick} in motion, {speckles(before)} at rest"
+    assert shown.VolumeRenderingMode == "Smart", "a property of the user's was changed"
+    link.Attached = 0
+    simple.Render(view)
+    assert (look() == before).all(), "the view has not got its own ray caster back"
 
 
 def end_session(view, device, link):

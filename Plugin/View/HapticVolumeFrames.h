@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How ParaView's volumes are drawn while a hand touches them.
+ */
+#ifndef HapticVolumeFrames_h
+#define HapticVolumeFrames_h
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+class vtkCallbackCommand;
+class vtkObject;
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkSMProxy;
+class vtkSMRenderViewProxy;
+
+namespace VolumeHaptics
+{
+
+/**
+ * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which gives nobody its ray
+ * casters. On software OpenGL its frames in motion are speckled and slow. So, as FrameQuality does
+ * with VTK's own mappers:
+ *
+ * - While a scene is touched and OpenGL runs on the processor of whoever draws, the client or a
+ *   server, volumes whose mode is Smart are drawn by VTK's ray caster for processors if it can:
+ *   one component, at points, of an image. The property VolumeRenderingMode stays as it is.
+ * - Frames in motion that the client draws with that ray caster take 40 ms: it gets the time that
+ *   the rest of the frame leaves, and casts as many rays as fit. ParaView itself asks for 5 frames
+ *   a second.
+ * - These frames go without FXAA, which takes more time there than all else.
+ * - Frames at rest of an armed device take half a second at most, and are given up when the pointer
+ *   moves meanwhile, if somebody tells where it is.
+ */
+class HapticVolumeFrames
+{
+public:
+  enum class Touch
+  {
+    Off,
+    On,
+    Armed
+  };
+
+  HapticVolumeFrames();
+  ~HapticVolumeFrames();
+  HapticVolumeFrames(const HapticVolumeFrames&) = delete;
+  HapticVolumeFrames& operator=(const HapticVolumeFrames&) = delete;
+
+  /** Gives the volumes of the last view their own mode back. nullptr for none. */
+  void SetView(vtkSMRenderViewProxy* view);
+  /** Leaves the volumes as they are: nothing may be sent to a server that has gone. */
+  void Forget() { this->Volumes.clear(); }
+  /** Draws the view with InteractiveRender or StillRender. */
+  void Draw(bool quickly, Touch touch);
+
+  /**
+   * Tells where the pointer is on the screen, even if its events wait in a queue that is not VTK's;
+   * nullptr: nobody knows.
+   */
+  using PointerQuery = void (*)(int position[2]);
+  static void SetPointerQuery(PointerQuery query);
+
+private:
+  /** A volume that is drawn by another ray caster than ParaView has chosen. */
+  struct Volume
+  {
+    vtkWeakPointer<vtkSMProxy> Representation;
+    vtkWeakPointer<vtkSMProxy> Drawn; ///< the part of it that draws the volume
+    unsigned long long SetTime;       ///< of the property VolumeRenderingMode
+  };
+  /** How often the ray caster is asked to draw (Hz), so that a frame takes the time it may. */
+  struct Rate
+  {
+    double Hz;
+    void Follow(double time, double longest);
+  };
+
+  void ChooseRayCasters(Touch touch);
+  /** Whether the one who has the data, and so draws the volumes, has OpenGL on the processor. */
+  bool IsOnProcessor();
+  bool IsWindowOnProcessor();
+  void Begin();
+  void End();
+  void Interrupt();
+
+  vtkWeakPointer<vtkSMRenderViewProxy> View;
+  vtkWeakPointer<vtkRenderWindow> Window;
+  vtkNew<vtkCallbackCommand> Observer;
+  std::vector<Volume> Volumes;
+  std::vector<vtkWeakPointer<vtkRenderer>> Smoothed; ///< renderers that have lent their FXAA
+  ///@{
+  /** Empty: not known yet. */
+  std::optional<bool> OnProcessor;
+  std::optional<bool> WindowOnProcessor;
+  ///@}
+  bool CastsOnProcessor = false; ///< some volume is drawn so
+  bool IsDrawing = false;
+  bool IsQuick = false;
+  bool IsTouched = false;
+  bool IsArmed = false;
+  bool KeepsPicture = false; ///< the frame is not shown
+  Rate InMotion{ 20.0 };
+  Rate AtRest{ 2.0 };
+  std::chrono::steady_clock::time_point Start;
+  std::chrono::steady_clock::time_point Looked; ///< at the pointer
+  int Pointer[2] = { 0, 0 };                    ///< when the frame began
+};
+
+} // namespace VolumeHaptics
+
+#endif
