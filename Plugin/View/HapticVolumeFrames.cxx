@@ -34,10 +34,10 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestMotion = 0.04; // s; events and haptics take the rest of 1/20 s
+constexpr double LongestMotion = 0.03; // s; Qt, events and haptics take the rest of 1/20 s
 constexpr double LongestRest = 0.5;    // s, because a device without news lets go
 constexpr double LeastRate = 1.0;      // Hz; below it, vtkSmartVolumeMapper casts all rays
-constexpr double HighestRate = 1000.0; // Hz
+constexpr double HighestRate = 60.0;   // Hz; above it, blocks of pixels save little time
 constexpr auto LookPeriod = std::chrono::milliseconds(10);
 constexpr const char* Mode = "VolumeRenderingMode";
 

@@ -32,9 +32,9 @@ namespace VolumeHaptics
  * - While a scene is touched and OpenGL runs on the processor of whoever draws, the client or a
  *   server, volumes whose mode is Smart are drawn by VTK's ray caster for processors if it can:
  *   one component, at points, of an image. The property VolumeRenderingMode stays as it is.
- * - Frames in motion that the client draws with that ray caster take 40 ms: it gets the time that
- *   the rest of the frame leaves, and casts as many rays as fit. ParaView itself asks for 5 frames
- *   a second.
+ * - Frames in motion that the client draws with that ray caster take 30 ms: it gets the time that
+ *   the rest of the frame leaves, and casts as many rays as fit. Qt draws its window meanwhile,
+ *   so that 20 frames a second are left. ParaView itself asks for 5.
  * - These frames go without FXAA, which takes more time there than all else.
  * - Frames at rest of an armed device take half a second at most, and are given up when the pointer
  *   moves meanwhile, if somebody tells where it is.
