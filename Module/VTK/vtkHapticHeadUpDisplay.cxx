@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticHeadUpDisplay.h"
 
+#include "VTK/Charts/HapticDisplayLines.h"
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticForceChart.h"
 #include "VTK/Charts/HapticForceHistory.h"
 #include "VTK/Charts/HapticKeySheet.h"
 #include "VTK/Charts/HapticModeList.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
+#include "VTK/Charts/HapticOverlays.h"
 #include "VTK/Charts/HapticTextLook.h"
+#include "VTK/Charts/HapticWrappedText.h"
 #include "VTK/Scene/DisplayText.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
@@ -19,7 +22,6 @@
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticMeasurements.h"
-#include "vtkHapticMode.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
@@ -33,8 +35,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkHapticHeadUpDisplay);
@@ -44,7 +44,8 @@ using namespace VolumeHaptics;
 namespace
 {
 constexpr double TextTop = 0.975; ///< of the viewport
-constexpr int Gap = 8;            ///< pixels below the text
+constexpr double TextLeft = 0.02;
+constexpr int Gap = 8; ///< pixels below the text
 
 struct Tissue
 {
@@ -58,96 +59,6 @@ double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
-
-/** The filter whose modes are felt; null for other methods. */
-vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device)
-{
-  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
-  return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES ? filter : nullptr;
-}
-
-/** The names of all modes, each another one. */
-std::vector<std::string> NameModes(vtkHapticDevice* device)
-{
-  std::vector<std::string> names;
-  vtkVolumeHapticsFilter* const filter = FindModes(device);
-  for (int i = 0; filter && i < filter->GetNumberOfModes(); ++i)
-  {
-    names.push_back(std::to_string(i + 1) + " " + filter->GetMode(i)->GetText());
-  }
-  return names;
-}
-
-/** The same, empty for those that are not active. */
-std::vector<std::string> NameActiveModes(vtkHapticDevice* device)
-{
-  std::vector<std::string> names = NameModes(device);
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    const bool isActive = FindModes(device)->GetMode(static_cast<int>(i))->GetActive();
-    names[i] = isActive ? names[i] : std::string();
-  }
-  return names;
-}
-
-/** A line for each mode, with its force. */
-std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device)
-{
-  std::vector<ModeLine> lines;
-  for (const std::string& name : NameModes(device))
-  {
-    const auto mode = static_cast<int>(lines.size());
-    const bool isActive = FindModes(device)->GetMode(mode)->GetActive();
-    std::ostringstream text;
-    text << name << ": " << std::fixed << std::setprecision(2);
-    isActive ? text << vtkMath::Norm(device->GetModeForce(mode)) << " N" : text << "off";
-    lines.push_back({ text.str(), isActive });
-  }
-  return lines;
-}
-
-/** Their names and values, one a line, and what is being measured. */
-std::string ListMeasurements(vtkHapticMeasurements* measurements)
-{
-  constexpr vtkIdType most = 8;
-  const vtkIdType count = measurements->GetNumberOfMeasurements();
-  const vtkIdType first = std::max<vtkIdType>(count - most, 0);
-  std::string text = first > 0 ? "... " + std::to_string(first) + " more\n" : std::string();
-  for (vtkIdType i = first; i < count; ++i)
-  {
-    text += measurements->GetText(i) + "\n";
-  }
-  text += measurements->GetUnfinishedText();
-  return !text.empty() && text.back() == '\n' ? text.substr(0, text.size() - 1) : text;
-}
-
-/** A line on the time of a volume that moves; empty without one. */
-std::string DescribeTime(vtkHapticDevice* device)
-{
-  if (!device->HasFrames())
-  {
-    return {};
-  }
-  static const char* const ends[] = { "once", "in a loop", "to and fro" };
-  std::ostringstream text;
-  text << "Time " << std::setprecision(4) << device->GetDataTime() << ", shown "
-       << device->GetFrameTime() << ", ";
-  if (device->IsPlaying())
-  {
-    text << "played " << ends[device->GetPlayback()];
-    if (device->GetPlaybackSpeed() != 1.0)
-    {
-      text << ", speed " << device->GetPlaybackSpeed();
-    }
-  }
-  else
-  {
-    text << "held";
-  }
-  // A picture that takes long delays the frames.
-  text << (device->IsWaitingForData() ? ", waiting for data" : "");
-  return text.str();
-}
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -160,6 +71,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   HapticOverlayPicture Picture;
   std::chrono::steady_clock::time_point Drawn; // the time of the last picture
   vtkNew<vtkTextActor> Text;
+  HapticWrappedText Wrapped;
   double TextHeight = 0.0; // pixels
   vtkNew<vtkTextActor> Hint;
   vtkNew<HapticKeySheet> Keys;
@@ -186,11 +98,10 @@ vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
   : Internals(new vtkInternals)
 {
   auto& d = *this->Internals;
-  d.Text->GetTextProperty()->SetFontSize(14);
   d.Text->GetTextProperty()->SetVerticalJustificationToTop();
   d.Text->GetTextProperty()->SetLineSpacing(1.15);
   d.Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  d.Text->GetPositionCoordinate()->SetValue(0.02, TextTop);
+  d.Text->GetPositionCoordinate()->SetValue(TextLeft, TextTop);
   vtkTextProperty* const hint = d.Hint->GetTextProperty();
   hint->SetColor(1.0, 1.0, 1.0);
   hint->SetBackgroundColor(0.06, 0.07, 0.09);
@@ -447,13 +358,14 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   double size[2] = { 0.0, 0.0 };
   if (!text.empty())
   {
-    this->Text->SetInput(text.c_str());
+    const int* const view = viewport->GetSize();
+    const int plot = self.PlotVisibility ? HapticForceChart::PanelSize(view[0], view[1])[1] : 0;
+    this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
     // Draws the letters into the texture that is shown next.
     this->Text->RenderOpaqueGeometry(viewport);
     drawn += this->Text->RenderOverlay(viewport);
     this->Text->GetSize(viewport, size);
-    const int* const view = viewport->GetSize();
-    this->Covered.push_back({ 0.0, 0.02 * view[0] + size[0] + Gap,
+    this->Covered.push_back({ 0.0, TextLeft * view[0] + size[0] + Gap,
       TextTop * view[1] - size[1] - Gap, static_cast<double>(view[1]) });
   }
   this->TextHeight = size[1];
@@ -525,7 +437,9 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
   const int* const size = viewport->GetSize();
-  this->Chart.Fit(size[0], size[1]);
+  const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1]);
+  const std::array<int, 2> from = FindFreeCorner(viewport, panel[0], panel[1]);
+  const bool isMoved = this->Chart.Fit(size[0], size[1], from);
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now - this->Drawn >= std::chrono::milliseconds(50);
@@ -541,9 +455,9 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
     this->Drawn = now;
   }
   const int* const corner = this->Chart.GetCorner();
-  this->Covered.push_back(
-    { 0.0, static_cast<double>(corner[0]), 0.0, static_cast<double>(corner[1]) });
-  return this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale);
+  this->Covered.push_back({ static_cast<double>(from[0]), static_cast<double>(corner[0]),
+    static_cast<double>(from[1]), static_cast<double>(corner[1]) });
+  return this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@ namespace VolumeHaptics
 namespace
 {
 
+constexpr int Margin = 10; // pixels around a panel
 constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
 
 struct Colour
@@ -262,14 +263,22 @@ void HapticForceChart::SetLetters(int size)
   SetChartText(this->Chart->GetLegend()->GetLabelProperties(), size - (isPage ? 0 : 1), colour);
 }
 
-void HapticForceChart::Fit(int width, int height)
+std::array<int, 2> HapticForceChart::PanelSize(int width, int height)
 {
-  if (width == this->Viewport[0] && height == this->Viewport[1])
+  // Beside what is in the middle of the viewport, not over it.
+  return { Margin + std::min(width - 2 * Margin, std::clamp(width * 3 / 10, 210, 330)),
+    Margin + std::clamp(height * 22 / 100, 120, 180) };
+}
+
+bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from)
+{
+  if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From)
   {
-    return; // a chart whose size is set lays itself out again
+    return false; // a chart whose size is set lays itself out again
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
+  this->From = from;
   if (this->On == Ground::Page)
   {
     this->SetLetters(std::max(9, height / 36));
@@ -277,25 +286,26 @@ void HapticForceChart::Fit(int width, int height)
       vtkRectf(0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height)));
     this->Height = height;
     std::copy(this->Viewport, this->Viewport + 2, this->Corner);
-    return;
+    return true;
   }
-  constexpr float margin = 10.0f;
-  // Beside what is in the middle of the viewport, not over it.
-  const auto across =
-    static_cast<float>(std::min(width - 20, std::clamp(width * 3 / 10, 210, 330)));
-  const auto up = static_cast<float>(std::clamp(height * 22 / 100, 120, 180));
+  const std::array<int, 2> size = HapticForceChart::PanelSize(width, height);
+  const auto across = static_cast<float>(size[0] - Margin);
+  const auto up = static_cast<float>(size[1] - Margin);
+  const auto left = static_cast<float>(from[0] + Margin);
+  const auto bottom = static_cast<float>(from[1] + Margin);
   constexpr int letters = 10;
   constexpr float gap = 6.0f;
   const float names = HapticCurveNames::GetHeight(letters);
   this->SetLetters(letters);
-  this->Panel->SetDimensions(margin, margin, across, up);
-  this->Names->Place(margin + 2.0f * gap, margin + up - gap, letters);
+  this->Panel->SetDimensions(left, bottom, across, up);
+  this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters);
   // A chart has a wide border above it, which the names can use.
   constexpr float border = 10.0f;
   this->Height = up - names + border;
-  this->Chart->SetSize(vtkRectf(margin, margin, across, static_cast<float>(this->Height)));
-  this->Corner[0] = static_cast<int>(margin + across);
-  this->Corner[1] = static_cast<int>(margin + up);
+  this->Chart->SetSize(vtkRectf(left, bottom, across, static_cast<float>(this->Height)));
+  this->Corner[0] = from[0] + size[0];
+  this->Corner[1] = from[1] + size[1];
+  return true;
 }
 
 bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::string& title)

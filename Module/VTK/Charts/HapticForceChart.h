@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -60,9 +61,14 @@ public:
    * Build, with the names of HapticForceTable::SetModes; one that is empty leaves its curve out.
    */
   void SetModes(const std::vector<std::string>& names);
-  /** Fits the chart into a viewport of this size (pixels). */
-  void Fit(int width, int height);
-  /** The corner of the viewport that it takes up (pixels). */
+  /** The size of a panel in a viewport of this size, with the margin at its left and below it. */
+  static std::array<int, 2> PanelSize(int width, int height);
+  /**
+   * Fits the chart into a viewport of this size (pixels). `from`: the lower left corner of a panel
+   * with its margins. Returns whether that changes the chart.
+   */
+  bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 });
+  /** The upper right corner of what it takes up (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
    * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
@@ -89,7 +95,8 @@ private:
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
   vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
   std::vector<std::string> Modes;
-  int Viewport[2] = { 0, 0 }; ///< pixels, as the next two
+  int Viewport[2] = { 0, 0 }; ///< pixels, as the next three
+  std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };
   double Height = 1.0;
   vtkTable* Shown = nullptr; ///< the source of the lines

@@ -90,6 +90,34 @@ def slices(view, device, link):
     assert list(sliced.SlicePosition) == [0, 0, 0], "the slices follow although they should not"
 
 
+def look_at(view, left, right, bottom, top):
+    pixels = vtkUnsignedCharArray()
+    view.GetRenderWindow().GetPixelData(left, bottom, right - 1, top - 1, 0, pixels, 0)
+    return vtk_to_numpy(pixels).reshape(top - bottom, right - left, 3).astype(float)
+
+
+def axes(view, device, link):
+    """The plot leaves ParaView's orientation axes alone, which are drawn by a small renderer at the lower left."""
+    window = view.GetRenderWindow()
+    renderers = [window.GetRenderers().GetItemAsObject(i) for i in range(window.GetRenderers().GetNumberOfItems())]
+    for width, height in ((300, 300), (400, 300), (700, 560)):
+        view.ViewSize = [width, height]
+        for visible in (1, 0):
+            view.OrientationAxesVisibility = visible
+            simple.Render(view)
+            small = min(renderer.GetSize() for renderer in renderers)
+            assert 30 < small[0] < 0.5 * width and 30 < small[1] < 0.5 * height, small
+            box = (0, small[0], 0, small[1])
+            corner = look_at(view, *box)
+            below = look_at(view, 0, width, 0, height // 2)
+            link.Attached = 1
+            simple.Render(view)
+            is_alone = (look_at(view, *box) == corner).all()
+            assert is_alone == bool(visible), f"the axes are visible: {visible}, at {width} x {height}"
+            assert (look_at(view, 0, width, 0, height // 2) != below).any(), "there is no plot"
+            link.Attached = 0
+
+
 def volume(view, device, link):
     """On software OpenGL frames in motion have no speckles; afterwards the view has its own ray caster back."""
     window = view.GetRenderWindow()
@@ -99,6 +127,7 @@ def volume(view, device, link):
     opacity = simple.GetOpacityTransferFunction("HU")
     opacity.Points = [-1000, 0, 0.5, 0, -600, 0, 0.5, 0, -200, 0.35, 0.5, 0, 2000, 0.9, 0.5, 0]
     shown.SetRepresentationType("Volume")
+    view.OrientationAxesVisibility = 0  # the plot is below the temple
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-315, -400, 60], [0, 0, 0], [0, 0, 1]
 
     def look():

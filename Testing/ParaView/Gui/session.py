@@ -208,10 +208,9 @@ class Session:
         self.stop_trace()
 
     def at_rest(self):
-        """The next frame of the hand would be drawn quickly. The axes are in the corner of the graph."""
+        """The next frame of the hand would be drawn quickly."""
         view = simple.GetActiveView()
         view.EnableRenderOnInteraction = 0
-        view.OrientationAxesVisibility = 0
         simple.Render(view)
 
     def picture(self):
