@@ -4,6 +4,7 @@
 
 #include "VTK/Charts/HapticOverlays.h"
 
+#include "vtkStdString.h" // of which VTK 9.1 takes one
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
