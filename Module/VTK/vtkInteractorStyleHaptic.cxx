@@ -381,8 +381,16 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseMove()
 {
-  if (!HasWindow(this->Interactor) || this->Internals->Interaction.MoveMouse())
+  if (!HasWindow(this->Interactor))
   {
+    return;
+  }
+  if (this->Internals->Interaction.MoveMouse())
+  {
+    if (this->Internals->Interaction.Frames.IsLate())
+    {
+      this->DrawHaptics();
+    }
     return;
   }
   // The superclass asks the window of the renderer for its size: a renderer that was removed from

@@ -16,9 +16,9 @@ namespace VolumeHaptics
  * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. If a frame
  * is slow even so, there is a gap after it: timers come due with each event, so that else a frame
  * would be drawn between any two motions of a mouse that wait, and a key would be late by all of
- * them. A scene that has come to rest is drawn once, finely. After that only figures change:
- * drawing them may take a tenth of the time, so that a volume that takes a second to draw leaves
- * the application responsive.
+ * them. If it is known that nothing waits, there is none. A scene that has come to rest is drawn
+ * once, finely. After that only figures change: drawing them may take a tenth of the time, so that
+ * a volume that takes a second to draw leaves the application responsive.
  */
 class HapticRenderPace
 {
@@ -32,18 +32,21 @@ public:
   static constexpr double Pause = 0.3;     ///< s without movement that count as rest
   static constexpr double Shortest = 0.05; ///< s between frames at rest
   static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer has a gap after it
-  static constexpr double LongestGap = 0.1; ///< s
+  static constexpr double LongestGap = 0.1;     ///< s
+  static constexpr double LongestPeriod = 0.02; ///< s: slower frames are late by that of a timer
+  static constexpr double LongestStep = 0.05;   ///< s between motions of one stroke
+  static constexpr double FeltTime = 0.004;     ///< s, of several ticks
 
   /**
    * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
-   * changed.
+   * changed. `isIdle`: no input waits.
    */
-  Frame Next(double now, bool moves, bool isNew)
+  Frame Next(double now, bool moves, bool isNew, bool isIdle = false)
   {
     if (moves)
     {
       const double gap =
-        this->QuickCost > Slow ? std::min(0.25 * this->QuickCost, LongestGap) : 0.0;
+        this->QuickCost > Slow && !isIdle ? std::min(0.25 * this->QuickCost, LongestGap) : 0.0;
       return now - this->LastDrawn >= gap ? Frame::Quick : Frame::None;
     }
     if (!this->IsStill)
@@ -62,6 +65,18 @@ public:
     this->LastDrawn = now;
     this->IsStill = !quickly;
     (quickly ? this->QuickCost : this->Cost) = cost;
+  }
+
+  /**
+   * Whether a motion of the mouse is to draw, because timers are late: those of VTK on X11 wait for
+   * all of their period after a frame. The motion before has been felt meanwhile; the first one
+   * after a rest has not, and is left to the timer.
+   */
+  bool IsLate(double now) const
+  {
+    const double elapsed = now - this->LastDrawn;
+    return this->QuickCost > LongestPeriod && !this->IsStill && elapsed >= FeltTime &&
+      elapsed <= LongestStep;
   }
 
   /** Call it after a frame that was interrupted: it becomes due again. */

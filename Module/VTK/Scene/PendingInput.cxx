@@ -49,21 +49,32 @@ decltype(&XCheckIfEvent) FindXCheckIfEvent()
                  : nullptr;
 }
 
+decltype(&XCheckIfEvent) CheckIfEvent()
+{
+  static const auto found = FindXCheckIfEvent();
+  return found;
+}
+
 bool HasEvent(vtkRenderWindow* window)
 {
-  static const auto checkIfEvent = FindXCheckIfEvent();
-  if (!checkIfEvent || !window->IsA("vtkXOpenGLRenderWindow") || !window->GetGenericDisplayId())
+  if (!VolumeHaptics::KnowsInput(window))
   {
     return false;
   }
   Search search{ reinterpret_cast<Window>(window->GetGenericWindowId()), false };
   XEvent event;
-  checkIfEvent(static_cast<Display*>(window->GetGenericDisplayId()), &event, Note,
+  CheckIfEvent()(static_cast<Display*>(window->GetGenericDisplayId()), &event, Note,
     reinterpret_cast<XPointer>(&search));
   return search.Found;
 }
 
 } // namespace
+
+bool VolumeHaptics::KnowsInput(vtkRenderWindow* window)
+{
+  return window && CheckIfEvent() && window->IsA("vtkXOpenGLRenderWindow") &&
+    window->GetGenericDisplayId();
+}
 #else
 namespace
 {
@@ -72,6 +83,11 @@ bool HasEvent(vtkRenderWindow*)
   return false;
 }
 } // namespace
+
+bool VolumeHaptics::KnowsInput(vtkRenderWindow*)
+{
+  return false;
+}
 #endif
 
 namespace VolumeHaptics

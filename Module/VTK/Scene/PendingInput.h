@@ -19,6 +19,9 @@ namespace VolumeHaptics
  */
 bool HasPendingInput(vtkRenderWindow* window);
 
+/** Whether that is known of motions of the mouse, too. */
+bool KnowsInput(vtkRenderWindow* window);
+
 } // namespace VolumeHaptics
 
 #endif

@@ -4,8 +4,10 @@
 
 #include "VTK/Scene/HapticViewRay.h"
 #include "VTK/Scene/HapticWindowWatch.h"
+#include "VTK/Scene/PendingInput.h"
 
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -82,12 +84,25 @@ bool SceneFrames::DrawIfDue(bool isNew)
     this->Pace.Interrupted(now);
   }
   const bool moves = this->Scene.Style->GetState() != VTKIS_NONE || this->HasMoved();
-  const Frame frame = this->Pace.Next(now, moves, isNew);
+  const Frame frame = this->Pace.Next(now, moves, isNew, this->IsIdle());
   if (frame != Frame::None)
   {
     this->Draw(frame == Frame::Quick);
   }
   return frame != Frame::None;
+}
+
+bool SceneFrames::IsIdle() const
+{
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  return KnowsInput(window) && !HasPendingInput(window);
+}
+
+bool SceneFrames::IsLate() const
+{
+  return this->Scene.Device && this->Scene.Style->GetTouchMode() &&
+    this->Pace.IsLate(vtkTimerLog::GetUniversalTime()) && this->IsIdle();
 }
 
 bool SceneFrames::HasMoved() const

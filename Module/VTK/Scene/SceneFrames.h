@@ -42,6 +42,8 @@ public:
    * new state.
    */
   bool DrawIfDue(bool isNew);
+  /** Whether a motion of the mouse that touches is to draw at once: HapticRenderPace::IsLate. */
+  bool IsLate() const;
   /** Notes an event that the next frame has to show. */
   void NoteEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */
@@ -49,6 +51,8 @@ public:
 
 private:
   bool HasMoved() const;
+  /** Whether it is known that no input waits. */
+  bool IsIdle() const;
   /** Notes an event if the editor has counted more than the last frame shows. */
   void FollowEditor();
 

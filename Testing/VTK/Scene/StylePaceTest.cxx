@@ -111,6 +111,42 @@ TEST(RenderPace, LeavesTimeForInputAfterASlowFrame)
   EXPECT_EQ(next(3.11), Frame::Quick) << "a tenth of a second is the most";
 }
 
+TEST(RenderPace, HasNoGapWhereNothingWaits)
+{
+  using VolumeHaptics::HapticRenderPace;
+  using Frame = HapticRenderPace::Frame;
+  HapticRenderPace pace;
+  pace.Drawn(true, 1.0, 0.2);
+  EXPECT_EQ(pace.Next(1.01, true, false), Frame::None);
+  EXPECT_EQ(pace.Next(1.01, true, false, true), Frame::Quick);
+  EXPECT_FALSE(pace.IsLate(1.002)) << "the motion before is not felt yet";
+  EXPECT_TRUE(pace.IsLate(1.005));
+  EXPECT_FALSE(pace.IsLate(1.3)) << "the first motion after a rest is not felt yet";
+  pace.Drawn(true, 2.0, 0.015);
+  EXPECT_FALSE(pace.IsLate(2.015)) << "timers are quick enough for quick frames";
+}
+
+TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)
+{
+  this->Start();
+  this->Slowness = 40;
+  this->Pointer(150, 150);
+  this->Style->SetTouchMode(true);
+  this->Time(400, [this](int i) { this->Pointer(150 + i % 20, 150); });
+  ASSERT_GT(this->Quick, 0);
+  int drawn = 0;
+  for (int i = 0; i < 40; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(8)); // it is felt
+    this->Quick = 0;
+    this->Pointer(150 + 6 * (i % 4), 150);
+    drawn += this->Quick;
+    // A stroke that has paused goes on with the timer.
+    this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &this->Timer);
+  }
+  EXPECT_GE(drawn, 4) << "motions have left it to the timer";
+}
+
 TEST_F(StylePaceTest, LeavesTheFramesOfAWidgetAsQuickAsItWantsThem)
 {
   this->Start();
