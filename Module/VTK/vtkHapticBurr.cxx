@@ -13,7 +13,12 @@
 vtkStandardNewMacro(vtkHapticBurr);
 
 //------------------------------------------------------------------------------
-vtkHapticBurr::vtkHapticBurr() = default;
+vtkHapticBurr::vtkHapticBurr()
+  : Superclass(VolumeHaptics::BurrContactArea)
+{
+}
+
+//------------------------------------------------------------------------------
 vtkHapticBurr::~vtkHapticBurr() = default;
 
 //------------------------------------------------------------------------------

@@ -33,22 +33,22 @@
  * It needs the method PROXY, and a volume that does not move. Burrs of four voxels' radius or more
  * leave surfaces within 0.05 voxel; one of less than a voxel can't be used.
  *
- * @sa vtkHapticTool vtkHapticRemoval
+ * @sa vtkHapticShapedTool vtkHapticRemoval
  */
 #ifndef vtkHapticBurr_h
 #define vtkHapticBurr_h
 
-#include "vtkHapticTool.h"
+#include "vtkHapticShapedTool.h"
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 class vtkPiecewiseFunction;
 
-class VTKVOLUMEHAPTICS_EXPORT vtkHapticBurr : public vtkHapticTool
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticBurr : public vtkHapticShapedTool
 {
 public:
   static vtkHapticBurr* New();
-  vtkTypeMacro(vtkHapticBurr, vtkHapticTool);
+  vtkTypeMacro(vtkHapticBurr, vtkHapticShapedTool);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -96,54 +96,6 @@ public:
   vtkGetMacro(SpinButton, int);
   ///@}
 
-  ///@{
-  /**
-   * The area (square world units) on which the stiffness and the surface strength of the materials
-   * act, more than 0. A smaller one makes tissue feel harder. Default 0.1: 0.1 mm^2 in an image in
-   * mm.
-   */
-  vtkSetClampMacro(ContactArea, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ContactArea, double);
-  ///@}
-
-  ///@{
-  /**
-   * The stiffness of the spring between hand and burr (N/m), more than 0. Devices may cap it.
-   * Default 500.
-   */
-  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(CouplingStiffness, double);
-  ///@}
-
-  enum SolidType
-  {
-    FROM_STRENGTH = 0,
-    ABOVE = 1,
-    BELOW = 2
-  };
-
-  ///@{
-  /**
-   * Which values of the scalars are solid: FROM_STRENGTH (default) finds the contact value at which
-   * the surface strength of vtkHapticProperty, where something is visible, passes half of its
-   * largest, if it does so once. ABOVE and BELOW are beyond the ContactValue.
-   */
-  vtkSetClampMacro(Solid, int, FROM_STRENGTH, BELOW);
-  vtkGetMacro(Solid, int);
-  void SetSolidToFromStrength() { this->SetSolid(FROM_STRENGTH); }
-  void SetSolidToAbove() { this->SetSolid(ABOVE); }
-  void SetSolidToBelow() { this->SetSolid(BELOW); }
-  ///@}
-
-  ///@{
-  /**
-   * The value of the scalars at the surface of what is solid, if Solid is ABOVE or BELOW. Default
-   * 0.
-   */
-  vtkSetMacro(ContactValue, double);
-  vtkGetMacro(ContactValue, double);
-  ///@}
-
   /** Includes the function. */
   vtkMTimeType GetMTime() override;
 
@@ -157,10 +109,6 @@ protected:
   double Friction = 0.3;
   double Vibration = 0.0;
   int SpinButton = 0;
-  double ContactArea = 0.1;
-  double CouplingStiffness = 500.0;
-  int Solid = FROM_STRENGTH;
-  double ContactValue = 0.0;
 
 private:
   vtkHapticBurr(const vtkHapticBurr&) = delete;

@@ -12,7 +12,12 @@
 vtkStandardNewMacro(vtkHapticPointShell);
 
 //------------------------------------------------------------------------------
-vtkHapticPointShell::vtkHapticPointShell() = default;
+vtkHapticPointShell::vtkHapticPointShell()
+  : Superclass(VolumeHaptics::ShellContactArea)
+{
+}
+
+//------------------------------------------------------------------------------
 vtkHapticPointShell::~vtkHapticPointShell() = default;
 
 //------------------------------------------------------------------------------

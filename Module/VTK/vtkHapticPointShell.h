@@ -14,7 +14,7 @@
  * Each of them that is in solid material is pressed out of it:
  *
  * - **solid** is what is beyond a contact value of the scalars. By default it follows from the
- *   surface strength of vtkHapticProperty: see SetSolid();
+ *   surface strength of vtkHapticProperty: see vtkHapticShapedTool;
  * - **the pressure** grows with the depth of a point, with the stiffness of the material per
  *   ContactArea, up to its surface strength per ContactArea. So a tool that touches with the
  *   ContactArea feels as the point does without it. Both are those of the material behind the
@@ -37,22 +37,22 @@
  * world), Force and Torque are those on the hand, and Contact tells whether the tool is free (0),
  * held (1), or yields at all points of contact (3).
  *
- * @sa vtkHapticTool
+ * @sa vtkHapticShapedTool
  */
 #ifndef vtkHapticPointShell_h
 #define vtkHapticPointShell_h
 
-#include "vtkHapticTool.h"
+#include "vtkHapticShapedTool.h"
 #include "vtkSmartPointer.h"        // for ivars
 #include "vtkVolumeHapticsModule.h" // for export macro
 
 class vtkPolyData;
 
-class VTKVOLUMEHAPTICS_EXPORT vtkHapticPointShell : public vtkHapticTool
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticPointShell : public vtkHapticShapedTool
 {
 public:
   static vtkHapticPointShell* New();
-  vtkTypeMacro(vtkHapticPointShell, vtkHapticTool);
+  vtkTypeMacro(vtkHapticPointShell, vtkHapticShapedTool);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -75,58 +75,10 @@ public:
 
   ///@{
   /**
-   * The area (square world units) on which the stiffness and the surface strength of the materials
-   * act, more than 0. A smaller one makes the tool feel stiffer. Default 25: 25 mm^2 in an image in
-   * mm.
-   */
-  vtkSetClampMacro(ContactArea, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ContactArea, double);
-  ///@}
-
-  ///@{
-  /**
-   * The stiffness of the spring between hand and tool (N/m), more than 0. Devices may cap it.
-   * Default 500.
-   */
-  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(CouplingStiffness, double);
-  ///@}
-
-  ///@{
-  /**
    * The stiffness of the turning spring between hand and tool (N m/rad), more than 0. Default 0.5.
    */
   vtkSetClampMacro(TurningStiffness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TurningStiffness, double);
-  ///@}
-
-  enum SolidType
-  {
-    FROM_STRENGTH = 0,
-    ABOVE = 1,
-    BELOW = 2
-  };
-
-  ///@{
-  /**
-   * Which values of the scalars are solid: FROM_STRENGTH (default) finds the contact value at which
-   * the surface strength of vtkHapticProperty, where something is visible, passes half of its
-   * largest, if it does so once. ABOVE and BELOW are beyond the ContactValue.
-   */
-  vtkSetClampMacro(Solid, int, FROM_STRENGTH, BELOW);
-  vtkGetMacro(Solid, int);
-  void SetSolidToFromStrength() { this->SetSolid(FROM_STRENGTH); }
-  void SetSolidToAbove() { this->SetSolid(ABOVE); }
-  void SetSolidToBelow() { this->SetSolid(BELOW); }
-  ///@}
-
-  ///@{
-  /**
-   * The value of the scalars at the surface of what is solid, if Solid is ABOVE or BELOW. Default
-   * 0.
-   */
-  vtkSetMacro(ContactValue, double);
-  vtkGetMacro(ContactValue, double);
   ///@}
 
   /** Includes the mesh. */
@@ -138,11 +90,7 @@ protected:
 
   vtkSmartPointer<vtkPolyData> Mesh;
   int NumberOfPoints = 2000;
-  double ContactArea = 25.0;
-  double CouplingStiffness = 500.0;
   double TurningStiffness = 0.5;
-  int Solid = FROM_STRENGTH;
-  double ContactValue = 0.0;
 
 private:
   vtkHapticPointShell(const vtkHapticPointShell&) = delete;

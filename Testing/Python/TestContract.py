@@ -186,7 +186,8 @@ def test_tools():
                   "SetContactArea": ("Default 25",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
                   "SetTurningStiffness": ("(N m/rad)", "Default 0.5"), "SetContactValue": ("scalars", "Default 0"),
                   "SetSolid": ("FROM_STRENGTH (default)", "half")}
-    assert issubclass(volumehaptics.vtkHapticPointShell, volumehaptics.vtkHapticTool)
+    assert issubclass(volumehaptics.vtkHapticShapedTool, volumehaptics.vtkHapticTool)
+    assert issubclass(volumehaptics.vtkHapticPointShell, volumehaptics.vtkHapticShapedTool)
     check(volumehaptics.vtkHapticPointShell, documented, ("SetSolidToFromStrength", "SetSolidToAbove",
                                                           "SetSolidToBelow", "GetText"))
     documented = {"SetRadius": ("world units", "Default 2"), "SetSpeed": ("1/min", "60000"),
@@ -194,7 +195,7 @@ def test_tools():
                   "SetVibration": ("0 to 1", "Default 0"), "SetSpinButton": ("button", "Default 0"),
                   "SetContactArea": ("Default 0.1",), "SetCouplingStiffness": ("(N/m)", "Default 500"),
                   "SetContactValue": ("scalars", "Default"), "SetSolid": ("FROM_STRENGTH (default)", "half")}
-    assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticTool)
+    assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticShapedTool)
     check(volumehaptics.vtkHapticBurr, documented, ("SetSolidToFromStrength", "SetSolidToAbove", "SetSolidToBelow"))
     check(volumehaptics.vtkHapticRemoval, {"SetAutoAirValue": ("Default: on",), "SetAirValue": ("-1000",)},
           ("Undo", "Redo", "Reset", "MakeShares", "WriteFile", "ReadFile", "ReadTrace", "GetRemovedVolume"))

@@ -5,7 +5,6 @@
 #include "VTK/Baking/ShellDescription.h"
 
 #include "vtkHapticBurr.h"
-#include "vtkHapticPointShell.h"
 
 #include <cmath>
 #include <map>
@@ -19,11 +18,6 @@ namespace
 {
 
 constexpr double SecondsOfMinute = 60.0;
-
-static_assert(int{ vtkHapticBurr::FROM_STRENGTH } == int{ vtkHapticPointShell::FROM_STRENGTH } &&
-    int{ vtkHapticBurr::ABOVE } == int{ vtkHapticPointShell::ABOVE } &&
-    int{ vtkHapticBurr::BELOW } == int{ vtkHapticPointShell::BELOW },
-  "FindSolid() takes both");
 
 /** The heads that models use, by their radius: a servo goes on with the points that it has. */
 std::shared_ptr<const PointShell> FindHead(double radius)
@@ -47,15 +41,9 @@ std::shared_ptr<const PointShell> FindHead(double radius)
 
 bool CheckNumbers(vtkHapticBurr* burr, const HapticModelDescription& d, std::string& error)
 {
-  const ToolNumber numbers[] = { { "Radius", burr->GetRadius(), "world units" },
-    { "ContactArea", burr->GetContactArea(), "square world units" },
-    { "CouplingStiffness", burr->GetCouplingStiffness(), "N/m" } };
-  for (const ToolNumber& number : numbers)
+  if (!CheckToolNumber(burr, { "Radius", burr->GetRadius(), "world units" }, error))
   {
-    if (!CheckToolNumber("vtkHapticBurr", number, error))
-    {
-      return false;
-    }
+    return false;
   }
   const double voxel = std::cbrt(std::abs(Determinant(d.IndexToWorld.Linear)));
   if (burr->GetRadius() < voxel)
@@ -80,12 +68,7 @@ bool CheckNumbers(vtkHapticBurr* burr, const HapticModelDescription& d, std::str
 
 bool DescribeBurr(vtkHapticBurr* burr, HapticModelDescription& d, std::string& error)
 {
-  ShellDescription& shell = d.Tool.Shell;
-  SolidLevel solid;
-  if (!CheckNumbers(burr, d, error) ||
-    !CheckToolVolume("vtkHapticBurr", "removes what is solid", d, error) ||
-    !FindSolid(
-      "vtkHapticBurr", burr->GetSolid(), burr->GetContactValue(), d.Material, solid, error))
+  if (!CheckNumbers(burr, d, error) || !DescribeShapedTool(burr, "removes what is solid", d, error))
   {
     return false;
   }
@@ -96,11 +79,7 @@ bool DescribeBurr(vtkHapticBurr* burr, HapticModelDescription& d, std::string& e
   settings.Friction = burr->GetFriction();
   settings.Vibration = burr->GetVibration();
   settings.SpinButton = burr->GetSpinButton();
-  shell.Points = FindHead(burr->GetRadius());
-  shell.Touch.Level = solid.Level;
-  shell.Touch.IsBelow = solid.IsBelow;
-  shell.Touch.ContactArea = burr->GetContactArea();
-  shell.Touch.CouplingStiffness = burr->GetCouplingStiffness();
+  d.Tool.Shell.Points = FindHead(burr->GetRadius());
   return true;
 }
 

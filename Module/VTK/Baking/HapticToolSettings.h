@@ -12,6 +12,7 @@
 #include "vtkHapticBurr.h"
 #include "vtkHapticNeedle.h"
 #include "vtkHapticPointShell.h"
+#include "vtkHapticShapedTool.h"
 #include "vtkHapticTool.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -38,32 +39,51 @@ inline constexpr NeedleSetting All[] = {
 
 inline constexpr const auto& NeedleSettings = NeedleSettingRows::All;
 
-using PointShellSetting = HapticSetting<vtkHapticPointShell>;
+using ShapedToolSetting = HapticSetting<vtkHapticShapedTool>;
 
-namespace PointShellSettingRows
+///@{
+/** The ContactArea that a tool begins with (square world units). */
+constexpr double ShellContactArea = 25.0;
+constexpr double BurrContactArea = 0.1;
+///@}
+
+namespace ShapedToolSettingRows
 {
-using Owner = vtkHapticPointShell;
+using Owner = vtkHapticShapedTool;
 
 inline constexpr SettingChoice SolidNames[] = { { "FromStrength", "from strength" },
   { "Above", "above" }, { "Below", "below" } };
 
-inline constexpr PointShellSetting All[] = {
-  HapticIntegerMacro(NumberOfPoints, 0.0, 1000000.0, 2000.0, "", NotBaked,
-    "The number of points on the surface. From 1 to 100000 can be felt; a few may be left out that "
-    "would stand for nothing."),
-  HapticNumberMacro(ContactArea, 0.0, VTK_DOUBLE_MAX, 25.0, "", NotBaked,
+/** The ContactArea has the default of a vtkHapticPointShell. */
+inline constexpr ShapedToolSetting All[] = {
+  HapticNumberMacro(ContactArea, 0.0, VTK_DOUBLE_MAX, ShellContactArea, "", NotBaked,
     "The area (square world units) on which the stiffness and the surface strength of the "
-    "materials act, more than 0. A smaller one makes the tool feel stiffer."),
+    "materials act, more than 0. A smaller one makes what is touched feel harder."),
   HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", NotBaked,
     "The stiffness of the spring between hand and tool (N/m), more than 0. Devices may cap it."),
-  HapticNumberMacro(TurningStiffness, 0.0, VTK_DOUBLE_MAX, 0.5, "N m/rad", NotBaked,
-    "The stiffness of the turning spring between hand and tool (N m/rad), more than 0."),
   HapticChoiceMacro(Solid, 0.0, NotBaked,
     "Which values of the scalars are solid: From strength (default) finds the contact value at "
     "which the surface strength of vtkHapticProperty, where something is visible, passes half of "
     "its largest, if it does so once. Above and Below are beyond the ContactValue."),
   HapticNumberMacro(ContactValue, -LargestNumber, LargestNumber, 0.0, "", NotBaked,
     "The value of the scalars at the surface of what is solid, if Solid is Above or Below."),
+};
+} // namespace ShapedToolSettingRows
+
+inline constexpr const auto& ShapedToolSettings = ShapedToolSettingRows::All;
+
+using PointShellSetting = HapticSetting<vtkHapticPointShell>;
+
+namespace PointShellSettingRows
+{
+using Owner = vtkHapticPointShell;
+
+inline constexpr PointShellSetting All[] = {
+  HapticIntegerMacro(NumberOfPoints, 0.0, 1000000.0, 2000.0, "", NotBaked,
+    "The number of points on the surface. From 1 to 100000 can be felt; a few may be left out that "
+    "would stand for nothing."),
+  HapticNumberMacro(TurningStiffness, 0.0, VTK_DOUBLE_MAX, 0.5, "N m/rad", NotBaked,
+    "The stiffness of the turning spring between hand and tool (N m/rad), more than 0."),
 };
 } // namespace PointShellSettingRows
 
@@ -74,8 +94,6 @@ using BurrSetting = HapticSetting<vtkHapticBurr>;
 namespace BurrSettingRows
 {
 using Owner = vtkHapticBurr;
-
-inline constexpr const auto& SolidNames = PointShellSettingRows::SolidNames;
 
 inline constexpr BurrSetting All[] = {
   HapticNumberMacro(Radius, 0.0, VTK_DOUBLE_MAX, 2.0, "", NotBaked,
@@ -89,17 +107,6 @@ inline constexpr BurrSetting All[] = {
     "The share of the force that vibrates while it spins in tissue, 0 to 1."),
   HapticIntegerMacro(SpinButton, -1.0, 31.0, 0.0, "", NotBaked,
     "The button of the device that makes it spin while it is pressed, 0 to 31; -1: none."),
-  HapticNumberMacro(ContactArea, 0.0, VTK_DOUBLE_MAX, 0.1, "", NotBaked,
-    "The area (square world units) on which the stiffness and the surface strength of the "
-    "materials act, more than 0. A smaller one makes tissue feel harder."),
-  HapticNumberMacro(CouplingStiffness, 0.0, VTK_DOUBLE_MAX, 500.0, "N/m", NotBaked,
-    "The stiffness of the spring between hand and burr (N/m), more than 0. Devices may cap it."),
-  HapticChoiceMacro(Solid, 0.0, NotBaked,
-    "Which values of the scalars are solid: From strength (default) finds the contact value at "
-    "which the surface strength of vtkHapticProperty, where something is visible, passes half of "
-    "its largest, if it does so once. Above and Below are beyond the ContactValue."),
-  HapticNumberMacro(ContactValue, -LargestNumber, LargestNumber, 0.0, "", NotBaked,
-    "The value of the scalars at the surface of what is solid, if Solid is Above or Below."),
 };
 } // namespace BurrSettingRows
 

@@ -117,18 +117,12 @@ Polyline FindFeltStrength(const HapticMaterial& material)
   return felt;
 }
 
-bool Check(vtkHapticPointShell* shell, const HapticModelDescription& d, std::string& error)
+bool CheckShellNumbers(vtkHapticPointShell* shell, std::string& error)
 {
-  constexpr const char* name = "vtkHapticPointShell";
-  const ToolNumber numbers[] = { { "ContactArea", shell->GetContactArea(), "square world units" },
-    { "CouplingStiffness", shell->GetCouplingStiffness(), "N/m" },
-    { "TurningStiffness", shell->GetTurningStiffness(), "N m/rad" } };
-  for (const ToolNumber& number : numbers)
+  if (!CheckToolNumber(
+        shell, { "TurningStiffness", shell->GetTurningStiffness(), "N m/rad" }, error))
   {
-    if (!CheckToolNumber(name, number, error))
-    {
-      return false;
-    }
+    return false;
   }
   const int points = shell->GetNumberOfPoints();
   if (points < 1 || points > MostShellPoints)
@@ -141,28 +135,13 @@ bool Check(vtkHapticPointShell* shell, const HapticModelDescription& d, std::str
     error = text.str();
     return false;
   }
-  return CheckToolVolume(name, "is pressed out of what is solid", d, error);
-}
-
-} // namespace
-
-bool CheckToolNumber(const char* tool, const ToolNumber& number, std::string& error)
-{
-  if (number.Value > 0.0 && std::isfinite(number.Value))
-  {
-    return true;
-  }
-  std::ostringstream text;
-  text << "The " << number.Name << " of the " << tool << " is " << number.Value << " "
-       << number.Unit << ". Set it to more than 0 with Set" << number.Name << "().";
-  error = text.str();
-  return false;
+  return true;
 }
 
 bool CheckToolVolume(
-  const char* tool, const char* deed, const HapticModelDescription& d, std::string& error)
+  vtkHapticTool* tool, const char* deed, const HapticModelDescription& d, std::string& error)
 {
-  const std::string begin = std::string("A ") + tool;
+  const std::string begin = std::string("A ") + tool->GetClassName();
   if (d.Settings.Method != HapticMethod::Proxy)
   {
     error = begin + " " + deed +
@@ -180,21 +159,56 @@ bool CheckToolVolume(
   return true;
 }
 
-bool FindSolid(const char* tool, int choice, double contactValue, const HapticMaterial& material,
-  SolidLevel& level, std::string& error)
+bool FindSolid(
+  vtkHapticShapedTool* tool, const HapticMaterial& material, SolidLevel& level, std::string& error)
 {
-  if (choice == vtkHapticPointShell::FROM_STRENGTH)
+  if (tool->GetSolid() == vtkHapticShapedTool::FROM_STRENGTH)
   {
     return FindSolidLevel(material, level, error) ||
-      ((error = std::string("The ") + tool + error), false);
+      ((error = std::string("The ") + tool->GetClassName() + error), false);
   }
-  level = { contactValue, choice == vtkHapticPointShell::BELOW };
-  if (!std::isfinite(contactValue))
+  level = { tool->GetContactValue(), tool->GetSolid() == vtkHapticShapedTool::BELOW };
+  if (!std::isfinite(level.Level))
   {
-    error = std::string("The ContactValue of the ") + tool +
+    error = std::string("The ContactValue of the ") + tool->GetClassName() +
       " is not a finite number. Set it with SetContactValue().";
+    return false;
   }
-  return std::isfinite(contactValue);
+  return true;
+}
+
+} // namespace
+
+bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string& error)
+{
+  if (number.Value > 0.0 && std::isfinite(number.Value))
+  {
+    return true;
+  }
+  std::ostringstream text;
+  text << "The " << number.Name << " of the " << tool->GetClassName() << " is " << number.Value
+       << " " << number.Unit << ". Set it to more than 0 with Set" << number.Name << "().";
+  error = text.str();
+  return false;
+}
+
+bool DescribeShapedTool(
+  vtkHapticShapedTool* tool, const char* deed, HapticModelDescription& d, std::string& error)
+{
+  const ToolNumber area{ "ContactArea", tool->GetContactArea(), "square world units" };
+  const ToolNumber spring{ "CouplingStiffness", tool->GetCouplingStiffness(), "N/m" };
+  SolidLevel solid;
+  if (!CheckToolNumber(tool, area, error) || !CheckToolNumber(tool, spring, error) ||
+    !CheckToolVolume(tool, deed, d, error) || !FindSolid(tool, d.Material, solid, error))
+  {
+    return false;
+  }
+  ShellSettings& touch = d.Tool.Shell.Touch;
+  touch.Level = solid.Level;
+  touch.IsBelow = solid.IsBelow;
+  touch.ContactArea = tool->GetContactArea();
+  touch.CouplingStiffness = tool->GetCouplingStiffness();
+  return true;
 }
 
 bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error)
@@ -233,10 +247,8 @@ bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::stri
 
 bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, std::string& error)
 {
-  SolidLevel solid;
-  if (!Check(shell, d, error) ||
-    !FindSolid(
-      "vtkHapticPointShell", shell->GetSolid(), shell->GetContactValue(), d.Material, solid, error))
+  if (!CheckShellNumbers(shell, error) ||
+    !DescribeShapedTool(shell, "is pressed out of what is solid", d, error))
   {
     return false;
   }
@@ -248,10 +260,6 @@ bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, s
     return false;
   }
   d.Tool.Kind = ToolKind::Shell;
-  described.Touch.Level = solid.Level;
-  described.Touch.IsBelow = solid.IsBelow;
-  described.Touch.ContactArea = shell->GetContactArea();
-  described.Touch.CouplingStiffness = shell->GetCouplingStiffness();
   described.Touch.TurningStiffness = shell->GetTurningStiffness();
   return true;
 }

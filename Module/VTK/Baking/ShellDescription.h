@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a vtkHapticPointShell to what a model is baked from.
+ * From a tool with a shape, such as a vtkHapticPointShell, to what a model is baked from.
  */
 #ifndef ShellDescription_h
 #define ShellDescription_h
@@ -12,6 +12,8 @@
 #include <string>
 
 class vtkHapticPointShell;
+class vtkHapticShapedTool;
+class vtkHapticTool;
 
 namespace VolumeHaptics
 {
@@ -30,26 +32,26 @@ struct SolidLevel
  */
 bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::string& error);
 
-///@{
-/** Of a tool with a shape, by its class: false, with the cure, if it can't be felt. */
-/** A number of it, which has to be more than 0. */
+/** A number of a tool, which has to be more than 0. */
 struct ToolNumber
 {
   const char* Name; ///< as in Set...
   double Value;
   const char* Unit;
 };
-bool CheckToolNumber(const char* tool, const ToolNumber& number, std::string& error);
-/** Whether method and volume are what it needs. @param deed what it does that needs the method */
-bool CheckToolVolume(
-  const char* tool, const char* deed, const HapticModelDescription& d, std::string& error);
-/** What is solid. @param choice one of vtkHapticPointShell::SolidType */
-bool FindSolid(const char* tool, int choice, double contactValue, const HapticMaterial& material,
-  SolidLevel& level, std::string& error);
-///@}
+/** False, with the cure, if it isn't. */
+bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string& error);
 
 /**
- * Describes a tool with a shape to a model that has its settings, material and frames already. The
+ * Describes what all tools with a shape have to a model that has its settings, material and frames
+ * already. False, with the reason and the cure in `error`, if it can't be felt.
+ * @param deed what it does that needs the method, as in "removes what is solid"
+ */
+bool DescribeShapedTool(
+  vtkHapticShapedTool* tool, const char* deed, HapticModelDescription& d, std::string& error);
+
+/**
+ * Describes a shell of points to a model that has its settings, material and frames already. The
  * points of a mesh that has not changed are those of models that still use them. False, with the
  * reason and the cure in `error`, if it can't be felt.
  */

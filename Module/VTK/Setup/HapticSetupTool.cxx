@@ -40,6 +40,10 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
   {
     PassSettings(node, needle, NeedleSettings);
   }
+  if (auto* const shaped = vtkHapticShapedTool::SafeDownCast(tool))
+  {
+    PassSettings(node, shaped, ShapedToolSettings);
+  }
   if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
   {
     // As the shapes of guides, the mesh stays that of the filter: a setup has settings only.

@@ -182,7 +182,13 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRidgeMode>(RidgeModeSettings);
   ExpectHeadersBehave<vtkHapticGuideMode>(GuideModeSettings);
   ExpectHeadersBehave<vtkHapticNeedle>(NeedleSettings);
+  ExpectHeadersBehave<vtkHapticPointShell>(ShapedToolSettings);
   ExpectHeadersBehave<vtkHapticPointShell>(PointShellSettings);
+  ShapedToolSetting ofBurr[std::size(ShapedToolSettings)];
+  std::copy(std::begin(ShapedToolSettings), std::end(ShapedToolSettings), ofBurr);
+  ASSERT_STREQ(ofBurr[0].Name, "ContactArea");
+  ofBurr[0].Default = BurrContactArea;
+  ExpectHeadersBehave<vtkHapticBurr>(ofBurr);
   ExpectHeadersBehave<vtkHapticBurr>(HapticBurrSettings);
   for (const HardwareVector& setting : HardwareVectors)
   {
@@ -236,6 +242,7 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   ExpectRows("vtkHapticRidgeMode", Names(RidgeModeSettings));
   ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
   ExpectRows("vtkHapticNeedle", Names(NeedleSettings));
+  ExpectRows("vtkHapticShapedTool", Names(ShapedToolSettings));
   ExpectRows("vtkHapticPointShell", Names(PointShellSettings));
   ExpectRows("vtkHapticBurr", Names(HapticBurrSettings));
 }
@@ -264,6 +271,7 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRidgeMode", RidgeModeSettings);
   ExpectComments("vtkHapticGuideMode", GuideModeSettings);
   ExpectComments("vtkHapticNeedle", NeedleSettings);
+  ExpectComments("vtkHapticShapedTool", ShapedToolSettings);
   ExpectComments("vtkHapticPointShell", PointShellSettings);
   ExpectComments("vtkHapticBurr", HapticBurrSettings);
 }

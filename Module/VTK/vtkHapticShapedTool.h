@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticShapedTool
+ * @brief   a tool with a shape, which is pressed out of what is solid
+ *
+ * What vtkHapticPointShell and vtkHapticBurr have in common: what is solid, the area on which the
+ * material functions act, and the spring between the hand and the tool.
+ *
+ * @sa vtkHapticTool
+ */
+#ifndef vtkHapticShapedTool_h
+#define vtkHapticShapedTool_h
+
+#include "vtkHapticTool.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticShapedTool : public vtkHapticTool
+{
+public:
+  vtkTypeMacro(vtkHapticShapedTool, vtkHapticTool);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The area (square world units) on which the stiffness and the surface strength of the materials
+   * act, more than 0. A smaller one makes what is touched feel harder. A vtkHapticPointShell has
+   * Default 25, a vtkHapticBurr has Default 0.1: mm^2 in an image in mm.
+   */
+  vtkSetClampMacro(ContactArea, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ContactArea, double);
+  ///@}
+
+  ///@{
+  /**
+   * The stiffness of the spring between hand and tool (N/m), more than 0. Devices may cap it.
+   * Default 500.
+   */
+  vtkSetClampMacro(CouplingStiffness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CouplingStiffness, double);
+  ///@}
+
+  enum SolidType
+  {
+    FROM_STRENGTH = 0,
+    ABOVE = 1,
+    BELOW = 2
+  };
+
+  ///@{
+  /**
+   * Which values of the scalars are solid: FROM_STRENGTH (default) finds the contact value at which
+   * the surface strength of vtkHapticProperty, where something is visible, passes half of its
+   * largest, if it does so once. ABOVE and BELOW are beyond the ContactValue.
+   */
+  vtkSetClampMacro(Solid, int, FROM_STRENGTH, BELOW);
+  vtkGetMacro(Solid, int);
+  void SetSolidToFromStrength() { this->SetSolid(FROM_STRENGTH); }
+  void SetSolidToAbove() { this->SetSolid(ABOVE); }
+  void SetSolidToBelow() { this->SetSolid(BELOW); }
+  ///@}
+
+  ///@{
+  /**
+   * The value of the scalars at the surface of what is solid, if Solid is ABOVE or BELOW. Default
+   * 0.
+   */
+  vtkSetMacro(ContactValue, double);
+  vtkGetMacro(ContactValue, double);
+  ///@}
+
+protected:
+  explicit vtkHapticShapedTool(double contactArea);
+  ~vtkHapticShapedTool() override;
+
+  double ContactArea;
+  double CouplingStiffness = 500.0;
+  int Solid = FROM_STRENGTH;
+  double ContactValue = 0.0;
+
+private:
+  vtkHapticShapedTool(const vtkHapticShapedTool&) = delete;
+  void operator=(const vtkHapticShapedTool&) = delete;
+};
+
+#endif
