@@ -3,9 +3,13 @@
 #include "vtkHapticRegionPicture.h"
 
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Scene/CarvedImage.h"
 #include "VTK/Scene/FineBox.h"
+#include "VTK/Scene/FollowedBricks.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/RegionParts.h"
+#include "VTK/Scene/ReplacedInput.h"
+#include "VTK/Scene/TouchedVolume.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -21,12 +25,15 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 
 using namespace VolumeHaptics;
 
@@ -151,6 +158,104 @@ public:
     }
     this->Renderer = nullptr;
     this->ShowCoarseOnly();
+    this->GiveCoarseBack();
+  }
+
+  vtkImageData* GetFine() const { return this->LeftFine.Get(); }
+  /** What is left of the copy of the region, which lies in the world. */
+  void FollowFine(vtkImageData* copy, const RemovedTissue& removed)
+  {
+    this->LeftFine.Follow(copy, copy, removed, CarvedCover::Nearest);
+  }
+
+  /**
+   * What is left of the coarse image. All of it is copied and uploaded, so not for each change
+   * within the box, where only the fine one is seen.
+   */
+  void FollowCoarse(vtkImageData* copy, const RemovedTissue& removed)
+  {
+    vtkVolumeMapper* const mapper = this->GetCoarseMapper();
+    if (!mapper || !removed.Removal)
+    {
+      this->GiveCoarseBack();
+      return;
+    }
+    if (!this->CoarseInput.IsShown() || this->Carved != removed.Removal)
+    {
+      this->GiveCoarseBack();
+      this->Carved = removed.Removal;
+      this->Bricks = std::make_unique<FollowedBricks>(removed.Removal);
+    }
+    vtkImageData* const own = this->CoarseInput.GetReplaced()
+      ? this->CoarseInput.UpdateReplaced()
+      : vtkImageData::SafeDownCast(mapper->GetDataObjectInput());
+    if (!own)
+    {
+      return;
+    }
+    this->Bricks->Follow();
+    const bool isOtherBox = this->CoarseBox != copy;
+    this->CoarseBox = copy;
+    const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
+    if (!hasChanged && !isOtherBox && this->CoarseTime == own->GetMTime())
+    {
+      return;
+    }
+    this->CoarseTime = own->GetMTime();
+    vtkNew<vtkImageData> place;
+    place->CopyStructure(own);
+    if (PlaceImage(this->Volume->GetMatrix(), own, place) &&
+      this->LeftCoarse.Follow(own, place, removed, CarvedCover::Voxel))
+    {
+      this->CoarseInput.Put(mapper, 0, this->LeftCoarse.Get());
+    }
+  }
+
+  void GiveCoarseBack()
+  {
+    this->CoarseInput.GiveBack();
+    this->LeftCoarse = {};
+    this->CoarseBox = nullptr;
+    this->CoarseTime = 0;
+    this->Bricks = nullptr;
+    this->Carved = nullptr;
+  }
+
+  /** Whether bricks have changed which are not inside of the box that is shown finely. */
+  bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
+  {
+    // Of the shares, a brick from its sides. Empty without a copy.
+    double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
+    if (copy)
+    {
+      const int* const end = copy->GetDimensions();
+      double corners[2][3];
+      copy->TransformIndexToPhysicalPoint(0, 0, 0, corners[0]);
+      copy->TransformIndexToPhysicalPoint(end[0] - 1, end[1] - 1, end[2] - 1, corners[1]);
+      for (int side = 0; side < 2; ++side)
+      {
+        double index[3];
+        volume->TransformPhysicalPointToContinuousIndex(corners[side], index);
+        for (int a = 0; a < 3; ++a)
+        {
+          inside[2 * a + side] =
+            index[a] - volume->GetExtent()[2 * a] + (side == 0 ? 1.0 : -1.0) * CarvedBricks::Side;
+        }
+      }
+    }
+    bool isAny = false;
+    this->Bricks->Take(
+      [&](std::uint32_t number)
+      {
+        const BrickPlace place = CarvedBricks::PlaceOf(this->Carved->Bricks.GetKey(number));
+        const std::int64_t at[3] = { place.X, place.Y, place.Z };
+        for (int a = 0; a < 3; ++a)
+        {
+          const auto first = static_cast<double>(CarvedBricks::Side * at[a]);
+          isAny = isAny || first < inside[2 * a] || first + CarvedBricks::Side > inside[2 * a + 1];
+        }
+      });
+    return isAny;
   }
 
   void ShowCoarseOnly()
@@ -259,6 +364,17 @@ public:
   const vtkNew<FrontParts> Front;
   vtkSmartPointer<vtkImageData> FineImage;
   FineBox Box;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  CarvedImage LeftFine;
+  CarvedImage LeftCoarse;
+  ReplacedInput CoarseInput;
+  ///@{
+  /** With which LeftCoarse was made. */
+  std::shared_ptr<TissueRemoval> Carved;
+  std::unique_ptr<FollowedBricks> Bricks;
+  vtkSmartPointer<vtkImageData> CoarseBox;
+  vtkMTimeType CoarseTime = 0;
+  ///@}
   bool HasCropped = false;
 };
 
@@ -303,11 +419,28 @@ vtkHapticRegionSource* vtkHapticRegionPicture::GetSource()
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticRegionPicture::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
+{
+  if (this->Internals->Filter != filter)
+  {
+    this->Internals->Filter = filter;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsFilter* vtkHapticRegionPicture::GetVolumeHaptics()
+{
+  return this->Internals->Filter;
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticRegionPicture::SetVolume(vtkVolume* volume)
 {
   if (this->Internals->Volume != volume)
   {
     this->Internals->ShowCoarseOnly();
+    this->Internals->GiveCoarseBack();
     this->Internals->Volume = volume;
     this->Modified();
   }
@@ -355,7 +488,10 @@ void vtkHapticRegionPicture::Update()
   const bool isResident = in.Source && in.Source->HasSamples();
   in.Box.Follow(isResident ? in.Source->GetOutput() : nullptr, this->MaximumVoxels);
   vtkImageData* const copy = in.Box.GetCopy();
-  if (!copy || !in.Refine(copy))
+  const RemovedTissue removed = FindRemoved(in.Filter);
+  in.FollowFine(copy, removed);
+  in.FollowCoarse(copy, removed);
+  if (!copy || !in.Refine(in.GetFine()))
   {
     in.ShowCoarseOnly();
   }
@@ -378,6 +514,7 @@ void vtkHapticRegionPicture::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Source: " << (this->Internals->Source ? "set" : "(none)") << "\n";
+  os << indent << "VolumeHaptics: " << (this->Internals->Filter ? "set" : "(none)") << "\n";
   os << indent << "Volume: " << (this->Internals->Volume ? "set" : "(none)") << "\n";
   os << indent << "Renderer: " << (this->Internals->Renderer ? "set" : "(none)") << "\n";
   PrintSettings(os, indent, this, PictureSettings);

@@ -10,6 +10,7 @@
  *   coarse->SetMapper(mapper); // of source->GetCoarseImage()
  *   renderer->AddVolume(coarse);
  *   picture->SetSource(source);
+ *   picture->SetVolumeHaptics(filter);
  *   picture->SetVolume(coarse);
  *   picture->SetRenderer(renderer);
  *
@@ -38,6 +39,7 @@
 class vtkHapticRegionSource;
 class vtkRenderer;
 class vtkVolume;
+class vtkVolumeHapticsFilter;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticRegionPicture : public vtkObject
 {
@@ -50,6 +52,16 @@ public:
   /** What is felt. Default: none. */
   void SetSource(vtkHapticRegionSource* source);
   vtkHapticRegionSource* GetSource();
+  ///@}
+
+  ///@{
+  /**
+   * The filter that feels the source. What its tools have removed (vtkHapticBurr) is then neither
+   * shown finely nor coarsely: the volume's mapper gets a copy of its image with what is left, of
+   * each coarse voxel the mean, until this leaves it. Default: none, so that all tissue is shown.
+   */
+  void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
+  vtkVolumeHapticsFilter* GetVolumeHaptics();
   ///@}
 
   ///@{

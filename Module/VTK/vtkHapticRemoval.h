@@ -20,7 +20,8 @@
  *
  * One vtkHapticDevice at a time may tick with a removal: give the filter of another one a removal
  * of its own with vtkVolumeHapticsFilter::SetRemoval(). Shares are of the samples of one extent: a
- * volume with another one can't be felt until Reset() or SetRemoval(nullptr).
+ * volume with another one can't be felt until Reset() or SetRemoval(nullptr). While a volume moves,
+ * all of its tissue is there.
  *
  * @sa vtkHapticBurr vtkVolumeHapticsFilter
  */

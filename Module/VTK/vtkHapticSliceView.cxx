@@ -420,6 +420,9 @@ void vtkHapticSliceView::vtkInternals::ShowPosition(bool isOther, bool anatomica
   for (SlicePanel& panel : this->Panels)
   {
     panel.Show(this->Position, colors);
+    const int through = panel.GetAxes().Through.Axis;
+    panel.SetLayer(
+      this->Shown.GetLayer(through, static_cast<int>(std::lround(this->Position[through]))));
   }
 }
 
@@ -452,10 +455,11 @@ bool vtkHapticSliceView::Update()
   auto& d = *this->Internals;
   const bool isSet = this->GetMTime() > d.Updated;
   const bool isOther = d.FollowImage();
+  const bool isCarved = d.Shown.FollowRemoval(d.Device);
   const bool hasMoved = d.FollowTip();
   d.Updated = this->GetMTime();
   const bool hasSamples = d.Shown.HasSamples();
-  if (hasSamples && (isSet || isOther || hasMoved))
+  if (hasSamples && (isSet || isOther || isCarved || hasMoved))
   {
     d.ShowPosition(isSet || isOther, this->Anatomical);
   }
@@ -478,7 +482,7 @@ bool vtkHapticSliceView::Update()
   {
     d.Show(this);
   }
-  return isSet || isOther || hasMoved;
+  return isSet || isOther || isCarved || hasMoved;
 }
 
 //------------------------------------------------------------------------------

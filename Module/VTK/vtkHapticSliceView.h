@@ -19,8 +19,9 @@
  *
  * They are those of the image's own axes, so that nothing is interpolated between them, even if the
  * image is oblique. Of a volume that moves they show the frame that is felt, and of one that is
- * larger than memory its coarse level. Of several components they show the one that is felt, or if
- * the modes of PRIMITIVES feel all of them, the magnitude.
+ * larger than memory its coarse level. Where a vtkHapticBurr of the filter has removed tissue, they
+ * show what is left; of a coarse level, the mean in each voxel. Of several components they show the
+ * one that is felt, or if the modes of PRIMITIVES feel all of them, the magnitude.
  *
  * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
  *

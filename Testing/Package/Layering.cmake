@@ -100,7 +100,7 @@ allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Filter VTK/Trace VTK/Recording VTK/Work)
 allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Measure VTK/Session VTK/Work)
 allow(VTK/Docks)
-allow(VTK/Slices VTK/Filter)
+allow(VTK/Slices VTK/Filter VTK/Scene/CarvedImage.h VTK/Scene/FilterCarving.h)
 allow(VTK/Charts VTK/Baking/HapticFunctions.h VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
 

@@ -27,8 +27,11 @@ struct CarvedView
 
   /** Whether any tissue of any sample was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
-  /** To the bit the value itself if all of its tissue remains. */
-  double Left(double value, std::uint8_t share) const noexcept
+  /**
+   * To the bit the value itself if all of its tissue remains.
+   * @param share 0 to CarvedBricks::Whole, or a mean of such
+   */
+  double Left(double value, double share) const noexcept
   {
     constexpr double scale = 1.0 / CarvedBricks::Whole;
     return value - scale * (CarvedBricks::Whole - share) * (value - this->Air);

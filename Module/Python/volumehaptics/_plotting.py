@@ -152,6 +152,7 @@ class Haptics:
         if shown:
             self._picture = vtkHapticRegionPicture()
             self._picture.SetSource(large)
+            self._picture.SetVolumeHaptics(self.filter)
             self._picture.SetVolume(shown[0])
             self._picture.SetRenderer(self._renderer())
 

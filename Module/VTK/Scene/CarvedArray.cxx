@@ -7,33 +7,11 @@
 #include "vtkSetGet.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <type_traits>
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-/** The nearest value of a type. */
-template <typename T>
-T NearestOf(double value)
-{
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    return static_cast<T>(value);
-  }
-  else
-  {
-    using Limits = std::numeric_limits<T>;
-    const double rounded = std::round(value);
-    // The largest 64-bit integers are no doubles. NaN becomes the lowest value.
-    return !(rounded > static_cast<double>(Limits::lowest())) ? Limits::lowest()
-      : rounded >= static_cast<double>(Limits::max())         ? Limits::max()
-                                                              : static_cast<T>(rounded);
-  }
-}
 
 /** Calls f(value, component) for the values of a box, each tuple after the other. */
 template <typename T, typename F>

@@ -14,12 +14,34 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace VolumeHaptics
 {
+
+/** The nearest value of a type. */
+template <typename T>
+T NearestOf(double value)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return static_cast<T>(value);
+  }
+  else
+  {
+    using Limits = std::numeric_limits<T>;
+    const double rounded = std::round(value);
+    // The largest 64-bit integers are no doubles. NaN becomes the lowest value.
+    return !(rounded > static_cast<double>(Limits::lowest())) ? Limits::lowest()
+      : rounded >= static_cast<double>(Limits::max())         ? Limits::max()
+                                                              : static_cast<T>(rounded);
+  }
+}
 
 /** The array of an image, of which one component has lost tissue. */
 struct CarvedArray

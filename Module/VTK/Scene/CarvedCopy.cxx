@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/CarvedCopy.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 
@@ -38,19 +37,6 @@ int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array)
   return -1;
 }
 
-CarvedCopy::~CarvedCopy()
-{
-  if (this->IsShown())
-  {
-    this->Mapper->SetInputConnection(this->Port, this->GetReplaced());
-  }
-}
-
-bool CarvedCopy::IsShown() const
-{
-  return this->Mapper && this->Copy && FindImage(this->Mapper, this->Port) == this->Copy;
-}
-
 bool CarvedCopy::Replace()
 {
   vtkVolumeMapper* const mapper = this->Mapper;
@@ -59,13 +45,10 @@ bool CarvedCopy::Replace()
   {
     return false;
   }
-  this->Port = port;
-  this->Before = mapper->GetInputAlgorithm(port, 0);
-  this->BeforePort = mapper->GetInputConnection(port, 0)->GetIndex();
   this->Image = FindImage(mapper, port);
   this->Copy.TakeReference(this->Image->NewInstance());
   this->CopyImage();
-  mapper->SetInputDataObject(port, this->Copy);
+  this->Input.Put(mapper, port, this->Copy);
   return true;
 }
 
@@ -98,15 +81,13 @@ void CarvedCopy::CopyImage()
 
 bool CarvedCopy::Update()
 {
-  if (!this->IsShown())
+  if (!this->Input.IsShown())
   {
     return this->Replace();
   }
-  // The mapper no longer asks for it.
-  this->Before->Update(this->BeforePort);
-  if (this->Before->GetOutputDataObject(this->BeforePort) != this->Image)
+  if (this->Input.UpdateReplaced() != this->Image)
   {
-    this->Mapper->SetInputConnection(this->Port, this->GetReplaced());
+    this->Input.GiveBack();
     return this->Replace();
   }
   if (this->Image->GetMTime() != this->ImageTime)

@@ -11,8 +11,8 @@
 
 #include "VTK/Scene/CarvedArray.h"
 #include "VTK/Scene/FollowedBricks.h"
+#include "VTK/Scene/ReplacedInput.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -37,22 +37,16 @@ public:
     , Bricks(bricks)
   {
   }
-  /** Gives the mapper its own input back. */
-  ~CarvedCopy();
   CarvedCopy(const CarvedCopy&) = delete;
   CarvedCopy& operator=(const CarvedCopy&) = delete;
 
   /** Copies the image if it is new or modified, else the bricks that wait; whether it changed. */
   bool Update();
-  bool IsCopy(vtkDataObject* image) const { return image && image == this->Copy; }
+  bool IsCopy(vtkDataObject* image) const { return this->Input.IsImage(image); }
   /** What the copy replaces; null if there is none. */
-  vtkAlgorithmOutput* GetReplaced() const
-  {
-    return this->Before ? this->Before->GetOutputPort(this->BeforePort) : nullptr;
-  }
+  vtkAlgorithmOutput* GetReplaced() const { return this->Input.GetReplaced(); }
 
 private:
-  bool IsShown() const;
   /** Takes the place of the input that shows the array; false if none does. */
   bool Replace();
   void CopyImage();
@@ -64,10 +58,8 @@ private:
   vtkSmartPointer<vtkImageData> Image; ///< that the application shows
   vtkMTimeType ImageTime = 0;          ///< of the image, when it was copied
   vtkSmartPointer<vtkImageData> Copy;
-  vtkSmartPointer<vtkDataArray> Left;   ///< the copy's array
-  vtkSmartPointer<vtkAlgorithm> Before; ///< the mapper's input; its connection keeps no producer
-  int BeforePort = 0;
-  int Port = 0; ///< of the mapper
+  vtkSmartPointer<vtkDataArray> Left; ///< the copy's array
+  ReplacedInput Input;                ///< which gives the mapper its own back at the end
   std::vector<unsigned char> Buffer;
 };
 

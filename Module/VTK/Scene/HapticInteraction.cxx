@@ -12,7 +12,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -528,7 +530,19 @@ bool HapticInteraction::UpdateHaptics()
 void HapticInteraction::FollowCarving()
 {
   vtkRenderer* const renderer = this->Scene.FindRenderer();
-  if (renderer && this->Scene.Device && this->Carved.Update(renderer, this->Touched.FindCarved()))
+  if (!renderer || !this->Scene.Device)
+  {
+    return;
+  }
+  const std::vector<CarvedArray> arrays = this->Touched.FindCarved();
+  // Slices and regions of large volumes show it, too.
+  std::uint64_t changes = 0;
+  for (const CarvedArray& array : arrays)
+  {
+    changes += array.Removal->Bricks.GetChanges();
+  }
+  const bool isNew = changes != std::exchange(this->CarvedChanges, changes);
+  if (this->Carved.Update(renderer, arrays) || isNew)
   {
     this->Frames.NoteEvent();
   }

@@ -32,6 +32,7 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -113,6 +114,7 @@ public:
   DisplayKeys Displays;
   HapticShownFrames ShownFrames;
   CarvedPictures Carved;
+  std::uint64_t CarvedChanges = 0; ///< of the removed tissue, when it was last looked at
   TouchedVolumes Touched;
   FilterPublisher Publisher;
   ComparedSettings Compared;

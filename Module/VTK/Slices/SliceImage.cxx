@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace VolumeHaptics
@@ -83,7 +84,70 @@ bool SliceImage::Follow(vtkHapticDevice* device, vtkImageData* chosen)
     this->Plain->SetSpacing(felt.Image->GetSpacing());
     this->Plain->GetPointData()->SetScalars(felt.Array);
   }
+  this->Layers = {};
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool SliceImage::FollowRemoval(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device ? device->GetVolumeHaptics() : nullptr;
+  auto* const large = filter && filter->GetNumberOfInputConnections(0) > 0
+    ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
+    : nullptr;
+  const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
+  const bool isFelt = filter && this->Samples && !large && filter->GetTouchedImage() &&
+    this->Samples == HapticBaker(filter).GetTouched()[0].Array;
+  RemovedTissue removed = isCoarse || isFelt ? FindRemoved(filter) : RemovedTissue();
+  if (removed.IsSame(this->Removed))
+  {
+    return false;
+  }
+  this->Removed = std::move(removed);
+  this->Cover = isCoarse ? CarvedCover::Voxel : CarvedCover::Nearest;
+  this->Layers = {};
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* SliceImage::GetLayer(int axis, int number)
+{
+  if (!this->IsCarved())
+  {
+    return this->Plain;
+  }
+  Layer& layer = this->Layers[axis];
+  if (layer.Image && layer.Number == number)
+  {
+    return layer.Image;
+  }
+  int part[6];
+  this->Image->GetExtent(part);
+  number = std::clamp(number, part[2 * axis], part[2 * axis + 1]);
+  part[2 * axis] = part[2 * axis + 1] = number;
+  const auto left = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(this->Samples->GetDataType()));
+  this->CopyLeftPart(part, left);
+  layer.Number = number;
+  layer.Image = vtkSmartPointer<vtkImageData>::New();
+  layer.Image->SetExtent(part);
+  layer.Image->SetSpacing(this->Image->GetSpacing());
+  layer.Image->GetPointData()->SetScalars(left);
+  return layer.Image;
+}
+
+//------------------------------------------------------------------------------
+void SliceImage::CopyLeftPart(const int part[6], vtkDataArray* left) const
+{
+  vtkNew<vtkImageData> place;
+  place->CopyStructure(this->Image);
+  if (this->IsCarved() && this->Cover == CarvedCover::Nearest)
+  {
+    // The image is the volume, or a region of it, wherever it has been moved to since.
+    place->CopyStructure(this->Removed.Volume);
+    place->SetExtent(this->Image->GetExtent());
+  }
+  CopyLeft(this->Removed, this->Cover, place, this->Samples, part, left);
 }
 
 //------------------------------------------------------------------------------
@@ -126,18 +190,28 @@ std::array<double, 3> SliceImage::GetCentre() const
 //------------------------------------------------------------------------------
 double SliceImage::GetValue(const std::array<double, 3>& index) const
 {
-  int nearest[3];
-  std::transform(index.begin(), index.end(), nearest,
-    [](double along) { return static_cast<int>(std::lround(along)); });
-  const vtkIdType id = this->Image->ComputePointId(nearest);
+  int part[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    part[2 * axis] = part[2 * axis + 1] = static_cast<int>(std::lround(index[axis]));
+  }
+  const auto left = vtkSmartPointer<vtkDataArray>::Take(
+    vtkDataArray::CreateDataArray(this->Samples->GetDataType()));
+  this->CopyLeftPart(part, left);
+  return this->GetValueOf(left, 0);
+}
+
+//------------------------------------------------------------------------------
+double SliceImage::GetValueOf(vtkDataArray* samples, vtkIdType id) const
+{
   if (!this->IsMagnitude)
   {
-    return this->Samples->GetComponent(id, this->Component);
+    return samples->GetComponent(id, this->Component);
   }
   double sum = 0.0;
-  for (int c = 0; c < this->Samples->GetNumberOfComponents(); ++c)
+  for (int c = 0; c < samples->GetNumberOfComponents(); ++c)
   {
-    const double part = this->Samples->GetComponent(id, c);
+    const double part = samples->GetComponent(id, c);
     sum += part * part;
   }
   return std::sqrt(sum);
@@ -163,18 +237,12 @@ std::array<double, 2> SliceImage::FindUsualValues() const
   constexpr double below = 0.01;
   constexpr double above = 0.995;
   const vtkIdType count = this->Samples->GetNumberOfTuples();
-  const int* const extent = this->Image->GetExtent();
-  const int row = extent[1] - extent[0] + 1;
-  const int rows = extent[3] - extent[2] + 1;
   // An odd step, so that it does not take the same column of each row.
   const vtkIdType step = (count / most) | 1;
   std::vector<double> values;
   for (vtkIdType i = 0; i < count; i += step)
   {
-    const std::array<double, 3> index{ static_cast<double>(extent[0] + i % row),
-      static_cast<double>(extent[2] + i / row % rows),
-      static_cast<double>(extent[4] + i / row / rows) };
-    const double value = this->GetValue(index);
+    const double value = this->GetValueOf(this->Samples, i);
     if (std::isfinite(value))
     {
       values.push_back(value);

@@ -124,6 +124,15 @@ void SlicePanel::SetImage(vtkImageData* plain, const SliceAxes& axes, vtkImagePr
 }
 
 //------------------------------------------------------------------------------
+void SlicePanel::SetLayer(vtkImageData* layer)
+{
+  if (this->Mapper->GetInput() != layer)
+  {
+    this->Mapper->SetInputData(layer);
+  }
+}
+
+//------------------------------------------------------------------------------
 void SlicePanel::Hide()
 {
   this->Slice->VisibilityOff();

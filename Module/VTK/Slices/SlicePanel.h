@@ -37,6 +37,8 @@ public:
   /** An image without direction: see SliceImage::GetPlain. */
   void SetImage(vtkImageData* plain, const SliceAxes& axes, vtkImageProperty* look);
   void Hide();
+  /** Another image with the shown slice: see SliceImage::GetLayer. */
+  void SetLayer(vtkImageData* layer);
 
   /**
    * Shows the slice of a continuous index, and the crosshair there. The lines have the colours of

@@ -7,6 +7,7 @@
  */
 
 #include "Rigs/ApiRig.h"
+#include "Rigs/TimeSource.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -211,5 +212,11 @@ TEST_F(FilterBurr, WhatItCannotDoIsAnErrorWithItsCure)
   this->Filter->SetMethodToForceField();
   this->ExpectError({ "vtkHapticBurr", "PROXY", "SetTool(nullptr)" });
   this->Filter->SetMethodToProxy();
+  vtkNew<TimeSource> source;
+  source->Steps = { 0.0, 1.0 };
+  source->Make = [this](double) { return this->Image; };
+  this->Filter->SetInputConnection(source->GetOutputPort());
+  this->ExpectError({ "vtkHapticBurr", "volume that moves", "SetTimeUnitsPerSecond(0)" });
+  this->Filter->SetTimeUnitsPerSecond(0.0);
   this->Run(10);
 }

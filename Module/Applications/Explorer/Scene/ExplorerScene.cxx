@@ -117,6 +117,7 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   if (exploration.Input.Large)
   {
     scene.Refined->SetSource(exploration.Input.Large);
+    scene.Refined->SetVolumeHaptics(exploration.Filter);
     scene.Refined->SetVolume(volume);
     scene.Refined->SetRenderer(scene.Renderer);
   }

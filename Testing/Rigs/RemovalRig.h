@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Tissue that is removed from images by loops over their samples, and its file, as
+ * vtkHapticRemoval::WriteFile() documents it.
+ */
+#ifndef RemovalRig_h
+#define RemovalRig_h
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkHapticRemoval.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace removaltest
+{
+/// A ball without tissue, whose edge is three samples wide, as FRONTIER 3.3 has it.
+struct Hole
+{
+  double Middle[3]; ///< index
+  double Radius;    ///< samples
+
+  unsigned char GetShare(int i, int j, int k) const
+  {
+    const double from = std::sqrt((i - this->Middle[0]) * (i - this->Middle[0]) +
+      (j - this->Middle[1]) * (j - this->Middle[1]) +
+      (k - this->Middle[2]) * (k - this->Middle[2]));
+    return static_cast<unsigned char>(
+      std::lround(255.0 * std::clamp(0.5 + (from - this->Radius) / 3.0, 0.0, 1.0)));
+  }
+};
+
+/// V' = V - (1 - rho) (V - V_air), rho the share.
+inline double LeftOf(double value, double share, double air)
+{
+  return value - (1.0 - share / 255.0) * (value - air);
+}
+
+/// Reads the shares of a hole into a removal, by a file.
+inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
+{
+  const std::string file = "LoadedHole.vti";
+  const int* const extent = volume->GetExtent();
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(volume);
+  vtkNew<vtkUnsignedCharArray> shares;
+  shares->SetName("RemainingShares");
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        shares->InsertNextValue(hole.GetShare(i, j, k));
+      }
+    }
+  }
+  image->GetPointData()->SetScalars(shares);
+  vtkNew<vtkIntArray> whole;
+  whole->SetName("VolumeExtent");
+  whole->SetNumberOfComponents(6);
+  whole->InsertNextTypedTuple(extent);
+  image->GetFieldData()->AddArray(whole);
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("AirValue");
+  value->InsertNextValue(air);
+  image->GetFieldData()->AddArray(value);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(file.c_str());
+  const bool isRead = writer->Write() == 1 && removal->ReadFile(file);
+  std::remove(file.c_str());
+  return isRead;
+}
+
+/// A copy of an image with the hole in a component of it; each sample has the mean of a cube of
+/// shares of a volume that begins at `first` and is `step` times as fine.
+inline vtkSmartPointer<vtkImageData> MakeLeft(
+  vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
+{
+  auto left = vtkSmartPointer<vtkImageData>::New();
+  left->DeepCopy(image);
+  vtkDataArray* const values = left->GetPointData()->GetScalars();
+  const bool isWhole = values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE;
+  const int* const extent = image->GetExtent();
+  vtkIdType at = 0;
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i, ++at)
+      {
+        double sum = 0.0;
+        for (int n = 0; n < step * step * step; ++n)
+        {
+          sum += hole.GetShare(
+            step * i + n % step, step * j + n / step % step, step * k + n / (step * step));
+        }
+        const double value =
+          LeftOf(values->GetComponent(at, component), sum / (step * step * step), air);
+        values->SetComponent(at, component, isWhole ? std::round(value) : value);
+      }
+    }
+  }
+  return left;
+}
+} // namespace removaltest
+
+#endif
