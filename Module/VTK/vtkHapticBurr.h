@@ -14,11 +14,13 @@
  *
  *   Q = mu F v/U.
  *
- * So dense bone, with a large U, is drilled more slowly, and pressing harder drills faster. The
- * surface that is left has the shape of the ball to a small part of a voxel, and is felt by every
- * tool, or by the point without one: with the method PROXY, FORCE_FIELD or LOCAL_SURFACE. The
- * samples themselves do not change: the share of tissue that remains at each of them is kept by
- * vtkVolumeHapticsFilter::GetRemoval(), which undoes, saves and loads it.
+ * U is that of the label of each sample (vtkHapticLabelTable::SetSpecificEnergy()), or where that
+ * has none, the SpecificEnergy of the burr. So dense bone, with a large U, is drilled more slowly,
+ * and pressing harder drills faster. The surface that is left has the shape of the ball to a small
+ * part of a voxel, and is felt by every tool, or by the point without one: with the method PROXY,
+ * FORCE_FIELD or LOCAL_SURFACE. The samples themselves do not change: the share of tissue that
+ * remains at each of them is kept by vtkVolumeHapticsFilter::GetRemoval(), which undoes, saves and
+ * loads it.
  *
  * Live, it spins while the device is armed and its SpinButton is pressed, or
  * vtkHapticDevice::SetSpinning() says so. Offline it spins always, or as the point array Spinning
@@ -76,6 +78,7 @@ public:
   /**
    * The energy U that it takes to remove tissue (J/mm^3) against the scalar value, 0 or more. A
    * function without points is 10: default. Created on first Get; nullptr restores the default.
+   * Labels may have their own: vtkHapticLabelTable::SetSpecificEnergy().
    */
   void SetSpecificEnergy(vtkPiecewiseFunction* energy);
   vtkPiecewiseFunction* GetSpecificEnergy();

@@ -96,6 +96,7 @@ public:
       take(&LabelEntry::Viscosity);
       take(&LabelEntry::SurfaceStrength);
       take(&LabelEntry::ShaftFriction);
+      take(&LabelEntry::SpecificEnergy);
       take(&LabelEntry::Felt);
       take(&LabelEntry::Forbidden);
       isChange = isChange || isNew || !(merged == entry->second);
@@ -161,6 +162,7 @@ void PrintEntry(ostream& os, const LabelEntry& entry)
   print("viscosity", entry.Viscosity, " N");
   print("surface strength", entry.SurfaceStrength, " N");
   print("shaft friction", entry.ShaftFriction, " N/m");
+  print("specific energy", entry.SpecificEnergy, " J/mm^3");
   os << (entry.Felt.value_or(true) ? "" : ", not felt")
      << (entry.Forbidden.value_or(false) ? ", forbidden" : "") << "\n";
 }
@@ -202,6 +204,7 @@ vtkHapticLabelTableMaterialMacro(Friction, friction, "friction", "");
 vtkHapticLabelTableMaterialMacro(Viscosity, viscosity, "viscosity", " (N)");
 vtkHapticLabelTableMaterialMacro(SurfaceStrength, strength, "surface strength", " (N)");
 vtkHapticLabelTableMaterialMacro(ShaftFriction, friction, "shaft friction", " (N/m)");
+vtkHapticLabelTableMaterialMacro(SpecificEnergy, energy, "specific energy", " (J/mm^3)");
 
 //------------------------------------------------------------------------------
 void vtkHapticLabelTable::RemoveMaterial(int label)
@@ -214,6 +217,7 @@ void vtkHapticLabelTable::RemoveMaterial(int label)
     entry.Viscosity.reset();
     entry.SurfaceStrength.reset();
     entry.ShaftFriction.reset();
+    entry.SpecificEnergy.reset();
     this->Modified();
   }
 }
@@ -224,7 +228,7 @@ bool vtkHapticLabelTable::HasMaterial(int label)
   const LabelEntry* const entry = this->Internals->Find(label);
   return entry &&
     (entry->Stiffness || entry->Friction || entry->Viscosity || entry->SurfaceStrength ||
-      entry->ShaftFriction);
+      entry->ShaftFriction || entry->SpecificEnergy);
 }
 
 //------------------------------------------------------------------------------

@@ -89,14 +89,24 @@ public:
   double GetShaftFriction(int label);
   ///@}
 
+  ///@{
   /**
-   * Forgets stiffness, friction, viscosity, surface strength and shaft friction of a label; the
-   * transfer functions hold again.
+   * Energy U that it takes a vtkHapticBurr to remove this label's tissue (J/mm^3, 0 or more). The
+   * getter returns -1 if it is not set.
+   */
+  void SetSpecificEnergy(int label, double energy);
+  double GetSpecificEnergy(int label);
+  ///@}
+
+  /**
+   * Forgets stiffness, friction, viscosity, surface strength, shaft friction and specific energy of
+   * a label; the transfer functions hold again.
    */
   void RemoveMaterial(int label);
 
   /**
-   * Whether a label has any of stiffness, friction, viscosity, surface strength and shaft friction.
+   * Whether a label has any of stiffness, friction, viscosity, surface strength, shaft friction and
+   * specific energy.
    */
   bool HasMaterial(int label);
 
@@ -187,9 +197,9 @@ public:
   /**
    * The table as arrays with a tuple for each label, so that an image carries it in its field data:
    * Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction, LabelViscosity,
-   * LabelSurfaceStrength, LabelShaftFriction, LabelFelt, LabelForbidden, -1 where nothing is set;
-   * and LabelStandOff, one number. Only Label is needed to read them, which changes the table as
-   * ReadFile does; false, with an error and no change, if that fails.
+   * LabelSurfaceStrength, LabelShaftFriction, LabelSpecificEnergy, LabelFelt, LabelForbidden, -1
+   * where nothing is set; and LabelStandOff, one number. Only Label is needed to read them, which
+   * changes the table as ReadFile does; false, with an error and no change, if that fails.
    */
   bool ReadFieldData(vtkFieldData* data);
   void WriteFieldData(vtkFieldData* data);

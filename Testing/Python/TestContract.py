@@ -208,6 +208,10 @@ def test_tools():
     assert table.GetShaftFriction(3) == -1.0
     table.SetShaftFriction(3, 60.0)
     assert table.GetShaftFriction(3) == 60.0 and table.HasMaterial(3)
+    assert table.GetSpecificEnergy(4) == -1.0
+    table.SetSpecificEnergy(4, 12.5)
+    assert table.GetSpecificEnergy(4) == 12.5 and table.HasMaterial(4)
+    assert "J/mm^3" in table.SetSpecificEnergy.__doc__
 
 
 def test_method_names_are_all_documented():

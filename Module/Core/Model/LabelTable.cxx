@@ -33,6 +33,7 @@ LabelTable::LabelTable(const std::vector<LabelledMaterial>& entries)
       material.ShaftFriction = 0.0;
       material.HasShaftFriction = true;
     }
+    this->AnySpecificEnergy = this->AnySpecificEnergy || material.HasSpecificEnergy;
     std::size_t at = this->Home(entry.Label);
     while (this->Places[at] != 0)
     {

@@ -28,6 +28,11 @@ struct LabelMaterial
   double ShaftFriction = 0.0;
   bool HasShaftFriction = false;
   ///@}
+  ///@{
+  /** U, J/mm^3 that it takes a burr to remove the tissue. */
+  double SpecificEnergy = 0.0;
+  bool HasSpecificEnergy = false;
+  ///@}
   bool IsFelt = true; ///< if not, T_N, R and tau are 0, and the label makes no surface
   bool IsForbidden = false;
 };
@@ -75,6 +80,8 @@ public:
   void SetOneStiffness(double stiffness, double floor);
 
   bool IsEmpty() const noexcept { return this->Entries.empty(); }
+  /** Whether any label has one. */
+  bool HasSpecificEnergy() const noexcept { return this->AnySpecificEnergy; }
 
   /** The material of a label; null if it has none. */
   const LabelMaterial* Find(std::int64_t label) const noexcept
@@ -148,6 +155,7 @@ private:
   std::vector<std::uint32_t> Places; ///< 1 + the place in Entries; 0: free
   std::size_t Mask = 0;
   int Shift = 63;
+  bool AnySpecificEnergy = false;
 };
 
 } // namespace VolumeHaptics

@@ -28,6 +28,7 @@ _SETTERS = {
     "viscosity": "SetViscosity",
     "surface_strength": "SetSurfaceStrength",
     "shaft_friction": "SetShaftFriction",
+    "specific_energy": "SetSpecificEnergy",
     "felt": "SetFelt",
     "forbidden": "SetForbidden",
 }

@@ -180,6 +180,8 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
     }
     entry.Material.ShaftFriction = table->GetShaftFriction(label);
     entry.Material.HasShaftFriction = entry.Material.ShaftFriction >= 0.0;
+    entry.Material.SpecificEnergy = table->GetSpecificEnergy(label);
+    entry.Material.HasSpecificEnergy = entry.Material.SpecificEnergy >= 0.0;
     entry.Material.IsFelt = table->GetFelt(label);
     entry.Material.IsForbidden = table->GetForbidden(label);
     // A name or a colour alone is no entry.

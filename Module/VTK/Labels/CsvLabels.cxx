@@ -31,6 +31,7 @@ enum class Column
   Viscosity,
   SurfaceStrength,
   ShaftFriction,
+  SpecificEnergy,
   Felt,
   Forbidden,
   Color,
@@ -51,7 +52,8 @@ constexpr ColumnName ColumnNames[] = { { "label", Column::Label }, { "labelvalue
   { "stiffness", Column::Stiffness }, { "friction", Column::Friction },
   { "viscosity", Column::Viscosity }, { "strength", Column::SurfaceStrength },
   { "surfacestrength", Column::SurfaceStrength }, { "shaft", Column::ShaftFriction },
-  { "shaftfriction", Column::ShaftFriction }, { "felt", Column::Felt },
+  { "shaftfriction", Column::ShaftFriction }, { "energy", Column::SpecificEnergy },
+  { "specificenergy", Column::SpecificEnergy }, { "felt", Column::Felt },
   { "forbidden", Column::Forbidden }, { "color", Column::Color }, { "colour", Column::Color },
   { "red", Column::Red }, { "r", Column::Red }, { "green", Column::Green }, { "g", Column::Green },
   { "blue", Column::Blue }, { "b", Column::Blue } };
@@ -224,6 +226,9 @@ private:
       case Column::ShaftFriction:
         entry.ShaftFriction = number;
         break;
+      case Column::SpecificEnergy:
+        entry.SpecificEnergy = number;
+        break;
       default:
         parts[static_cast<int>(column) - static_cast<int>(Column::Red)] = number;
     }
@@ -321,11 +326,16 @@ std::string WriteCsv(const LabelEntries& entries)
   };
   const auto flag = [&text](const std::optional<bool>& value)
   { text << "," << (value ? (*value ? "1" : "0") : ""); };
-  // Only for those who use needles.
-  const bool hasShaft = std::any_of(entries.begin(), entries.end(),
-    [](const auto& entry) { return entry.second.ShaftFriction.has_value(); });
+  // Only for those who use needles, or burrs.
+  const auto isUsed = [&entries](std::optional<double> LabelEntry::*member)
+  {
+    return std::any_of(entries.begin(), entries.end(),
+      [member](const auto& entry) { return (entry.second.*member).has_value(); });
+  };
+  const bool hasShaft = isUsed(&LabelEntry::ShaftFriction);
+  const bool hasEnergy = isUsed(&LabelEntry::SpecificEnergy);
   text << "label,name,stiffness,friction,viscosity,strength," << (hasShaft ? "shaft," : "")
-       << "felt,forbidden,color\n";
+       << (hasEnergy ? "energy," : "") << "felt,forbidden,color\n";
   for (const auto& [label, entry] : entries)
   {
     text << label << "," << WriteCell(entry.Name.value_or(""));
@@ -336,6 +346,10 @@ std::string WriteCsv(const LabelEntries& entries)
     if (hasShaft)
     {
       number(entry.ShaftFriction);
+    }
+    if (hasEnergy)
+    {
+      number(entry.SpecificEnergy);
     }
     flag(entry.Felt);
     flag(entry.Forbidden);

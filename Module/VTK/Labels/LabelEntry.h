@@ -25,6 +25,7 @@ struct LabelEntry
   std::optional<double> Viscosity;       ///< N
   std::optional<double> SurfaceStrength; ///< N
   std::optional<double> ShaftFriction;   ///< N per metre
+  std::optional<double> SpecificEnergy;  ///< J/mm^3
   std::optional<bool> Felt;
   std::optional<bool> Forbidden;
 };
@@ -34,7 +35,7 @@ inline bool operator==(const LabelEntry& a, const LabelEntry& b)
   return a.Name == b.Name && a.Color == b.Color && a.Stiffness == b.Stiffness &&
     a.Friction == b.Friction && a.Viscosity == b.Viscosity &&
     a.SurfaceStrength == b.SurfaceStrength && a.ShaftFriction == b.ShaftFriction &&
-    a.Felt == b.Felt && a.Forbidden == b.Forbidden;
+    a.SpecificEnergy == b.SpecificEnergy && a.Felt == b.Felt && a.Forbidden == b.Forbidden;
 }
 
 /** By label, in rising order. */

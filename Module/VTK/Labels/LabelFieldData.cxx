@@ -36,7 +36,8 @@ struct NumberArray
 constexpr NumberArray NumberArrays[] = { { "LabelStiffness", &LabelEntry::Stiffness },
   { "LabelFriction", &LabelEntry::Friction }, { "LabelViscosity", &LabelEntry::Viscosity },
   { "LabelSurfaceStrength", &LabelEntry::SurfaceStrength },
-  { "LabelShaftFriction", &LabelEntry::ShaftFriction } };
+  { "LabelShaftFriction", &LabelEntry::ShaftFriction },
+  { "LabelSpecificEnergy", &LabelEntry::SpecificEnergy } };
 struct FlagArray
 {
   const char* Name;

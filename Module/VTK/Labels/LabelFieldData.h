@@ -12,6 +12,7 @@
  * | LabelStiffness (N/m), LabelFriction | number | -1 |
  * | LabelViscosity (N), LabelSurfaceStrength (N) | number | -1 |
  * | LabelShaftFriction (N per metre) | number | -1 |
+ * | LabelSpecificEnergy (J/mm^3) | number | -1 |
  * | LabelFelt, LabelForbidden | 1 or 0 | -1 |
  * | LabelStandOff (world units) | number; one tuple in all | - |
  *

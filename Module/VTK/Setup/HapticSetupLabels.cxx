@@ -33,6 +33,8 @@ const LabelNumber LabelNumbers[] = {
     &vtkHapticLabelTable::GetSurfaceStrength },
   { "ShaftFriction", &vtkHapticLabelTable::SetShaftFriction,
     &vtkHapticLabelTable::GetShaftFriction },
+  { "SpecificEnergy", &vtkHapticLabelTable::SetSpecificEnergy,
+    &vtkHapticLabelTable::GetSpecificEnergy },
 };
 
 /** Whether a text is a label as std::to_string writes it. */

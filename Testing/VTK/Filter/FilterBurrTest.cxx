@@ -14,6 +14,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkHapticBurr.h>
+#include <vtkHapticLabelTable.h>
 #include <vtkHapticRemoval.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
@@ -86,6 +87,84 @@ TEST_F(FilterBurr, RemovesByItsEnergy)
   const double expected = 0.25 * rim * 1e-3 * Sum(trace, "NormalForce") / 4.0;
   EXPECT_GT(expected, 2.0) << "mm^3";
   EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected);
+}
+
+/// In a label with U2, Q = mu F v/U2, whatever U(V) says; in one without, U(V) holds.
+TEST_F(FilterBurr, LabelsHaveAnEnergyOfTheirOwn)
+{
+  SetConstant(this->Burr->GetSpecificEnergy(), 4.0);
+  this->Burr->SetFriction(0.25);
+  this->Burr->SetSpeed(30000.0);
+  const double rim = 2.0 * BurrPi * 3e-3 * 500.0; // m/s
+  vtkNew<vtkHapticLabelTable> table;
+  table->SetSpecificEnergy(2, 9.0);
+  table->SetStiffness(7, 500.0);
+  this->Filter->SetLabelTable(table);
+  for (const int label : { 2, 7 })
+  {
+    const auto labels = MakeImage(64, VTK_SHORT, [label](const Point&) { return label; });
+    labels->SetSpacing(this->Image->GetSpacing());
+    this->Filter->SetLabelData(labels);
+    vtkPolyData* const trace = this->Follow(Plunge(4.0, 10000));
+    const double expected =
+      0.25 * rim * 1e-3 * Sum(trace, "NormalForce") / (label == 2 ? 9.0 : 4.0);
+    EXPECT_GT(expected, 2.0) << "mm^3";
+    EXPECT_NEAR(Sum(trace, "RemovedVolume"), expected, 0.01 * expected) << label;
+  }
+}
+
+/// Where a hole goes through several labels, its energy is the sum of U over the samples: by a loop
+/// over the shares that are left. The label image has a geometry of its own.
+TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
+{
+  constexpr double spacing = 0.7; // mm
+  SetConstant(this->Burr->GetSpecificEnergy(), 0.8);
+  this->Burr->SetFriction(0.25);
+  this->Burr->SetSpeed(30000.0);
+  const auto labels = MakeImage(40, VTK_SHORT,
+    [](const Point& x) { return x[0] + 0.3 * x[1] < 15.2 ? 2.0 : (x[2] < 10.5 ? 7.0 : 3.0); });
+  labels->SetSpacing(spacing, spacing, spacing);
+  labels->SetOrigin(-0.4, -0.2, -1.3);
+  vtkNew<vtkHapticLabelTable> table;
+  table->SetSpecificEnergy(2, 0.3);
+  table->SetSpecificEnergy(3, 2.4);
+  this->Filter->SetLabelTable(table);
+  this->Filter->SetLabelData(labels);
+  vtkPolyData* const trace = this->Follow(Plunge(4.0, 4000));
+  const double work = 0.25 * 2.0 * BurrPi * 3e-3 * 500.0 * 1e-3 * Sum(trace, "NormalForce"); // J
+  ASSERT_TRUE(this->Filter->GetRemoval()->ReadTrace(trace));
+  vtkNew<vtkImageData> shares;
+  this->Filter->GetRemoval()->MakeShares(shares);
+  const double energies[] = { 0.3, 2.4, 0.8 };
+  double volumes[3] = {};
+  for (vtkIdType i = 0; i < shares->GetNumberOfPoints(); ++i)
+  {
+    const double rho = shares->GetPointData()->GetScalars()->GetTuple1(i) / 255.0;
+    double place[3];
+    shares->GetPoint(i, place);
+    if (rho == 1.0 || this->Image->GetPointData()->GetScalars()->GetTuple1(i) < 100.0)
+    {
+      continue;
+    }
+    int index[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      index[a] = static_cast<int>(std::lround((place[a] - labels->GetOrigin()[a]) / spacing));
+    }
+    const double label = labels->GetScalarComponentAsDouble(index[0], index[1], index[2], 0);
+    // A voxel loses its volume in the middle sixth of the ramp.
+    volumes[label == 2.0 ? 0 : (label == 3.0 ? 1 : 2)] +=
+      std::pow(BurrVoxel, 3) * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
+  }
+  double expected = 0.0;
+  for (int label = 0; label < 3; ++label)
+  {
+    EXPECT_GT(volumes[label], 0.2) << "mm^3 of label " << label;
+    expected += volumes[label] * energies[label];
+  }
+  EXPECT_NEAR(work, expected, 0.02 * expected);
+  EXPECT_NEAR(Sum(trace, "RemovedVolume"), volumes[0] + volumes[1] + volumes[2],
+    1e-6 * (volumes[0] + volumes[1] + volumes[2]));
 }
 
 /// Q is that of the law: twice the energy, half the volume at the same force; and none without any.

@@ -64,6 +64,7 @@ TEST_F(LabelFieldData, HasItsNames)
   this->Table->SetLabelName(5, "H\xC3\xB6hle");
   this->Table->SetColor(5, 0.1, 0.2, 0.3);
   this->Table->SetSurfaceStrength(5, 1.5);
+  this->Table->SetSpecificEnergy(5, 12.5);
   this->Table->SetForbidden(-3, true);
   this->Table->SetStandOff(2.5);
   vtkNew<vtkFieldData> data;
@@ -82,10 +83,12 @@ TEST_F(LabelFieldData, HasItsNames)
   EXPECT_EQ(data->GetArray("LabelForbidden")->GetTuple1(0), 1.0);
   EXPECT_EQ(data->GetArray("LabelFelt")->GetTuple1(0), -1.0);
   EXPECT_EQ(data->GetArray("LabelStandOff")->GetTuple1(0), 2.5);
-  EXPECT_EQ(data->GetNumberOfArrays(), 11);
+  EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(1), 12.5);
+  EXPECT_EQ(data->GetArray("LabelSpecificEnergy")->GetTuple1(0), -1.0);
+  EXPECT_EQ(data->GetNumberOfArrays(), 12);
   // Again: no array twice.
   this->Table->WriteFieldData(data);
-  EXPECT_EQ(data->GetNumberOfArrays(), 11);
+  EXPECT_EQ(data->GetNumberOfArrays(), 12);
 }
 
 TEST_F(LabelFieldData, GoesThroughAFile)
@@ -95,6 +98,8 @@ TEST_F(LabelFieldData, GoesThroughAFile)
   this->Table->SetStiffness(5, 300.1);
   this->Table->SetFriction(5, 0.3);
   this->Table->SetViscosity(2, 0.4);
+  this->Table->SetShaftFriction(2, 25.5);
+  this->Table->SetSpecificEnergy(5, 12.1);
   this->Table->SetFelt(2, false);
   this->Table->SetForbidden(-3, true);
   this->Table->SetStandOff(2.5);

@@ -37,6 +37,10 @@ const Value Values[] = {
   { "viscosity", &vtkHapticLabelTable::SetViscosity, &vtkHapticLabelTable::GetViscosity },
   { "surface strength", &vtkHapticLabelTable::SetSurfaceStrength,
     &vtkHapticLabelTable::GetSurfaceStrength },
+  { "shaft friction", &vtkHapticLabelTable::SetShaftFriction,
+    &vtkHapticLabelTable::GetShaftFriction },
+  { "specific energy", &vtkHapticLabelTable::SetSpecificEnergy,
+    &vtkHapticLabelTable::GetSpecificEnergy },
 };
 
 class LabelTable : public testing::Test
@@ -271,6 +275,7 @@ TEST_F(LabelTable, CopiesEverything)
   this->Table->SetFriction(5, 0.3);
   this->Table->SetViscosity(5, 0.4);
   this->Table->SetSurfaceStrength(5, 1.5);
+  this->Table->SetSpecificEnergy(5, 12.5);
   this->Table->SetFelt(-6, false);
   this->Table->SetForbidden(-6, true);
   this->Table->SetStandOff(2.0);
@@ -284,9 +289,9 @@ TEST_F(LabelTable, CopiesEverything)
   copy->PrintSelf(theirs, vtkIndent());
   const auto tail = [](const std::string& text) { return text.substr(text.find("StandOff")); };
   EXPECT_EQ(tail(mine.str()), tail(theirs.str()));
-  for (const char* const word :
-    { "StandOff: 2", "5: liver, colour 0.1 0.2 0.3", "stiffness 300 N/m", "friction 0.3",
-      "viscosity 0.4 N", "surface strength 1.5 N", "-6: (no name)", "not felt", "forbidden" })
+  for (const char* const word : { "StandOff: 2", "5: liver, colour 0.1 0.2 0.3",
+         "stiffness 300 N/m", "friction 0.3", "viscosity 0.4 N", "surface strength 1.5 N",
+         "specific energy 12.5 J/mm^3", "-6: (no name)", "not felt", "forbidden" })
   {
     EXPECT_NE(theirs.str().find(word), std::string::npos) << theirs.str();
   }

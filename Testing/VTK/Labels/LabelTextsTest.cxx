@@ -112,6 +112,35 @@ TEST_F(LabelFiles, Csv)
   this->ExpectColor(0, 0.0, 0.5, 1.0);
 }
 
+/// Columns for needles and burrs are only in files of those who use them.
+TEST_F(LabelFiles, CsvOfTools)
+{
+  this->Read("label,name,Shaft Friction (N/m),Specific_Energy (J/mm^3)\n5,bone,,30.5\n6,fat,5,\n");
+  EXPECT_EQ(this->Table->GetSpecificEnergy(5), 30.5);
+  EXPECT_EQ(this->Table->GetSpecificEnergy(6), -1.0);
+  EXPECT_EQ(this->Table->GetShaftFriction(6), 5.0);
+  EXPECT_TRUE(this->Table->HasMaterial(5));
+  const std::string file = TemporaryPath("Tools.csv");
+  const auto firstLine = [&]
+  {
+    EXPECT_TRUE(this->Table->WriteFile(file.c_str()));
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+  };
+  EXPECT_EQ(firstLine(),
+    "label,name,stiffness,friction,viscosity,strength,shaft,energy,felt,forbidden,color");
+  vtkNew<vtkHapticLabelTable> read;
+  ASSERT_TRUE(read->ReadFile(file.c_str()));
+  EXPECT_EQ(read->GetSpecificEnergy(5), 30.5);
+  EXPECT_EQ(read->GetShaftFriction(6), 5.0);
+  this->Table->RemoveMaterial(5);
+  EXPECT_EQ(this->Table->GetSpecificEnergy(5), -1.0);
+  EXPECT_EQ(
+    firstLine(), "label,name,stiffness,friction,viscosity,strength,shaft,felt,forbidden,color");
+}
+
 TEST_F(LabelFiles, CsvOfOtherPrograms)
 {
   // diffdrr.

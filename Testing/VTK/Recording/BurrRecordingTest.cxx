@@ -9,6 +9,7 @@
 #include "Rigs/RecordingRig.h"
 
 #include <vtkHapticBurr.h>
+#include <vtkHapticLabelTable.h>
 #include <vtkHapticNeedle.h>
 #include <vtkHapticRemoval.h>
 #include <vtkPiecewiseFunction.h>
@@ -150,6 +151,24 @@ TEST_F(BurrRecording, ReplaysItsRemovalToTheBit)
   this->Wander(20);
   this->ExpectSameRemoval();
   EXPECT_FALSE(this->Recorded->GetFieldData()->HasArray("InitialBricks"));
+}
+
+/// What a label costs is not what the function says.
+TEST_F(BurrRecording, ReplaysWithTheEnergyOfLabels)
+{
+  const auto labels = MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] < 7.5 ? 2 : 3; });
+  vtkNew<vtkHapticLabelTable> table;
+  table->SetSpecificEnergy(2, 0.5);
+  table->SetSpecificEnergy(3, 4.0);
+  SetConstant(this->Burr->GetSpecificEnergy(), 1e6);
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(table);
+  this->Begin();
+  this->StartRecording();
+  this->Device->SpinningOn();
+  ASSERT_TRUE(this->Drill(7.0, 0.5));
+  this->Wander(20);
+  this->ExpectSameRemoval();
 }
 
 TEST_F(BurrRecording, ReplaysFromWhatWasRemovedBefore)

@@ -40,6 +40,8 @@ void FillTable(vtkHapticLabelTable* table, unsigned int seed)
     has(2) ? table->SetFriction(label, draw(1.0)) : void();
     has(3) ? table->SetViscosity(label, draw(1.0)) : void();
     has(4) ? table->SetSurfaceStrength(label, draw(10.0)) : void();
+    i % 3 == 0 ? table->SetShaftFriction(label, draw(60.0)) : void();
+    i % 5 == 0 ? table->SetSpecificEnergy(label, draw(60.0)) : void();
     has(5) ? table->SetFelt(label, has(6)) : void();
     has(7) ? table->SetForbidden(label, has(6)) : void();
   }
@@ -71,6 +73,8 @@ void ExpectSame(vtkHapticLabelTable* a, vtkHapticLabelTable* b)
     EXPECT_EQ(a->GetFriction(label), b->GetFriction(label));
     EXPECT_EQ(a->GetViscosity(label), b->GetViscosity(label));
     EXPECT_EQ(a->GetSurfaceStrength(label), b->GetSurfaceStrength(label));
+    EXPECT_EQ(a->GetShaftFriction(label), b->GetShaftFriction(label));
+    EXPECT_EQ(a->GetSpecificEnergy(label), b->GetSpecificEnergy(label));
     EXPECT_EQ(a->GetFelt(label), b->GetFelt(label));
     EXPECT_EQ(a->GetForbidden(label), b->GetForbidden(label));
   }

@@ -55,6 +55,9 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   this->View = view;
   this->View.Data = WholeData(view);
   this->ToIndex = model.DeviceToIndex;
+  const BakedLabels* const labels = model.Baked->Labels.get();
+  this->Labels = labels && labels->Table.HasSpecificEnergy() ? labels : nullptr;
+  this->ToLabel = model.IndexToLabel;
   const Matrix3 columns = Transpose(Inverse(this->ToIndex.Linear));
   std::copy(columns.Row, columns.Row + 3, this->Step);
   const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
@@ -244,8 +247,12 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         {
           const double volume = this->Volumes[old] - this->Volumes[share];
           cost.Volume += volume;
-          // Nothing takes no energy, even of what nothing can remove.
-          cost.Energy += volume > 0.0 ? volume * (*this->Tissue.SpecificEnergy)(value)[0] : 0.0;
+          if (volume > 0.0) // nothing takes no energy, even of what nothing can remove
+          {
+            const Vector3 index{ static_cast<double>(bases[0] + i), static_cast<double>(j),
+              static_cast<double>(k) };
+            cost.Energy += volume * this->FindEnergy(value, index);
+          }
         }
       }
       if (left != shares)
@@ -260,6 +267,20 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
     }
   }
   return brick == CarvedBricks::None && this->Count > before;
+}
+
+double SphereCarver::FindEnergy(double value, const Vector3& index) const noexcept
+{
+  if (this->Labels)
+  {
+    const LabelMaterial* const material =
+      this->Labels->Table.Find(this->Labels->View.Nearest(this->ToLabel(index)));
+    if (material && material->HasSpecificEnergy)
+    {
+      return material->SpecificEnergy;
+    }
+  }
+  return (*this->Tissue.SpecificEnergy)(value)[0];
 }
 
 template <typename T>

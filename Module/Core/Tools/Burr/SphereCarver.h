@@ -17,8 +17,9 @@
  *
  * is left. (The sum of rho itself is that of a sphere whose surface is three voxels wide: of a cap
  * that is h deep, it has pi w^2 (a + h)/12 more, in a CT several times the cap's volume.) It costs
- * the energy U(V); samples that are not solid cost nothing. Bricks in which, and around
- * which, no sample is solid stay as they are: there is nothing to remove.
+ * the energy U of the label at its samples, or U(V) where that has none; samples that are not
+ * solid cost nothing. Bricks in which, and around which, no sample is solid stay as they are: there
+ * is nothing to remove.
  *
  * Where a brick is needed and none is left, nothing at all is removed.
  */
@@ -103,6 +104,8 @@ private:
     CarvingCost& cost) noexcept;
   template <typename T>
   bool IsAnySolid(const BrickPlace& place) noexcept;
+  /** U, J/mm^3, of the sample at an index. */
+  double FindEnergy(double value, const Vector3& index) const noexcept;
 
   VolumeView View; ///< Data points to the volume's first sample
   Affine3 ToIndex;
@@ -110,6 +113,8 @@ private:
   double Voxel = 0.0;
   double Volumes[256]; ///< mm^3, of a voxel with a share of tissue
   CarvedTissue Tissue;
+  const BakedLabels* Labels = nullptr; ///< null: none has an energy of its own
+  Affine3 ToLabel;                     ///< from an index of the volume
   std::uint64_t Model = 0;
   std::vector<Change> Changes;
   std::size_t Count = 0;
