@@ -117,9 +117,9 @@
  *   Viscosity          N; R
  *   SurfaceStrength    N; T_N W_d
  *   Contact            0 free, 1 sticking, 2 sliding, 3 penetrating
- *   Energy             J; given to the hand by the force so far, by trapezoids. If a path ends
- *                      without force, the last value is the energy that was created (FORCE_FIELD
- *                      can) or, below 0, spent
+ *   Energy             J; given to the hand so far by the force, and by the torque of a tool with a
+ *                      shape, by trapezoids. If a path ends without force, the last value is the
+ *                      energy that was created (FORCE_FIELD can) or, below 0, spent
  *   Unfinished         1 if PRECISE spent its budget, and the next tick does the rest; else 0
  *   Label              at the output point plus r Normal, just inside the surface: the label of the
  *                      nearest voxel, 0 beyond the label image. Only with a label image on port 3

@@ -120,7 +120,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.Request = RemovalRequest::None;
   record.IsServed = false;
   record.Torque = Vector3{};
-  record.ToolOrientation = NoOrientation;
+  record.ToolOrientation = record.HandOrientation = NoOrientation;
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 

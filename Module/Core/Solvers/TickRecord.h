@@ -34,6 +34,8 @@ struct TickRecord : MaterialPoint
   Vector3 Torque; ///< N m, on the hand about the tip; of a tool with a shape
   /// of a tool with a shape, whose origin is the proxy: to the device's axes; else NoOrientation
   Quaternion ToolOrientation = NoOrientation;
+  /// of the hand that holds it, to the device's axes; else NoOrientation
+  Quaternion HandOrientation = NoOrientation;
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back

@@ -40,6 +40,7 @@ void WriteShellRecord(
   const double norm = Norm(felt.Force);
   record.Proxy = felt.Tool.Position;
   record.ToolOrientation = felt.Tool.Orientation;
+  record.HandOrientation = felt.Hand.Orientation;
   record.Force = felt.Force;
   record.Torque = felt.Torque;
   record.Normal = norm > 0.0 ? (-1.0 / norm) * felt.Force : model.FallbackNormal;

@@ -7,9 +7,11 @@
 #ifndef TraceRow_h
 #define TraceRow_h
 
+#include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
 #include "Core/Solvers/TickRecord.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace VolumeHaptics
@@ -74,7 +76,7 @@ struct RecordingRow
   unsigned char RemovalRequest; ///< that began to be carried out
 };
 
-/** The work (J) of the force on the hand since the first record. */
+/** The work (J) of force and torque on the hand since the first record, by trapezoids. */
 class WorkMeter
 {
 public:
@@ -84,17 +86,43 @@ public:
     if (this->HasLast && IsFinite(record.Tip) && IsFinite(this->LastTip))
     {
       this->Work += 0.5 * Dot(record.Force + this->LastForce, record.Tip - this->LastTip);
+      this->AddTurn(record);
     }
     this->HasLast = true;
     this->LastTip = record.Tip;
     this->LastForce = record.Force;
+    this->LastTorque = record.Torque;
+    this->LastOrientation = record.HandOrientation;
     return this->Work;
   }
 
 private:
+  /** Of a tool with a shape in the hand at both records. */
+  void AddTurn(const TickRecord& record)
+  {
+    Quaternion from = this->LastOrientation;
+    Quaternion to = record.HandOrientation;
+    if (!MakeUnit(from) || !MakeUnit(to))
+    {
+      return;
+    }
+    const Quaternion turn = to * Conjugate(from);
+    const Vector3 axis{ turn.X, turn.Y, turn.Z }; // times sin(angle/2)
+    const double sine = Norm(axis);
+    if (sine > 0.0)
+    {
+      // q and -q are one orientation: the shorter turn.
+      const double angle =
+        2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // along axis
+      this->Work += 0.5 * (angle / sine) * Dot(record.Torque + this->LastTorque, axis);
+    }
+  }
+
   bool HasLast = false;
   Vector3 LastTip;
   Vector3 LastForce;
+  Vector3 LastTorque;
+  Quaternion LastOrientation = NoOrientation;
   double Work = 0.0;
 };
 

@@ -140,6 +140,64 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
   EXPECT_NEAR(left, angle * 0.02 / (face + 0.02), 0.03 * angle);
 }
 
+/// The hand turns a box that rests on its face, and turns it back. It works against face and turning
+/// spring in row: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and for a spring that
+/// is much softer than the face 2 k_r sin^2(theta/2), which is the energy of the spring.
+TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
+{
+  constexpr int steps = 200;
+  constexpr int rest = 50;
+  const double face = Kappa * 0.01 * 1e-6 / 12.0; // S4
+  this->Tool->SetMesh(MakeBox(10.0, 10.0, 4.0));
+  this->Tool->SetNumberOfPoints(10000);
+  const struct
+  {
+    double Angle;
+    double Spring;
+    double Work;
+    double Tolerance;
+  } cases[] = { { 1e-3, 0.02, 0.5 * 1e-6 * face * 0.02 / (face + 0.02), 0.03 },
+    { 0.5, 1e-5, 2.0 * 1e-5 * std::pow(std::sin(0.25), 2), 0.01 } };
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(one.Angle);
+    this->Tool->SetTurningStiffness(one.Spring);
+    std::vector<double> angles(100 + rest, 0.0);
+    for (int i = 1; i <= steps; ++i)
+    {
+      angles.push_back(one.Angle * i / steps);
+    }
+    angles.insert(angles.end(), rest, one.Angle);
+    for (int i = steps - 1; i >= 0; --i)
+    {
+      angles.push_back(one.Angle * i / steps);
+    }
+    angles.insert(angles.end(), rest, 0.0);
+    std::vector<Point> points = Line({ 7, 7, 5.9 }, { 7, 7, 6.05 }, 100);
+    points.resize(angles.size(), points.back());
+    this->Path = MakePath(points);
+    vtkNew<vtkDoubleArray> orientations;
+    orientations->SetName("Orientation");
+    orientations->SetNumberOfComponents(4);
+    for (const double angle : angles)
+    {
+      vtkQuaterniond turn;
+      turn.SetRotationAngleAndAxis(angle, 1.0, 0.0, 0.0);
+      orientations->InsertNextTuple(turn.GetData());
+    }
+    this->Path->GetPointData()->AddArray(orientations);
+    this->Filter->SetPathData(this->Path);
+    vtkPolyData* const trace = this->Run(static_cast<vtkIdType>(points.size()));
+    const double before = Get(trace, "Energy", 100 + rest - 1);
+    const double turned = Get(trace, "Energy", 100 + 2 * rest + steps - 1);
+    const double back = Get(trace, "Energy", static_cast<vtkIdType>(points.size()) - 1);
+    EXPECT_LT(before, 0.0) << "the hand has pressed";
+    EXPECT_NEAR(before - turned, one.Work, one.Tolerance * one.Work);
+    EXPECT_NEAR(back, before, one.Tolerance * one.Work);
+    EXPECT_LE(back, before + 1e-3 * one.Work) << "nothing is created";
+  }
+}
+
 TEST_F(FilterShell, WhatIsSolidFollowsFromTheStrength)
 {
   const vtkSmartPointer<vtkPolyData> wanted = [this]
