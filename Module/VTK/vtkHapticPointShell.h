@@ -29,8 +29,11 @@
  * tool that begins in solid material is free to leave it.
  *
  * 10 000 points tick at 1 kHz on one core of a PC, of which a few thousand may be in contact; the
- * time grows with their number. Points farther apart than details of the volume miss these: the
- * distance between them is about the square root of the tool's area over their number.
+ * time grows with their number. To spread 2000 points takes a quarter of a second, 100 000 of them
+ * some seconds: a vtkHapticDevice does that in the background, and the hand feels what it had
+ * before until vtkHapticDevice::IsPublished(). Points farther apart than details of the volume
+ * miss these: the distance between them is about the square root of the tool's area over their
+ * number.
  *
  * It needs the method PROXY, and a volume that does not move. Friction is not felt. In the trace,
  * the points (proxies) are the origins of the tool, ToolOrientation is its orientation (w, x, y, z;

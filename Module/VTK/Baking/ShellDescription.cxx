@@ -2,77 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/ShellDescription.h"
 
-#include "VTK/Baking/ShellSampler.h"
-#include "VTK/Baking/ToolMesh.h"
+#include "VTK/Baking/ShellPoints.h"
 
 #include "vtkHapticPointShell.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <sstream>
-#include <tuple>
 #include <vector>
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-/** A tick of more takes too long for any servo, and their memory must stay there. */
-constexpr int MostShellPoints = 100000;
-
-/**
- * Points that models use, and the last few that were made, so that those of a mesh that has not
- * changed are not spread again.
- */
-class ShellsInUse
-{
-public:
-  std::shared_ptr<const PointShell> Get(vtkPolyData* mesh, int count, std::string& error)
-  {
-    // Times of change are unique: data that stands at the place of others has another one.
-    const Key key{ mesh, mesh ? mesh->GetMTime() : 0, count };
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    if (const auto known = this->Shells[key].lock())
-    {
-      return known;
-    }
-    std::vector<ToolTriangle> triangles;
-    const bool isGood = ReadToolMesh(mesh, triangles, error);
-    const auto shell = isGood ? std::make_shared<const PointShell>(
-                                  SpreadShellPoints(triangles, static_cast<std::size_t>(count)))
-                              : nullptr;
-    this->Shells[key] = shell;
-    this->Last[this->Next] = shell;
-    this->Next = (this->Next + 1) % this->Last.size();
-    for (auto i = this->Shells.begin(); i != this->Shells.end();)
-    {
-      i = i->second.expired() ? this->Shells.erase(i) : std::next(i);
-    }
-    return shell;
-  }
-
-private:
-  using Key = std::tuple<vtkPolyData*, vtkMTimeType, int>;
-
-  std::mutex Mutex;
-  std::map<Key, std::weak_ptr<const PointShell>> Shells;
-  std::array<std::shared_ptr<const PointShell>, 4> Last;
-  std::size_t Next = 0;
-};
-
-ShellsInUse& GetShellsInUse()
-{
-  // Never destroyed: a filter may live until the process exits.
-  static auto* const shells = new ShellsInUse;
-  return *shells;
-}
 
 /** Of a function that is constant beyond its ends. */
 double ValueAt(const Polyline& line, double x)
@@ -253,7 +195,7 @@ bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, s
     return false;
   }
   ShellDescription& described = d.Tool.Shell;
-  described.Points = GetShellsInUse().Get(shell->GetMesh(), shell->GetNumberOfPoints(), error);
+  described.Points = GetShellPoints(shell->GetMesh(), shell->GetNumberOfPoints(), error);
   if (!described.Points)
   {
     error += " It is the one of SetMesh() of the vtkHapticPointShell.";

@@ -204,9 +204,17 @@ private:
   std::size_t Mask = 0;
 };
 
+/** Whether a loop is to go on; looks at the monitor, if there is one, every now and then. */
+bool GoesOn(const WorkMonitor* monitor, std::size_t step)
+{
+  constexpr std::size_t between = 1024;
+  return !monitor || step % between != 0 || !monitor->IsCancelled();
+}
+
 /** Leaves out the members that are most crowded, until `count` are left. */
 std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
-  const std::vector<std::size_t>& members, std::size_t count, double area)
+  const std::vector<std::size_t>& members, std::size_t count, double area,
+  const WorkMonitor* monitor)
 {
   // The largest radius of discs that fit: those of a lattice of equilateral triangles.
   const double most = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
@@ -225,6 +233,10 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   std::priority_queue<Entry> heaviest;
   for (const std::size_t member : members)
   {
+    if (!GoesOn(monitor, heaviest.size()))
+    {
+      return {};
+    }
     grid.ForNear(places[member].Position, reach,
       [&](std::size_t other) { weights[member] += other != member ? weigh(member, other) : 0.0; });
     heaviest.emplace(weights[member], member);
@@ -232,6 +244,10 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   std::vector<char> isOut(places.size(), 0);
   for (std::size_t left = members.size(); left > count;)
   {
+    if (!GoesOn(monitor, left))
+    {
+      return {};
+    }
     const auto [weight, member] = heaviest.top();
     heaviest.pop();
     if (weight != weights[member])
@@ -253,10 +269,11 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
 
 /**
  * For each place, the number of the chosen one that is nearest. The one of before, if they have
- * only moved, is near, too.
+ * only moved, is near, too. Empty if it is cancelled.
  */
 std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
-  const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before)
+  const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
+  const WorkMonitor* monitor)
 {
   const PlaceGrid grid(places, chosen, spacing);
   std::vector<std::size_t> numbers(places.size(), 0);
@@ -268,6 +285,10 @@ std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   owners.reserve(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
+    if (!GoesOn(monitor, i))
+    {
+      return {};
+    }
     constexpr double rounding = 1.0 + 1e-9;
     const double within = before.empty()
       ? spacing
@@ -324,7 +345,7 @@ void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<st
 } // namespace
 
 std::vector<ShellPoint> SpreadShellPoints(
-  const std::vector<ToolTriangle>& triangles, std::size_t count)
+  const std::vector<ToolTriangle>& triangles, std::size_t count, const WorkMonitor* monitor)
 {
   double area = 0.0;
   for (const ToolTriangle& triangle : triangles)
@@ -340,12 +361,17 @@ std::vector<ShellPoint> SpreadShellPoints(
   {
     members.push_back(i);
   }
-  std::vector<std::size_t> chosen = Eliminate(places, members, count, area);
-  std::vector<std::size_t> owners = FindOwners(places, chosen, spacing, {});
-  for (int round = 0; round < LloydRounds; ++round)
+  std::vector<std::size_t> chosen = Eliminate(places, members, count, area, monitor);
+  std::vector<std::size_t> owners =
+    chosen.empty() ? chosen : FindOwners(places, chosen, spacing, {}, monitor);
+  for (int round = 0; round < LloydRounds && !owners.empty(); ++round)
   {
     MoveToMiddles(places, owners, chosen);
-    owners = FindOwners(places, chosen, spacing, owners);
+    owners = FindOwners(places, chosen, spacing, owners, monitor);
+  }
+  if (owners.empty())
+  {
+    return {};
   }
   // In the middle of its part, but on the surface: sums of what is linear along a plane are
   // integrals. On a curved surface that is pressed into a plane, what points on it have too much is

@@ -19,6 +19,7 @@
 
 #include "Core/Model/PointShell.h"
 #include "VTK/Baking/ToolMesh.h"
+#include "VTK/Work/BackgroundWork.h"
 
 #include <cstddef>
 #include <vector>
@@ -26,9 +27,12 @@
 namespace VolumeHaptics
 {
 
-/** `count` points, at least one, on triangles of which there is at least one. */
-std::vector<ShellPoint> SpreadShellPoints(
-  const std::vector<ToolTriangle>& triangles, std::size_t count);
+/**
+ * `count` points, at least one, on triangles of which there is at least one. With a monitor, none if
+ * it is cancelled.
+ */
+std::vector<ShellPoint> SpreadShellPoints(const std::vector<ToolTriangle>& triangles,
+  std::size_t count, const WorkMonitor* monitor = nullptr);
 
 } // namespace VolumeHaptics
 

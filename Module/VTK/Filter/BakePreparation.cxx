@@ -9,6 +9,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"
+#include "vtkHapticPointShell.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -45,8 +46,10 @@ const char* BakePreparation::Prepare(bool isMoving)
   }
   const bool areLabelsReady = !hasLabels || this->PrepareLabels();
   const bool isMeshReady = !hasMesh || this->PrepareSurface();
+  const bool isToolReady = this->PrepareTool();
   return !areLabelsReady ? "the distances to forbidden labels are measured"
     : !isMeshReady       ? MeshingWork
+    : !isToolReady       ? "the points of the tool are spread"
                          : nullptr;
 }
 
@@ -55,6 +58,18 @@ void BakePreparation::EndPreparing()
 {
   this->Labels.EndPreparing();
   this->Surfaces.EndPreparing();
+  this->Shells.EndPreparing();
+}
+
+//------------------------------------------------------------------------------
+bool BakePreparation::PrepareTool()
+{
+  auto* const shell = vtkHapticPointShell::SafeDownCast(this->Filter->GetTool());
+  if (!shell)
+  {
+    this->Shells.EndPreparing();
+  }
+  return !shell || this->Shells.Prepare(shell->GetMesh(), shell->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------

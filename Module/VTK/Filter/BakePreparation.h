@@ -9,6 +9,7 @@
 
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/ShellPoints.h"
 
 class vtkVolumeHapticsFilter;
 
@@ -19,8 +20,8 @@ namespace VolumeHaptics
 inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
- * The mesh of SURFACE_PROXY and the distances to forbidden labels, which can be made in the
- * background before a filter bakes.
+ * The mesh of SURFACE_PROXY, the distances to forbidden labels, and the points of a tool with a
+ * shape, which can be made in the background before a filter bakes.
  */
 class BakePreparation
 {
@@ -48,10 +49,12 @@ public:
 private:
   bool PrepareLabels();
   bool PrepareSurface();
+  bool PrepareTool();
 
   vtkVolumeHapticsFilter* const Filter;
   HapticSurface Surfaces;
   HapticLabels Labels;
+  ShellPreparation Shells;
 };
 
 } // namespace VolumeHaptics

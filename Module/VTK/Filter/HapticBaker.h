@@ -110,8 +110,8 @@ public:
 
   /**
    * Null if Bake() has all that takes long and can be made in the background: the distances to
-   * forbidden labels, and a large mesh. If not, its making is under way: a text for the status,
-   * such as MeshingWork.
+   * forbidden labels, a large mesh, and the points of a tool with a shape. If not, its making is
+   * under way: a text for the status, such as MeshingWork.
    * @param isMoving whether BakeFrames() follows, whose frames may have meshes of their own
    */
   const char* Prepare(bool isMoving = false) const

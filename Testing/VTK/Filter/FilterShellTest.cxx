@@ -140,9 +140,9 @@ TEST_F(FilterShell, ATiltedBoxGivesATorque)
   EXPECT_NEAR(left, angle * 0.02 / (face + 0.02), 0.03 * angle);
 }
 
-/// The hand turns a box that rests on its face, and turns it back. It works against face and turning
-/// spring in row: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and for a spring that
-/// is much softer than the face 2 k_r sin^2(theta/2), which is the energy of the spring.
+/// The hand turns a box that rests on its face, and turns it back. It works against face and
+/// turning spring in row: K theta^2/2 with K = face k_r/(face + k_r) for small angles, and for a
+/// spring that is much softer than the face 2 k_r sin^2(theta/2), the energy of the spring.
 TEST_F(FilterShell, EnergyHasTheWorkOfTheTorque)
 {
   constexpr int steps = 200;

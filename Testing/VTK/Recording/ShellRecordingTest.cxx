@@ -12,6 +12,7 @@
 #include <vtkHapticNeedle.h>
 #include <vtkHapticPointShell.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 
 #include <cmath>
@@ -38,6 +39,17 @@ protected:
     this->Filter->SetTool(this->Tool);
   }
 
+  /// The points of the tool are spread in the background.
+  void Begin()
+  {
+    Recording::Begin();
+    ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  }
+  bool IsSpreading()
+  {
+    return this->Device->GetStatusText().find("the points of the tool are spread") !=
+      std::string::npos;
+  }
   void TurnTool(double angle)
   {
     this->Device->SetVirtualTipOrientation(
@@ -106,6 +118,67 @@ TEST_F(ShellRecording, GivesForceAndTorque)
   EXPECT_GT(Length(this->Device->GetComputedTorque()), 1e-4);
   this->Device->ResetMaximumTorque();
   EXPECT_EQ(this->Device->GetMaximumTorque(), 0.25);
+}
+
+/// Meanwhile the hand feels what it had: here a point that is pressed.
+TEST_F(ShellRecording, PointsAreSpreadInTheBackground)
+{
+  this->Filter->SetTool(nullptr);
+  this->Begin();
+  ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
+  ASSERT_TRUE(this->ArmFully());
+  ASSERT_TRUE(this->LeadInto(8.0));
+  const double force = Length(this->Device->GetForce());
+  EXPECT_GT(force, 0.15);
+  this->Tool->SetNumberOfPoints(20000);
+  this->Filter->SetTool(this->Tool);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(this->Device->IsPublished());
+  EXPECT_TRUE(this->IsSpreading()) << this->Device->GetStatusText();
+  ASSERT_TRUE(this->WaitTicks(20));
+  EXPECT_EQ(Length(this->Device->GetToolOrientation()), 0.0);
+  EXPECT_NEAR(Length(this->Device->GetForce()), force, 0.05 * force);
+  // A change of mind does not wait for the worker.
+  this->Filter->SetTool(nullptr);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_FALSE(this->IsSpreading());
+  this->Tool->SetNumberOfPoints(1000);
+  this->Filter->SetTool(this->Tool);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  ASSERT_TRUE(this->WaitTicks(5));
+  EXPECT_NE(Length(this->Device->GetToolOrientation()), 0.0);
+  // They are known from now on.
+  this->Filter->GetProperty()->GetFriction()->AddPoint(0.0, 0.1);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+/// What is wrong with a mesh is told when it is known.
+TEST_F(ShellRecording, ABadMeshIsAnErrorOfTheBackground)
+{
+  this->Filter->SetTool(nullptr);
+  this->Begin();
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(20, 20);
+  plane->Update();
+  this->Tool->SetMesh(plane->GetOutput());
+  this->Tool->SetNumberOfPoints(10000);
+  this->Filter->SetTool(this->Tool);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->IsSpreading());
+  const auto isTold = [this]
+  {
+    const auto& errors = this->FilterLog.Errors.empty() ? this->Log.Errors : this->FilterLog.Errors;
+    return !errors.empty() && errors[0].find("is not closed") != std::string::npos;
+  };
+  ASSERT_TRUE(this->Wait(isTold));
+  EXPECT_FALSE(this->IsSpreading());
+  EXPECT_EQ(this->FilterLog.Errors.size() + this->Log.Errors.size(), 1u);
+  this->FilterLog.Errors.clear();
+  this->Log.Errors.clear();
 }
 
 TEST_F(ShellRecording, TheToolMayChangeUnderForce)

@@ -154,6 +154,7 @@ TEST_F(StateSource, AToolWithAShapeIsShown)
   tool->SetContactValue(1e6);
   this->Filter->SetTool(tool);
   this->Begin();
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); })) << "its points";
   ASSERT_TRUE(this->Lead(7.0, 7.0, 4.0));
   vtkNew<vtkHapticRepresentation> hand;
   hand->SetDevice(this->Device);
