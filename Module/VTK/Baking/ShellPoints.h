@@ -33,9 +33,9 @@ struct SpreadShell
 };
 
 /**
- * The points of a mesh, 1 to MostShellPoints of them. Those of a mesh that has not changed are those
- * that models still use, or that were made last. Null, with the reason and the cure in `error`, if
- * the mesh is no closed surface.
+ * The points of a mesh, 1 to MostShellPoints of them. Those of a mesh that has not changed are
+ * those that models still use, or that were made last. Null, with the reason and the cure in
+ * `error`, if the mesh is no closed surface.
  */
 std::shared_ptr<const PointShell> GetShellPoints(vtkPolyData* mesh, int count, std::string& error);
 

@@ -28,8 +28,8 @@ namespace VolumeHaptics
 {
 
 /**
- * `count` points, at least one, on triangles of which there is at least one. With a monitor, none if
- * it is cancelled.
+ * `count` points, at least one, on triangles of which there is at least one. With a monitor, none
+ * if it is cancelled.
  */
 std::vector<ShellPoint> SpreadShellPoints(const std::vector<ToolTriangle>& triangles,
   std::size_t count, const WorkMonitor* monitor = nullptr);
