@@ -111,10 +111,11 @@ public:
    * error, if the input can't be touched; the servo then keeps the last snapshot.
    *
    * If labels of a large label image become forbidden, the distances to them are measured in the
-   * background first, and a large mesh of SURFACE_PROXY is made there. Publish and Start return
-   * true at once, and UpdateState publishes when that is done; see IsPublished. Meanwhile it
-   * publishes the isosurface around the tip, whose force fades where the tip leaves it before the
-   * next part is there (GetResidency); but not while a recording is under way.
+   * background first, and a large mesh of SURFACE_PROXY is made there, and the points of a
+   * vtkHapticPointShell. Publish and Start return true at once, and UpdateState publishes when that
+   * is done; see IsPublished. While a mesh is made, it publishes the isosurface around the tip,
+   * whose force fades where the tip leaves it before the next part is there (GetResidency); but not
+   * while a recording is under way.
    */
   bool Publish();
   /**

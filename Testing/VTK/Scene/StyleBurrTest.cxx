@@ -16,8 +16,12 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
+#include <thread>
+#include <utility>
 #include <vector>
 
 using namespace scenetest;
@@ -87,7 +91,8 @@ protected:
   static Levels Read(vtkRenderWindow* window)
   {
     vtkNew<vtkUnsignedCharArray> pixels;
-    window->GetPixelData(0, 0, 299, 299, 0, pixels);
+    const int* const size = window->GetSize();
+    window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
     return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
   }
   /// What is drawn of an image from which a loop has removed the tissue, by the shares.
@@ -202,4 +207,61 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
 {
   this->Check(
     vtkNew<vtkFixedPointVolumeRayCastMapper>(), vtkNew<vtkFixedPointVolumeRayCastMapper>());
+}
+
+/// From the tick that removes tissue to the end of the frame that shows it, at most 100 ms pass in
+/// the servo's time. A stroke is timed from the last look at the device at which nothing was removed
+/// yet, so that the time is too long rather than too short; since the machine may be busy, one of
+/// several strokes has to keep it. Nothing but bricks is uploaded: the mapper keeps its image, which
+/// does not change.
+TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
+{
+  // So small that a software renderer draws it in a few milliseconds.
+  this->Window->SetSize(64, 64);
+  const vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  this->Show(mapper);
+  this->Style->TouchVolume(this->Shown);
+  const vtkMTimeType uploaded = this->Ball->GetMTime();
+  vtkHapticRemoval* const removal = this->Filter->GetRemoval();
+  this->PushIn(32, 32);
+  double best = 1e9;
+  for (int stroke = 0; stroke < 20 && best > 0.1; ++stroke)
+  {
+    this->Device->SpinningOff();
+    this->Pointer(32, 32, vtkCommand::MouseWheelForwardEvent);
+    this->Run(50);
+    Levels before = Read(this->Window);
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        this->Style->DrawHaptics();
+        const Levels now = Read(this->Window);
+        return MostDifference(std::exchange(before, now), now) == 0 && !this->Device->IsSpinning();
+      }));
+    const double volume = removal->GetRemovedVolume();
+    double begin = this->Device->GetTime();
+    bool isSeen = false;
+    this->Device->SpinningOn();
+    for (int look = 0; look < 4000 && !isSeen; ++look)
+    {
+      this->Style->UpdateHaptics();
+      // The time is read before: what was removed later is not yet in the volume.
+      const double now = this->Device->GetTime();
+      begin = removal->GetRemovedVolume() == volume ? now : begin;
+      this->Style->DrawHaptics();
+      isSeen =
+        removal->GetRemovedVolume() > volume && MostDifference(Read(this->Window), before) > 10;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_TRUE(isSeen) << "stroke " << stroke;
+    this->Style->UpdateHaptics();
+    const double delay = this->Device->GetTime() - begin;
+    EXPECT_GT(delay, 0.0);
+    best = std::min(best, delay);
+    std::cout << "stroke " << stroke << ": " << 1e3 * delay << " ms\n";
+  }
+  this->Device->SpinningOff();
+  EXPECT_LE(best, 0.1) << "s";
+  EXPECT_EQ(mapper->GetInputDataObject(0, 0), this->Ball);
+  EXPECT_EQ(this->Ball->GetMTime(), uploaded);
 }

@@ -112,16 +112,16 @@ protected:
       }));
   }
   /// The mouse is a stylus from here on, and is pushed into the middle of the picture.
-  void PushIn()
+  void PushIn(int x = 150, int y = 150)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
     ASSERT_TRUE(this->Device->Start());
-    this->Pointer(150, 150);
+    this->Pointer(x, y);
     this->Style->TouchModeOn();
     this->RunUntilFullyArmed();
     for (int i = 0; i < 4; ++i)
     {
-      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Pointer(x, y, vtkCommand::MouseWheelForwardEvent);
       this->Run(10);
     }
   }
