@@ -210,10 +210,10 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
 }
 
 /// From the tick that removes tissue to the end of the frame that shows it, at most 100 ms pass in
-/// the servo's time. A stroke is timed from the last look at the device at which nothing was removed
+/// the servo's time. A stroke is timed from the last look at the device when nothing was removed
 /// yet, so that the time is too long rather than too short; since the machine may be busy, one of
-/// several strokes has to keep it. Nothing but bricks is uploaded: the mapper keeps its image, which
-/// does not change.
+/// several strokes has to keep it. Nothing but bricks is uploaded: the mapper keeps its image,
+/// which does not change.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
   // So small that a software renderer draws it in a few milliseconds.
