@@ -11,6 +11,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <utility>
+
 vtkStandardNewMacro(vtkHapticRemoval);
 
 namespace
@@ -147,15 +149,15 @@ bool vtkHapticRemoval::WriteFile(const std::string& file)
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::ReadFile(const std::string& file)
 {
-  VolumeHaptics::RemovalContent content;
+  auto content = std::make_unique<VolumeHaptics::RemovalContent>();
   std::string error;
-  if (!VolumeHaptics::ReadRemovalFile(file, content, error))
+  if (!VolumeHaptics::ReadRemovalFile(file, *content, error))
   {
     vtkErrorMacro(<< "The file " << VolumeHaptics::Printable(file) << " " << error);
     return false;
   }
-  this->Data->Replace(content.Shares, content.Geometry);
-  RemovalData::SetFoundAir(this, content.AirValue);
+  RemovalData::SetFoundAir(this, content->AirValue);
+  this->Data->TakeRead(std::move(content));
   this->Modified();
   return true;
 }

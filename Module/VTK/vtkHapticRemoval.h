@@ -20,8 +20,9 @@
  *
  * One vtkHapticDevice at a time may tick with a removal: give the filter of another one a removal
  * of its own with vtkVolumeHapticsFilter::SetRemoval(). Shares are of the samples of one extent: a
- * volume with another one can't be felt until Reset() or SetRemoval(nullptr). While a volume moves,
- * all of its tissue is there.
+ * volume with another one can't be felt until Reset() or SetRemoval(nullptr). But what ReadFile()
+ * has read goes with any part of its volume, or a larger one, as long as it is not changed. While a
+ * volume moves, all of its tissue is there.
  *
  * @sa vtkHapticBurr vtkVolumeHapticsFilter
  */
@@ -106,7 +107,9 @@ public:
   /**
    * Writes the shares to a .vti file, and reads them. The file has the part of the volume from
    * which something was removed, and is replaced as a whole: if the disk is full, the old one
-   * stays. False, after an error, if that is not possible; then nothing has changed.
+   * stays. False, after an error, if that is not possible; then nothing has changed. What was read
+   * is felt on any volume whose samples lie where those of the file's volume do: one that was
+   * cropped or padded since has the same hole at the same place.
    */
   bool WriteFile(const std::string& file);
   bool ReadFile(const std::string& file);

@@ -3,7 +3,9 @@
 #include "Core/Carving/ShareImage.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <map>
 
 namespace VolumeHaptics
 {
@@ -175,6 +177,50 @@ bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* f
       bricks.MarkChanged(brick);
     });
   return true;
+}
+
+std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, const ShareBox& box)
+{
+  std::map<std::uint64_t, BrickShares> moved; // in the same order every time
+  for (const BrickShares& brick : bricks)
+  {
+    const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);
+    const std::int64_t first[3] = { place.X * SideOfBrick - box.First[0],
+      place.Y * SideOfBrick - box.First[1], place.Z * SideOfBrick - box.First[2] };
+    for (std::int64_t sample = 0; sample < SideOfBrick * CarvedBricks::Rows; ++sample)
+    {
+      const std::int64_t i = sample % SideOfBrick;
+      const std::int64_t row = sample / SideOfBrick;
+      const std::uint64_t share = brick.Rows[static_cast<std::size_t>(row)] >> (8 * i) & 255;
+      const std::int64_t x[3] = { first[0] + i, first[1] + row % SideOfBrick,
+        first[2] + row / SideOfBrick };
+      const bool isInside = x[0] >= 0 && x[1] >= 0 && x[2] >= 0 && x[0] < box.Size[0] &&
+        x[1] < box.Size[1] && x[2] < box.Size[2];
+      if (share == CarvedBricks::Whole || !isInside)
+      {
+        continue;
+      }
+      const std::uint64_t key =
+        CarvedBricks::KeyOf({ x[0] / SideOfBrick, x[1] / SideOfBrick, x[2] / SideOfBrick });
+      const auto [entry, isNew] = moved.try_emplace(key);
+      if (isNew)
+      {
+        entry->second.Key = key;
+        entry->second.Rows.fill(CarvedBricks::WholeRow);
+      }
+      const std::int64_t to = x[1] % SideOfBrick + SideOfBrick * (x[2] % SideOfBrick);
+      const std::int64_t shift = 8 * (x[0] % SideOfBrick);
+      std::uint64_t& shares = entry->second.Rows[static_cast<std::size_t>(to)];
+      shares = (shares & ~(std::uint64_t{ 255 } << shift)) | share << shift;
+    }
+  }
+  std::vector<BrickShares> all;
+  all.reserve(moved.size());
+  for (const auto& [key, brick] : moved)
+  {
+    all.push_back(brick);
+  }
+  return all;
 }
 
 } // namespace VolumeHaptics

@@ -9,8 +9,10 @@
 #define ShareImage_h
 
 #include "Core/Carving/CarvedBricks.h"
+#include "Core/Carving/ShareSnapshot.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -37,6 +39,12 @@ void WriteBrick(
  * False, and nothing is changed, if there are not enough bricks, or indices are below 0.
  */
 bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* from) noexcept;
+
+/**
+ * The bricks of another volume, whose samples are a box of the volume of these bricks: what is
+ * beyond the box is left out, and the box may reach beyond the volume.
+ */
+std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, const ShareBox& box);
 
 } // namespace VolumeHaptics
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/RemovalAccess.h"
 
-#include "VTK/Baking/RemovalFile.h"
+#include "Core/Carving/ShareImage.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticRemoval.h"
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace VolumeHaptics
@@ -54,6 +55,43 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
   return std::equal(extent, extent + 6, image->GetExtent());
 }
 
+/**
+ * Where the samples of a volume lie among those of another one: the index of the first one there.
+ * False if they lie between them, or elsewhere.
+ */
+bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
+{
+  constexpr double rounding = 1e-3; // voxels, over the whole volume
+  const int* const extent = volume->GetExtent();
+  const int* const there = other->GetExtent();
+  for (int corner = 0; corner < 4; ++corner) // the first one, and one along each axis
+  {
+    double index[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      index[a] = extent[2 * a + (corner == a + 1 ? 1 : 0)];
+    }
+    double world[3];
+    double found[3];
+    volume->TransformContinuousIndexToPhysicalPoint(index, world);
+    other->TransformPhysicalPointToContinuousIndex(world, found);
+    for (int a = 0; a < 3; ++a)
+    {
+      const double at = found[a] - there[2 * a] - (index[a] - extent[2 * a]);
+      if (corner == 0)
+      {
+        first[a] = std::llround(std::clamp(at, -1e9, 1e9));
+      }
+      // False for NaN, too.
+      if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::string DescribeExtent(const int extent[6])
 {
   std::ostringstream text;
@@ -85,6 +123,38 @@ void RemovalData::SetFoundAir(vtkHapticRemoval* removal, double value)
   removal->Data->HasAir = true;
 }
 
+void RemovalData::TakeRead(std::unique_ptr<RemovalContent> content)
+{
+  this->Replace(content->Shares, content->Geometry);
+  this->Read = std::move(content);
+  this->ReadChanges = this->Tissue->Bricks.GetChanges();
+}
+
+bool RemovalData::IsAsRead() const
+{
+  return this->Read && this->Tissue && this->Tissue->Bricks.GetChanges() == this->ReadChanges;
+}
+
+bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
+{
+  vtkNew<vtkImageData> volume;
+  CopyGeometry(geometry, extent, volume);
+  ShareBox box{};
+  if (!FindShift(volume, this->Read->Geometry, box.First))
+  {
+    return false;
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    box.Size[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+  }
+  std::unique_ptr<RemovalContent> content = std::move(this->Read);
+  const bool isDone = this->Replace(MoveShares(content->Shares, box), volume);
+  this->Read = std::move(content);
+  this->ReadChanges = isDone ? this->Tissue->Bricks.GetChanges() : this->ReadChanges;
+  return isDone;
+}
+
 bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry)
 {
   auto tissue = std::make_shared<TissueRemoval>();
@@ -93,6 +163,7 @@ bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* 
     return false;
   }
   this->Tissue = std::move(tissue);
+  this->Read = nullptr;
   if (geometry != this->Geometry)
   {
     CopyGeometry(geometry, geometry->GetExtent(), this->Geometry);
@@ -135,20 +206,25 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
 {
   RemovalData& data = RemovalData::Of(removal);
   const bool isBurr = d.Tool.Kind == ToolKind::Burr;
-  const bool isUsed = data.Tissue && !data.Tissue->Bricks.IsWhole();
-  if (data.Tissue && !IsSameExtent(data.Geometry, extent))
+  const bool isOther = data.Tissue && !IsSameExtent(data.Geometry, extent);
+  const bool isFitted = isOther && data.IsAsRead() && data.FitRead(geometry, extent);
+  const bool isUsed = data.Tissue &&
+    (!data.Tissue->Bricks.IsWhole() || (data.IsAsRead() && !data.Read->Shares.empty()));
+  if (isOther && !isFitted)
   {
     if (isUsed)
     {
       std::ostringstream text;
-      text << "The removed tissue is of a volume of " << DescribeExtent(data.Geometry->GetExtent())
-           << ", and the image on input port 0 has " << DescribeExtent(extent)
-           << ". Keep it with WriteFile() of the filter's GetRemoval(), and go on with all tissue "
-              "after SetRemoval(nullptr).";
+      text
+        << "The removed tissue is of a volume of " << DescribeExtent(data.Geometry->GetExtent())
+        << ", and the image on input port 0 has " << DescribeExtent(extent)
+        << ". Its file is felt on any part of its volume. Keep it with WriteFile() of the filter's "
+           "GetRemoval(), and go on with all tissue after SetRemoval(nullptr).";
       error = text.str();
       return false;
     }
     data.Tissue = nullptr;
+    data.Read = nullptr;
     data.HasAir = false;
   }
   if (!d.Frames.empty() || (!isBurr && !isUsed))

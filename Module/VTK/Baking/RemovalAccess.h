@@ -9,10 +9,12 @@
 
 #include "Core/Carving/TissueRemoval.h"
 #include "Core/Model/HapticModelDescription.h"
+#include "VTK/Baking/RemovalFile.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +35,11 @@ struct RemovalData
   vtkNew<vtkImageData> Geometry; ///< that of the volume, without scalars
   bool HasAir = false;           ///< the AirValue is that of the volume, or of a file
   const void* Holder = nullptr;  ///< whose servo ticks with it; null: none
+  ///@{
+  /** What was read from a file; null if there is none, and of no use once the shares change. */
+  std::unique_ptr<RemovalContent> Read;
+  std::uint64_t ReadChanges = 0; ///< of the bricks, as it left them
+  ///@}
 
   /**
    * Carries out the requests that wait, if no servo holds the removal. Returns whether there were
@@ -43,6 +50,15 @@ struct RemovalData
   static void SetFoundAir(vtkHapticRemoval* removal, double value);
   /** New tissue with these shares, for a volume of that geometry. False if they are too many. */
   bool Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry);
+  /** The same of a file. */
+  void TakeRead(std::unique_ptr<RemovalContent> content);
+  /** Whether the shares are those of a file, as far as the volume has them. */
+  bool IsAsRead() const;
+  /**
+   * Fits what was read to another part of the file's volume. False if the samples do not lie where
+   * those of that volume do, or there are too many shares.
+   */
+  bool FitRead(vtkImageData* geometry, const int extent[6]);
 };
 
 /** Null while nothing can have been removed. */

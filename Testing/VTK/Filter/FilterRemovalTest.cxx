@@ -16,6 +16,7 @@
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -158,14 +159,84 @@ TEST_F(FilterRemoval, IsWrittenAndReadToTheByte)
   this->Filter->SetRemoval(other);
   this->Filter->Update();
   EXPECT_TRUE(IsSame(felt, this->Filter->GetOutput()));
-  // Nothing is lost on a volume of another shape.
+  // Nothing is lost on a volume whose samples are elsewhere.
   this->Image->SetExtent(0, 31, 0, 31, 0, 31);
-  this->Image->SetOrigin(0.0, 0.0, 0.0);
+  this->Image->SetOrigin(0.5, 0.0, 0.0);
   this->Image->Modified();
   this->ExpectError({ "-5 to 26", "0 to 31", "WriteFile()", "SetRemoval(nullptr)" });
   EXPECT_FALSE(other->IsEmpty());
   this->Filter->SetRemoval(nullptr);
   this->Run(801);
+  std::remove(this->File.c_str());
+}
+
+/// Of a volume that was cropped or padded since, also with indices of its own: the hole is at the
+/// same place, and the whole file comes back with the whole volume.
+TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
+{
+  ASSERT_TRUE(this->Drill()->WriteFile(this->File));
+  vtkNew<vtkHapticRemoval> removal;
+  ASSERT_TRUE(removal->ReadFile(this->File));
+  const auto whole = GetShares(removal);
+  vtkNew<vtkImageData> before;
+  removal->MakeShares(before);
+  this->Filter->SetRemoval(removal);
+  this->Filter->SetTool(nullptr);
+  const struct
+  {
+    int Extent[6];
+    double Origin[3];
+  } parts[] = {
+    { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // cropped through the hole
+    { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },        // the same, counted from 0
+    { { -14, 40, 0, 50, 90, 140 }, { 5.0, -3.0, -100.0 } }, // padded
+    { { -5, 3, 3, 11, 100, 104 }, { 5.0, -3.0, -100.0 } },  // beside the hole
+    { { -5, 26, 3, 34, 100, 131 }, { 5.0, -3.0, -100.0 } }, // the whole one again
+  };
+  for (const auto& part : parts)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetExtent(const_cast<int*>(part.Extent));
+    image->SetOrigin(part.Origin);
+    image->AllocateScalars(VTK_SHORT, 1);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double z = image->GetPoint(i)[2];
+      image->GetPointData()->GetScalars()->SetTuple1(i, z > 11.5 ? 1000.0 : -1000.0);
+    }
+    this->Filter->SetInputData(image);
+    double middle[3];
+    image->GetCenter(middle);
+    this->Path = MakePath(
+      Line({ middle[0], middle[1], middle[2] - 1.0 }, { middle[0], middle[1], middle[2] }, 10));
+    this->Filter->SetPathData(this->Path);
+    this->Run(11);
+    vtkNew<vtkImageData> shares;
+    removal->MakeShares(shares);
+    ASSERT_EQ(shares->GetNumberOfPoints(), image->GetNumberOfPoints());
+    vtkIdType carved = 0;
+    for (vtkIdType i = 0; i < shares->GetNumberOfPoints(); ++i)
+    {
+      // At the same place of the world, whatever the indices.
+      double place[3];
+      before->TransformPhysicalPointToContinuousIndex(image->GetPoint(i), place);
+      int index[3];
+      bool isThere = true;
+      for (int a = 0; a < 3; ++a)
+      {
+        index[a] = static_cast<int>(std::lround(place[a]));
+        isThere = isThere && index[a] >= before->GetExtent()[2 * a] &&
+          index[a] <= before->GetExtent()[2 * a + 1];
+      }
+      const double wanted =
+        isThere ? before->GetScalarComponentAsDouble(index[0], index[1], index[2], 0) : 255.0;
+      const double found = shares->GetPointData()->GetScalars()->GetTuple1(i);
+      ASSERT_EQ(found, wanted) << i;
+      carved += found < 255.0;
+    }
+    EXPECT_EQ(carved > 0, part.Extent[1] != 3) << part.Extent[1];
+  }
+  EXPECT_EQ(GetShares(removal), whole);
   std::remove(this->File.c_str());
 }
 
