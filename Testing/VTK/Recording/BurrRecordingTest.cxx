@@ -113,7 +113,9 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   const auto second = this->GetShares();
   ASSERT_NE(first, second);
   EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
-  // The hand is in the hole, which closes around it: it is free to leave.
+  // The hand is in the hole, which closes around it: it is free to leave. It stays there, also
+  // after a pause of the loop.
+  this->BeginWayHere();
   EXPECT_TRUE(this->GetRemoval()->Undo());
   ASSERT_TRUE(this->IsRequestDone());
   EXPECT_EQ(this->GetShares(), first);
