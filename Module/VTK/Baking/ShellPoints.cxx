@@ -16,6 +16,8 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace VolumeHaptics

@@ -23,7 +23,7 @@ using Picture = std::vector<unsigned char>;
 
 constexpr double SliceAir = -2500.0;
 
-int MostDifference(const Picture& a, const Picture& b)
+int MostSliceDifference(const Picture& a, const Picture& b)
 {
   int most = a.size() == b.size() && !a.empty() ? 0 : 256;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
@@ -71,7 +71,7 @@ protected:
     const std::string text = this->View->GetText(0);
     this->View->SetImage(left);
     const Picture wanted = this->Draw(at);
-    EXPECT_EQ(MostDifference(shown, wanted), 0);
+    EXPECT_EQ(MostSliceDifference(shown, wanted), 0);
     EXPECT_EQ(text, this->View->GetText(0));
     this->View->SetImage(nullptr);
   }
@@ -103,7 +103,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
     ASSERT_TRUE(LoadHole(removal, ball, hole, SliceAir));
     EXPECT_TRUE(this->View->Update());
     EXPECT_FALSE(this->View->Update());
-    EXPECT_GT(MostDifference(this->Draw(at), whole), 50);
+    EXPECT_GT(MostSliceDifference(this->Draw(at), whole), 50);
     const auto left = MakeLeft(ball, 0, hole, SliceAir);
     this->ExpectAlike(left, at);
     // In the edge of the hole, and beside it.
@@ -113,7 +113,7 @@ TEST_F(SliceBurr, ShowWhatIsLeft)
     this->ExpectAlike(left, beside);
     ASSERT_TRUE(removal->Reset());
     EXPECT_TRUE(this->View->Update());
-    EXPECT_EQ(MostDifference(this->Draw(at), whole), 0);
+    EXPECT_EQ(MostSliceDifference(this->Draw(at), whole), 0);
   }
 }
 
@@ -171,6 +171,6 @@ TEST_F(SliceBurr, ShowWhatIsLeftOfACoarseLevel)
   const double at[3] = { 2.3, 4.1, 7.4 };
   const Picture whole = this->Draw(at);
   ASSERT_TRUE(LoadHole(this->Filter->GetRemoval(), volume, hole, SliceAir));
-  EXPECT_GT(MostDifference(this->Draw(at), whole), 50);
+  EXPECT_GT(MostSliceDifference(this->Draw(at), whole), 50);
   this->ExpectAlike(MakeLeft(coarse, 0, hole, SliceAir, 3), at);
 }
