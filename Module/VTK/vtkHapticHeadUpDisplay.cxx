@@ -359,7 +359,9 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   if (!text.empty())
   {
     const int* const view = viewport->GetSize();
-    const int plot = self.PlotVisibility ? HapticForceChart::PanelSize(view[0], view[1])[1] : 0;
+    const std::array<int, 2> panel = HapticForceChart::PanelSize(view[0], view[1]);
+    const int plot =
+      self.PlotVisibility ? FindFreeCorner(viewport, panel[0], panel[1])[1] + panel[1] : 0;
     this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
     // Draws the letters into the texture that is shown next.
     this->Text->RenderOpaqueGeometry(viewport);

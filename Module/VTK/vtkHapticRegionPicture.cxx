@@ -180,7 +180,7 @@ public:
       this->GiveCoarseBack();
       return;
     }
-    if (!this->CoarseInput.IsShown() || this->Carved != removed.Removal)
+    if (!this->CoarseInput.IsShownBy(mapper) || this->Carved != removed.Removal)
     {
       this->GiveCoarseBack();
       this->Carved = removed.Removal;
@@ -197,11 +197,20 @@ public:
     const bool isOtherBox = this->CoarseBox != copy;
     this->CoarseBox = copy;
     const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
-    if (!hasChanged && !isOtherBox && this->CoarseTime == own->GetMTime())
+    RemovedTissue made = removed;
+    made.Changes = this->CoarseMade.Changes; // the bricks tell of these
+    const vtkMTimeType time = std::max(own->GetMTime(), this->Volume->GetMatrix()->GetMTime());
+    const bool isElse = this->CoarseTime != time || !made.IsSame(this->CoarseMade);
+    if (!hasChanged && !isOtherBox && !isElse)
     {
       return;
     }
-    this->CoarseTime = own->GetMTime();
+    if (isElse)
+    {
+      this->LeftCoarse = {}; // what it was made of is no longer there
+    }
+    this->CoarseTime = time;
+    this->CoarseMade = removed;
     vtkNew<vtkImageData> place;
     place->CopyStructure(own);
     if (PlaceImage(this->Volume->GetMatrix(), own, place) &&
@@ -217,6 +226,7 @@ public:
     this->LeftCoarse = {};
     this->CoarseBox = nullptr;
     this->CoarseTime = 0;
+    this->CoarseMade = {};
     this->Bricks = nullptr;
     this->Carved = nullptr;
   }
@@ -373,6 +383,7 @@ public:
   std::shared_ptr<TissueRemoval> Carved;
   std::unique_ptr<FollowedBricks> Bricks;
   vtkSmartPointer<vtkImageData> CoarseBox;
+  RemovedTissue CoarseMade; ///< of which the coarse image was made
   vtkMTimeType CoarseTime = 0;
   ///@}
   bool HasCropped = false;
@@ -490,11 +501,12 @@ void vtkHapticRegionPicture::Update()
   vtkImageData* const copy = in.Box.GetCopy();
   const RemovedTissue removed = FindRemoved(in.Filter);
   in.FollowFine(copy, removed);
-  in.FollowCoarse(copy, removed);
-  if (!copy || !in.Refine(in.GetFine()))
+  const bool isRefined = copy && in.Refine(in.GetFine());
+  if (!isRefined)
   {
     in.ShowCoarseOnly();
   }
+  in.FollowCoarse(isRefined ? copy : nullptr, removed);
 }
 
 //------------------------------------------------------------------------------

@@ -73,7 +73,8 @@ bool vtkHapticRemoval::Redo()
 //------------------------------------------------------------------------------
 bool vtkHapticRemoval::Reset()
 {
-  return Ask(this, RemovalRequest::Reset, !this->IsEmpty());
+  const bool hadRead = std::exchange(this->Data->Read, nullptr) != nullptr;
+  return Ask(this, RemovalRequest::Reset, !this->IsEmpty()) || hadRead;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,6 @@ constexpr double LongestMotion = 0.03; // s; Qt, events and haptics take the res
 constexpr double LongestRest = 0.5;    // s, because a device without news lets go
 constexpr double LeastRate = 1.0;      // Hz; below it, vtkSmartVolumeMapper casts all rays
 constexpr double HighestRate = 60.0;   // Hz; above it, blocks of pixels save little time
-constexpr auto LookPeriod = std::chrono::milliseconds(10);
 constexpr const char* Mode = "VolumeRenderingMode";
 
 HapticVolumeFrames::PointerQuery AskPointer = nullptr;
@@ -148,11 +147,12 @@ HapticVolumeFrames::~HapticVolumeFrames()
 //------------------------------------------------------------------------------
 void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
 {
-  if (view == this->View)
+  if (view && view == this->View)
   {
     return;
   }
   this->ChooseRayCasters(Touch::Off);
+  this->GiveBack();
   if (this->Window)
   {
     this->Window->RemoveObserver(this->Observer);
@@ -163,10 +163,12 @@ void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
   this->WindowOnProcessor.reset();
   if (this->Window)
   {
+    // After FrameQuality, which tells motion from rest by the rate that ParaView has set.
+    constexpr float priority = -1.0F;
     for (const auto event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::AbortCheckEvent })
     {
-      this->Window->AddObserver(event, this->Observer);
+      this->Window->AddObserver(event, this->Observer, priority);
     }
   }
 }
@@ -260,13 +262,12 @@ void HapticVolumeFrames::ChooseRayCasters(Touch touch)
 void HapticVolumeFrames::Begin()
 {
   this->Start = std::chrono::steady_clock::now();
-  this->Looked = this->Start;
   if (AskPointer)
   {
     AskPointer(this->Pointer);
   }
   // ParaView sets its own rate before each frame.
-  if (this->CastsOnProcessor && (this->IsQuick || this->IsArmed))
+  if (this->SetsRate())
   {
     this->Window->SetDesiredUpdateRate(this->IsQuick ? this->InMotion.Hz : this->AtRest.Hz);
   }
@@ -287,7 +288,7 @@ void HapticVolumeFrames::Begin()
 }
 
 //------------------------------------------------------------------------------
-void HapticVolumeFrames::End()
+void HapticVolumeFrames::GiveBack()
 {
   for (const auto& renderer : this->Smoothed)
   {
@@ -297,11 +298,17 @@ void HapticVolumeFrames::End()
     }
   }
   this->Smoothed.clear();
-  if (std::exchange(this->KeepsPicture, false))
+  if (std::exchange(this->KeepsPicture, false) && this->Window)
   {
     this->Window->SwapBuffersOn();
   }
-  if (!this->CastsOnProcessor || this->Window->GetAbortRender())
+}
+
+//------------------------------------------------------------------------------
+void HapticVolumeFrames::End()
+{
+  this->GiveBack();
+  if (!this->SetsRate() || this->Window->GetAbortRender())
   {
     return;
   }
@@ -313,12 +320,10 @@ void HapticVolumeFrames::End()
 //------------------------------------------------------------------------------
 void HapticVolumeFrames::Interrupt()
 {
-  const auto now = std::chrono::steady_clock::now();
-  if (this->IsQuick || !AskPointer || now - this->Looked < LookPeriod)
+  if (!this->IsTouched || this->IsQuick || !AskPointer)
   {
     return;
   }
-  this->Looked = now;
   int pointer[2];
   AskPointer(pointer);
   if (!std::equal(pointer, pointer + 2, this->Pointer))

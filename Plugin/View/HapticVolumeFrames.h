@@ -36,8 +36,9 @@ namespace VolumeHaptics
  *   the rest of the frame leaves, and casts as many rays as fit. Qt draws its window meanwhile,
  *   so that 20 frames a second are left. ParaView itself asks for 5.
  * - These frames go without FXAA, which takes more time there than all else.
- * - Frames at rest of an armed device take half a second at most, and are given up when the pointer
- *   moves meanwhile, if somebody tells where it is.
+ * - Frames at rest take half a second at most while a device is armed. While the scene is touched,
+ *   they are given up within 0.2 s of a motion of the pointer, if somebody tells where it is: VTK
+ *   asks no more often.
  */
 class HapticVolumeFrames
 {
@@ -87,7 +88,11 @@ private:
   /** Whether the one who has the data, and so draws the volumes, has OpenGL on the processor. */
   bool IsOnProcessor();
   bool IsWindowOnProcessor();
+  /** Whether this chooses the rate of the frame. */
+  bool SetsRate() const { return this->CastsOnProcessor && (this->IsQuick || this->IsArmed); }
   void Begin();
+  /** FXAA, and the swap of buffers. */
+  void GiveBack();
   void End();
   void Interrupt();
 
@@ -110,8 +115,7 @@ private:
   Rate InMotion{ 20.0 };
   Rate AtRest{ 2.0 };
   std::chrono::steady_clock::time_point Start;
-  std::chrono::steady_clock::time_point Looked; ///< at the pointer
-  int Pointer[2] = { 0, 0 };                    ///< when the frame began
+  int Pointer[2] = { 0, 0 }; ///< when the frame began
 };
 
 } // namespace VolumeHaptics

@@ -64,12 +64,12 @@ bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
   constexpr double rounding = 1e-3; // voxels, over the whole volume
   const int* const extent = volume->GetExtent();
   const int* const there = other->GetExtent();
-  for (int corner = 0; corner < 4; ++corner) // the first one, and one along each axis
+  for (int corner = 0; corner < 4; ++corner) // the first one, and the last one along each axis
   {
     double index[3];
     for (int a = 0; a < 3; ++a)
     {
-      index[a] = extent[2 * a + (corner == a + 1 ? 1 : 0)];
+      index[a] = corner == a + 1 ? std::max(extent[2 * a + 1], extent[2 * a] + 1) : extent[2 * a];
     }
     double world[3];
     double found[3];
@@ -135,6 +135,20 @@ bool RemovalData::IsAsRead() const
   return this->Read && this->Tissue && this->Tissue->Bricks.GetChanges() == this->ReadChanges;
 }
 
+bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
+{
+  // A volume with the extent of the file's may have been moved as a whole.
+  if (!this->IsAsRead() || IsSameExtent(this->Read->Geometry, extent))
+  {
+    return false;
+  }
+  vtkNew<vtkImageData> volume;
+  CopyGeometry(geometry, extent, volume);
+  std::int64_t first[3];
+  return FindShift(volume, this->Read->Geometry, first) &&
+    !std::equal(first, first + 3, this->ReadFirst);
+}
+
 bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
 {
   vtkNew<vtkImageData> volume;
@@ -151,6 +165,7 @@ bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
   std::unique_ptr<RemovalContent> content = std::move(this->Read);
   const bool isDone = this->Replace(MoveShares(content->Shares, box), volume);
   this->Read = std::move(content);
+  std::copy(box.First, box.First + 3, this->ReadFirst);
   this->ReadChanges = isDone ? this->Tissue->Bricks.GetChanges() : this->ReadChanges;
   return isDone;
 }
@@ -206,7 +221,8 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
 {
   RemovalData& data = RemovalData::Of(removal);
   const bool isBurr = d.Tool.Kind == ToolKind::Burr;
-  const bool isOther = data.Tissue && !IsSameExtent(data.Geometry, extent);
+  const bool isOther =
+    data.Tissue && (!IsSameExtent(data.Geometry, extent) || data.IsOtherPart(geometry, extent));
   const bool isFitted = isOther && data.IsAsRead() && data.FitRead(geometry, extent);
   const bool isUsed = data.Tissue &&
     (!data.Tissue->Bricks.IsWhole() || (data.IsAsRead() && !data.Read->Shares.empty()));

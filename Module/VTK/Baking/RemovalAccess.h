@@ -38,7 +38,8 @@ struct RemovalData
   ///@{
   /** What was read from a file; null if there is none, and of no use once the shares change. */
   std::unique_ptr<RemovalContent> Read;
-  std::uint64_t ReadChanges = 0; ///< of the bricks, as it left them
+  std::uint64_t ReadChanges = 0;  ///< of the bricks, as it left them
+  std::int64_t ReadFirst[3] = {}; ///< of the volume, among the file's samples
   ///@}
 
   /**
@@ -54,6 +55,8 @@ struct RemovalData
   void TakeRead(std::unique_ptr<RemovalContent> content);
   /** Whether the shares are those of a file, as far as the volume has them. */
   bool IsAsRead() const;
+  /** Whether a volume with the extent of the last one is another part of the file's volume. */
+  bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;
   /**
    * Fits what was read to another part of the file's volume. False if the samples do not lie where
    * those of that volume do, or there are too many shares.

@@ -84,6 +84,11 @@ std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
     corner[0] = isRoom ? (*covering)[1] : 0.0;
     corner[1] = isRoom ? corner[1] : (*covering)[3];
   }
+  // A box over something is better than none.
+  if (corner[1] + height > viewport->GetSize()[1])
+  {
+    return { 0, 0 };
+  }
   return { static_cast<int>(corner[0]), static_cast<int>(corner[1]) };
 }
 

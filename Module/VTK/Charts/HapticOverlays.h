@@ -27,7 +27,7 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport);
 /**
  * The lower left corner (pixels) for a box of this size that begins at the viewport's own corner,
  * or to the right of what is there, or above that if there is no room between it and the scale of
- * forces.
+ * forces; the viewport's own corner if there is none above it, either.
  */
 std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height);
 

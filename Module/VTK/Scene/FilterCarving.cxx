@@ -42,6 +42,7 @@ RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
+  found.VolumeTime = found.Volume->GetMTime();
   found.Component = filter->GetProperty()->GetComponent();
   found.Air = removal->GetAirValue();
   found.Changes = found.Removal->Bricks.GetChanges();

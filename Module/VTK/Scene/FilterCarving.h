@@ -11,6 +11,7 @@
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <cstdint>
 #include <memory>
@@ -25,6 +26,7 @@ struct RemovedTissue
 {
   std::shared_ptr<TissueRemoval> Removal; ///< null: nothing
   vtkSmartPointer<vtkImageData> Volume;   ///< its place and its extent, without samples
+  vtkMTimeType VolumeTime = 0;            ///< of the Volume
   int Component = 0;                      ///< that has lost tissue
   double Air = 0.0;                       ///< the value of a sample without tissue
   std::uint64_t Changes = 0;              ///< of the bricks
@@ -32,8 +34,8 @@ struct RemovedTissue
   bool IsSame(const RemovedTissue& other) const
   {
     return this->Removal == other.Removal && this->Volume == other.Volume &&
-      this->Component == other.Component && this->Air == other.Air &&
-      this->Changes == other.Changes;
+      this->VolumeTime == other.VolumeTime && this->Component == other.Component &&
+      this->Air == other.Air && this->Changes == other.Changes;
   }
 };
 

@@ -33,6 +33,10 @@ public:
   void GiveBack();
   /** Whether the mapper shows the image. */
   bool IsShown() const;
+  bool IsShownBy(vtkVolumeMapper* mapper) const
+  {
+    return mapper == this->Mapper && this->IsShown();
+  }
   bool IsImage(vtkDataObject* image) const { return image && image == this->Image; }
   /** Updates what was replaced, for which the mapper no longer asks. Null if there is none. */
   vtkImageData* UpdateReplaced() const;

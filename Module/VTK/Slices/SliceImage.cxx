@@ -96,8 +96,9 @@ bool SliceImage::FollowRemoval(vtkHapticDevice* device)
     ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
-  const bool isFelt = filter && this->Samples && !large && filter->GetTouchedImage() &&
-    this->Samples == HapticBaker(filter).GetTouched()[0].Array;
+  // While time goes on, all tissue is felt.
+  const bool isFelt = filter && !device->HasFrames() && this->Samples && !large &&
+    filter->GetTouchedImage() && this->Samples == HapticBaker(filter).GetTouched()[0].Array;
   RemovedTissue removed = isCoarse || isFelt ? FindRemoved(filter) : RemovedTissue();
   if (removed.IsSame(this->Removed))
   {

@@ -147,12 +147,11 @@ def volume(view, device, link):
         return
     link.Attached = 1
     press(view, device)
-    quick, rates = [], []
+    quick = []
 
     def note(*_):
         if window.GetDesiredUpdateRate() > 1:
             quick.append(speckles(look()))
-            rates.append(window.GetDesiredUpdateRate())
 
     tag = window.AddObserver("EndEvent", note)
     for x in range(20):

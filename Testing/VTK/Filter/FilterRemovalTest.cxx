@@ -189,6 +189,7 @@ TEST_F(FilterRemoval, AFileIsFeltOnPartsOfItsVolume)
   } parts[] = {
     { { 7, 26, 10, 30, 103, 120 }, { 5.0, -3.0, -100.0 } }, // cropped through the hole
     { { 0, 19, 0, 20, 0, 17 }, { 12.0, 7.0, 3.0 } },        // the same, counted from 0
+    { { 0, 19, 0, 20, 0, 17 }, { 9.0, 6.0, 1.0 } },         // another one of that extent
     { { -14, 40, 0, 50, 90, 140 }, { 5.0, -3.0, -100.0 } }, // padded
     { { -5, 3, 3, 11, 100, 104 }, { 5.0, -3.0, -100.0 } },  // beside the hole
     { { -5, 26, 3, 34, 100, 131 }, { 5.0, -3.0, -100.0 } }, // the whole one again
