@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 namespace removaltest
 {
 /// A ball without tissue, whose edge is three samples wide, as FRONTIER 3.3 has it.
@@ -53,7 +55,8 @@ inline double LeftOf(double value, double share, double air)
 /// Reads the shares of a hole into a removal, by a file.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
-  const std::string file = "LoadedHole.vti";
+  // Tests may run at the same time in one folder.
+  const std::string file = "LoadedHole" + std::to_string(getpid()) + ".vti";
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
   image->CopyStructure(volume);

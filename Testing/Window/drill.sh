@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # In the explorer, on a screen of its own, a burr is pressed into a head and drills while the left button is pressed.
-# Key T writes what was removed, key U brings it back, and key J removes it again. A picture shows the burr.
+# Key T writes what was removed, key U brings it back, and key J removes it again. A picture shows the burr. On a busy
+# machine the force may pause, which divides a stroke: so each is undone and done again more than once.
 #
 # usage: drill.sh PROGRAM VOLUME [--pictures FOLDER]
 #
@@ -41,8 +42,12 @@ cat > drill.txt << END
 5.5  release left
 6.0  key T
 6.5  key U
+6.6  key U
+6.7  key U
 7.5  key T
 8.0  key J
+8.1  key J
+8.2  key J
 9.0  key T
 9.5  key q
 END
