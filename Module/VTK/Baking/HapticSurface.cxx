@@ -185,12 +185,7 @@ vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {
   auto shared = vtkSmartPointer<vtkPolyData>::New();
   shared->SetPoints(surface->GetPoints());
-  const vtkNew<vtkCellArray> polygons;
-  polygons->ShallowCopy(surface->GetPolys());
-  shared->SetPolys(polygons);
-  const vtkNew<vtkCellArray> strips;
-  strips->ShallowCopy(surface->GetStrips());
-  shared->SetStrips(strips);
+  ShareCells(surface, shared);
   shared->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
   return shared;
 }
@@ -280,6 +275,16 @@ double EstimateTriangles(const IsoSurface& iso)
 }
 
 } // namespace
+
+void ShareCells(vtkPolyData* from, vtkPolyData* to)
+{
+  const vtkNew<vtkCellArray> polygons;
+  polygons->ShallowCopy(from->GetPolys());
+  to->SetPolys(polygons);
+  const vtkNew<vtkCellArray> strips;
+  strips->ShallowCopy(from->GetStrips());
+  to->SetStrips(strips);
+}
 
 double EstimateMeshTime(const IsoSurface& iso)
 {

@@ -38,6 +38,12 @@ struct IsoSurface
   bool MayBeEmpty = false; ///< a region may contain no part of the surface
 };
 
+/**
+ * Gives polygons and strips to another surface, with cursors of its own, so that a worker may go
+ * through them. Their memory is shared.
+ */
+void ShareCells(vtkPolyData* from, vtkPolyData* to);
+
 /** What takes longer (s) is meshed in the background. */
 inline constexpr double ShortMeshing = 40e-3;
 

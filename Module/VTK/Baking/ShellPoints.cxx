@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/ShellPoints.h"
 
+#include "VTK/Baking/HapticSurface.h"
 #include "VTK/Baking/ShellSampler.h"
 #include "VTK/Baking/ToolMesh.h"
 
-#include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -24,8 +24,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-using ShellKey = std::tuple<const void*, vtkMTimeType, int>;
 
 ///@{
 /** On a desktop computer (s). */
@@ -111,12 +109,7 @@ vtkSmartPointer<vtkPolyData> CopyMesh(vtkPolyData* mesh)
     points->DeepCopy(from);
     copy->SetPoints(points);
   }
-  const vtkNew<vtkCellArray> polygons;
-  polygons->ShallowCopy(mesh->GetPolys());
-  copy->SetPolys(polygons);
-  const vtkNew<vtkCellArray> strips;
-  strips->ShallowCopy(mesh->GetStrips());
-  copy->SetStrips(strips);
+  ShareCells(mesh, copy);
   return copy;
 }
 
@@ -137,7 +130,7 @@ std::shared_ptr<const PointShell> GetShellPoints(vtkPolyData* mesh, int count, s
 
 bool ShellPreparation::Prepare(vtkPolyData* mesh, int count)
 {
-  const Key key = KeyOf(mesh, count);
+  const ShellKey key = KeyOf(mesh, count);
   SpreadShell known;
   const bool isGood = mesh && count >= 1 && count <= MostShellPoints;
   if (!isGood || GetShellsInUse().Find(key, known) ||

@@ -25,6 +25,12 @@ namespace VolumeHaptics
 /** A tick of more takes too long for any servo, and their memory must stay there. */
 constexpr int MostShellPoints = 100000;
 
+/**
+ * A mesh, when it changed, and the number of its points. Times of change are unique: data at the
+ * place of others has another one.
+ */
+using ShellKey = std::tuple<const void*, vtkMTimeType, int>;
+
 /** The points of a mesh; or null, and why there are none. */
 struct SpreadShell
 {
@@ -49,10 +55,7 @@ public:
   void EndPreparing() { this->Spreading.Abandon(); }
 
 private:
-  /** Times of change are unique: data at the place of others has another one. */
-  using Key = std::tuple<const void*, vtkMTimeType, int>;
-
-  KeyedWork<Key, SpreadShell> Spreading;
+  KeyedWork<ShellKey, SpreadShell> Spreading;
 };
 
 } // namespace VolumeHaptics
