@@ -45,7 +45,8 @@ namespace
 {
 constexpr double TextTop = 0.975; ///< of the viewport
 constexpr double TextLeft = 0.02;
-constexpr int Gap = 8; ///< pixels below the text
+constexpr int Gap = 8;         ///< pixels below the text
+constexpr int ChartPause = 25; ///< between pictures of the chart, in times that it takes to draw
 
 struct Tissue
 {
@@ -69,7 +70,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   LateSlide Slide;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
-  std::chrono::steady_clock::time_point Drawn; // the time of the last picture
+  std::chrono::steady_clock::time_point Due; // of the next picture
   vtkNew<vtkTextActor> Text;
   HapticWrappedText Wrapped;
   double TextHeight = 0.0; // pixels
@@ -444,7 +445,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const bool isMoved = this->Chart.Fit(size[0], size[1], from);
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
-  const bool isDue = now - this->Drawn >= std::chrono::milliseconds(50);
+  const bool isDue = now >= this->Due;
   const double span = GetShownSpan(self.TimeSpan);
   const std::vector<std::string> modes = NameModes(this->Device);
   this->History.SetModes(modes);
@@ -452,14 +453,17 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const bool isStale = isDue &&
     this->Chart.Show(
       this->History.Plot(span), { -span, 0.0, self.GetForceRange() }, self.GetPlotTitle());
-  if (isStale)
-  {
-    this->Drawn = now;
-  }
   const int* const corner = this->Chart.GetCorner();
   this->Covered.push_back({ static_cast<double>(from[0]), static_cast<double>(corner[0]),
     static_cast<double>(from[1]), static_cast<double>(corner[1]) });
-  return this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
+  const int drawn =
+    this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
+  if (isStale)
+  {
+    const auto end = std::chrono::steady_clock::now();
+    this->Due = std::max(now + std::chrono::milliseconds(50), now + ChartPause * (end - now));
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

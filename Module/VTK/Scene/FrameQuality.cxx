@@ -33,7 +33,7 @@ constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
-constexpr double MostSteps = 5.0;    // of a factor of the square root of two between rays
+constexpr double MostSteps = 6.0;    // of a factor of the square root of two between rays
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
 double AutomaticDistance(vtkImageData* image)

@@ -9,6 +9,7 @@
 
 #include "vtkActor.h"
 #include "vtkAnnotatedCubeActor.h"
+#include "vtkAssembly.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkLight.h"
@@ -157,7 +158,9 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   scene.Marker->SetViewport(0.84, 0.80, 1.0, 1.0);
   scene.Marker->SetLayer(2);
   scene.Marker->InteractiveOff();
-  scene.Marker->AddActor(cube);
+  // The cube itself would set its letters, and find their edges, several times in each frame.
+  cube->HasTranslucentPolygonalGeometry(); // sets them
+  scene.Marker->AddActor(cube->GetAssembly());
   Explore::ViewFrame centred = view;
   centred.Centre = vtkVector3d(0.0, 0.0, 0.0);
   Explore::AimCamera(scene.Marker, centred, 5.0);
