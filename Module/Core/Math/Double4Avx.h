@@ -65,6 +65,39 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
   }
 }
 
+/**
+ * Two samples that follow each other in memory, from each of four places: the first ones, and the
+ * second ones.
+ */
+template <typename T>
+VOLUME_HAPTICS_INLINE void LoadFourPairs(
+  const T* a, const T* b, const T* c, const T* d, Double4& first, Double4& second)
+{
+  if constexpr (std::is_integral<T>::value && sizeof(T) == 2)
+  {
+    const auto pair = [](const T* from)
+    {
+      std::int32_t bits;
+      std::memcpy(&bits, from, sizeof(bits));
+      return bits;
+    };
+    const __m128i pairs = _mm_set_epi32(pair(d), pair(c), pair(b), pair(a));
+    constexpr bool isSigned = std::is_signed<T>::value;
+    const __m128i low = isSigned ? _mm_srai_epi32(_mm_slli_epi32(pairs, 16), 16)
+                                 : _mm_srli_epi32(_mm_slli_epi32(pairs, 16), 16);
+    const __m128i high = isSigned ? _mm_srai_epi32(pairs, 16) : _mm_srli_epi32(pairs, 16);
+    first = _mm256_cvtepi32_pd(low);
+    second = _mm256_cvtepi32_pd(high);
+  }
+  else
+  {
+    first = Double4{ static_cast<double>(a[0]), static_cast<double>(b[0]),
+      static_cast<double>(c[0]), static_cast<double>(d[0]) };
+    second = Double4{ static_cast<double>(a[1]), static_cast<double>(b[1]),
+      static_cast<double>(c[1]), static_cast<double>(d[1]) };
+  }
+}
+
 /** A number from memory in all lanes: straight from there, it passes through no shuffle. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {

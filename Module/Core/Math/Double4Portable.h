@@ -46,6 +46,22 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
     static_cast<double>(from[2]), static_cast<double>(from[3]) } };
 }
 
+/**
+ * Two samples that follow each other in memory, from each of four places: the first ones, and the
+ * second ones.
+ */
+template <typename T>
+VOLUME_HAPTICS_INLINE void LoadFourPairs(
+  const T* a, const T* b, const T* c, const T* d, Double4& first, Double4& second)
+{
+  const T* const places[4] = { a, b, c, d };
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    first.Lane[lane] = static_cast<double>(places[lane][0]);
+    second.Lane[lane] = static_cast<double>(places[lane][1]);
+  }
+}
+
 /** A number in all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {

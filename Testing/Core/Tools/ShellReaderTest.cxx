@@ -185,6 +185,51 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   EXPECT_EQ(baseline.second, avx2.second);
 }
 
+/// A point has the same bits alone and among others, at borders and beside samples that are NaN.
+TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
+{
+  constexpr std::size_t count = 125;
+  for (const std::int64_t step : { 1, 3 })
+  {
+    TestVolume volume(this->GetParam(), { 14, 14, 14 }, step);
+    volume.FillRandom(9);
+    WithSampleType(this->GetParam(),
+      [&volume](auto sample)
+      {
+        using T = decltype(sample);
+        if constexpr (std::is_floating_point_v<T>)
+        {
+          volume.template Fill<T>([](std::int64_t i, std::int64_t j, std::int64_t k)
+            { return (i + j + k) % 11 == 0 ? std::nan("") : std::sin(17.0 * i + 5.0 * j + k); });
+        }
+      });
+    const std::vector<Vector3> places = MakePlaces(14.0);
+    const ShellReader reader(volume.View, 20.0, false);
+    const ShellBatch all = ReadFeet(reader, places.data(), count);
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      numbers.insert(numbers.end(), { places[i].X, places[i].Y, places[i].Z });
+    }
+    std::vector<double> values(count);
+    reader.ReadValues(numbers.data(), count, values.data());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const ShellBatch one = ReadFeet(reader, &places[i], 1);
+      double value = 0.0;
+      reader.ReadValues(numbers.data() + 3 * i, 1, &value);
+      const auto numbersOf = [](const ShellBatch& batch, std::size_t n, double valueThere)
+      {
+        return std::array<double, 8>{ batch.Value[n], batch.Gradient[0][n], batch.Gradient[1][n],
+          batch.Gradient[2][n], batch.Cell[0][n], batch.Cell[1][n], batch.Cell[2][n], valueThere };
+      };
+      const auto alone = numbersOf(one, 0, value);
+      const auto among = numbersOf(all, i, values[i]);
+      EXPECT_EQ(std::memcmp(alone.data(), among.data(), sizeof(alone)), 0);
+    }
+  }
+}
+
 TEST_P(ReadingOfShells, MarksWhatIsSolid)
 {
   TestVolume volume(this->GetParam(), { 12, 12, 12 });

@@ -8,23 +8,13 @@
 #ifndef ShellKernels_h
 #define ShellKernels_h
 
-#include "Core/Field/LinearKernels.h"
+#include "Core/Tools/PointShell/FourCells.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-/** Not loaded from an array, which the processor would have to wait for. */
-VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
-{
-#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
-  return Double4{ a, b, c, d };
-#else
-  return { { a, b, c, d } };
-#endif
-}
 
 /** The mark of one point from its index and the trilinear value there. */
 VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
@@ -48,66 +38,44 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(const ShellReading& reading, const 
   const auto along = [&](int row)
   {
     const double* const m = map + 3 * row;
-    const double offset = map[9 + row];
-    return m[0] * tx + m[1] * ty + m[2] * tz + MakeDouble4(offset, offset, offset, offset);
+    return m[0] * tx + m[1] * ty + m[2] * tz + Spread(map[9 + row]);
   };
-  double x[4];
-  double y[4];
-  double z[4];
-  StoreDouble4(along(0), x);
-  StoreDouble4(along(1), y);
-  StoreDouble4(along(2), z);
-  const std::int64_t sx = reading.View.Volume.Stride[0];
-  const std::int64_t sy = reading.View.Volume.Stride[1];
-  const std::int64_t sz = reading.View.Volume.Stride[2];
-  const T* corner[4];
-  double fx[4];
-  double fy[4];
-  double fz[4];
-  for (int lane = 0; lane < 4; ++lane)
-  {
-    const CellPlace place = LocateCell(reading.View, x[lane], y[lane], z[lane]);
-    corner[lane] = static_cast<const T*>(reading.View.Volume.Data) + place.X.Cell * sx +
-      place.Y.Cell * sy + place.Z.Cell * sz;
-    fx[lane] = place.X.Fraction;
-    fy[lane] = place.Y.Fraction;
-    fz[lane] = place.Z.Fraction;
-  }
-  const Double4 u = MakeDouble4(fx[0], fx[1], fx[2], fx[3]);
-  const Double4 v = MakeDouble4(fy[0], fy[1], fy[2], fy[3]);
-  const Double4 w = MakeDouble4(fz[0], fz[1], fz[2], fz[3]);
-  const auto at = [&](std::int64_t i)
-  {
-    return MakeDouble4(static_cast<double>(corner[0][i]), static_cast<double>(corner[1][i]),
-      static_cast<double>(corner[2][i]), static_cast<double>(corner[3][i]));
-  };
+  const Double4 x = along(0);
+  const Double4 y = along(1);
+  const Double4 z = along(2);
+  const FieldView& view = reading.View;
+  const std::int64_t sy = view.Volume.Stride[1];
+  const std::int64_t sz = view.Volume.Stride[2];
+  const FourCells<T> at = FindCells<T>(view, x, y, z);
   const auto line = [&](std::int64_t i)
   {
-    const Double4 first = at(i);
-    return first + u * (at(i + sx) - first);
+    Double4 first;
+    Double4 second;
+    LoadFourPairs(at, i, first, second);
+    return first + at.X.Fraction * (second - first);
   };
   const auto plane = [&](std::int64_t i)
   {
     const Double4 first = line(i);
-    return first + v * (line(i + sy) - first);
+    return first + at.Y.Fraction * (line(i + sy) - first);
   };
   const Double4 near = plane(0);
-  double values[4];
-  StoreDouble4(near + w * (plane(sz) - near), values);
-  std::uint64_t mark = 0;
-  for (int lane = 0; lane < 4; ++lane)
+  Double4 values = near + at.Z.Fraction * (plane(sz) - near);
+  if constexpr (std::is_floating_point_v<T>)
   {
-    if constexpr (std::is_floating_point_v<T>)
+    for (int lane = 0; lane < 4; ++lane)
     {
       if (!IsNumber(values[lane]))
       {
         // A sample that is not a number but has no weight does not count.
-        values[lane] = Trilinear<T>(reading.View, x[lane], y[lane], z[lane]);
+        values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
       }
     }
-    mark |= MarkOf(reading, x[lane], y[lane], z[lane], values[lane]) << lane;
   }
-  return mark;
+  const auto isWithin = [](const Double4& p, double border)
+  { return NotNegative(p) & NotNegative(Spread(border) - p); };
+  return isWithin(x, reading.Border[0]) & isWithin(y, reading.Border[1]) &
+    isWithin(z, reading.Border[2]) & NotNegative(reading.Sign * (values - Spread(reading.Level)));
 }
 
 template <typename T>
@@ -179,20 +147,6 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
   }
 }
 
-/** Two neighbours along x, of each of four lines: the first ones, and the second ones. */
-template <typename T>
-VOLUME_HAPTICS_INLINE void LoadFourPairs(
-  const T* const* lines, std::int64_t sx, Double4& first, Double4& second)
-{
-  const auto load = [lines](std::int64_t i)
-  {
-    return MakeDouble4(static_cast<double>(lines[0][i]), static_cast<double>(lines[1][i]),
-      static_cast<double>(lines[2][i]), static_cast<double>(lines[3][i]));
-  };
-  first = load(0);
-  second = load(sx);
-}
-
 /**
  * The seven interpolations of a value and its central differences share their weights, since the
  * differences reach over one sample to either side: 32 samples are enough.
@@ -225,19 +179,18 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   const T* const inner[4] = { p, p + sy, p + sz, p + sy + sz };
   const T* const besideY[4] = { p - sy, p - sy + sz, p + 2 * sy, p + 2 * sy + sz };
   const T* const besideZ[4] = { p - sz, p - sz + sy, p + 2 * sz, p + 2 * sz + sy };
-  const T* const before[4] = { p - sx, p + sy - sx, p + sz - sx, p + sy + sz - sx };
   Double4 t0;
   Double4 t1;
   Double4 t2;
   Double4 t3;
-  LoadFourPairs(inner, sx, t1, t2);
-  LoadFourPairs(before, 3 * sx, t0, t3);
+  LoadFourPairs(inner, -sx, sx, t0, t1);
+  LoadFourPairs(inner, sx, sx, t2, t3);
   const Double4 step = t2 - t1;
   const Double4 a = t1 + fx * step;
   const Double4 alongX = 0.5 * ((t2 + fx * (t3 - t2)) - (t0 + fx * (t1 - t0)));
-  LoadFourPairs(besideY, sx, t0, t3);
+  LoadFourPairs(besideY, 0, sx, t0, t3);
   const Double4 b = t0 + fx * (t3 - t0);
-  LoadFourPairs(besideZ, sx, t0, t3);
+  LoadFourPairs(besideZ, 0, sx, t0, t3);
   const Double4 c = t0 + fx * (t3 - t0);
   const Double4 cell = MakeDouble4(ey * ez, fy * ez, ey * fz, fy * fz);
   const Double4 innerY = MakeDouble4(-fy * ez, ey * ez, -fy * fz, ey * fz);
@@ -262,99 +215,21 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   }
 }
 
-///@{
-/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
-#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
-VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
-{
-  return _mm256_sqrt_pd(a);
-}
-VOLUME_HAPTICS_INLINE Double4 Over(const Double4& a, const Double4& b)
-{
-  return a / b;
-}
-VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
-{
-  return a > b ? a : b;
-}
-VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
-{
-  return a < b ? a : b;
-}
-#else
-template <typename F>
-VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
-{
-  return { { f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3]) } };
-}
-VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
-{
-  return EachLane(a, a, [](double x, double) { return __builtin_sqrt(x); });
-}
-VOLUME_HAPTICS_INLINE Double4 Over(const Double4& a, const Double4& b)
-{
-  return EachLane(a, b, [](double x, double y) { return x / y; });
-}
-VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
-{
-  return EachLane(a, b, [](double x, double y) { return x > y ? x : y; });
-}
-VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
-{
-  return EachLane(a, b, [](double x, double y) { return x < y ? x : y; });
-}
-#endif
-///@}
-
-/** Four vectors. */
-struct FourVectors
-{
-  Double4 X;
-  Double4 Y;
-  Double4 Z;
-};
-VOLUME_HAPTICS_INLINE FourVectors LoadVectors(const double (*from)[ShellBatch::Most], std::size_t i)
-{
-  return { LoadDouble4(from[0] + i), LoadDouble4(from[1] + i), LoadDouble4(from[2] + i) };
-}
-VOLUME_HAPTICS_INLINE void StoreVectors(
-  const FourVectors& v, double (*to)[ShellBatch::Most], std::size_t i)
-{
-  StoreDouble4(v.X, to[0] + i);
-  StoreDouble4(v.Y, to[1] + i);
-  StoreDouble4(v.Z, to[2] + i);
-}
-VOLUME_HAPTICS_INLINE FourVectors Scaled(const Double4& s, const FourVectors& v)
-{
-  return { s * v.X, s * v.Y, s * v.Z };
-}
-VOLUME_HAPTICS_INLINE Double4 DotOf(const FourVectors& a, const FourVectors& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-/** A matrix by rows times vectors. */
-VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
-{
-  return { m[0] * v.X + m[1] * v.Y + m[2] * v.Z, m[3] * v.X + m[4] * v.Y + m[5] * v.Z,
-    m[6] * v.X + m[7] * v.Y + m[8] * v.Z };
-}
-
 /** The feet of four points from what was read. */
 VOLUME_HAPTICS_INLINE void ComputeFeet(
   const ShellReading& reading, const ShellFrame& frame, std::size_t i, ShellBatch& batch)
 {
-  const auto all = [](double x) { return MakeDouble4(x, x, x, x); };
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
   const Double4 magnitude = Root(DotOf(gradient, gradient));
-  const FourVectors normal = Scaled(Over(all(reading.Sign), magnitude), gradient);
+  const FourVectors normal = Scaled(Over(Spread(reading.Sign), magnitude), gradient);
   // Differences over two samples are less steep than the edge of a mask: by the slope of the cell
   // a step along the normal comes to the level.
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
   const Double4 beyond =
-    Over(reading.Sign * (LoadDouble4(batch.Value + i) - all(reading.Level)), steepest);
-  const Double4 step = Larger(Smaller(beyond, all(frame.Voxel)), all(-frame.Voxel));
+    Over(reading.Sign * (LoadDouble4(batch.Value + i) - Spread(reading.Level)), steepest);
+  const Double4 step = Larger(Smaller(beyond, Spread(frame.Voxel)), Spread(-frame.Voxel));
   const Double4 depth = step + DotOf(LoadVectors(batch.Offset, i), normal);
   const FourVectors along = Times(frame.DeviceToIndex, normal);
   const FourVectors index = LoadVectors(batch.Index, i);
@@ -376,10 +251,77 @@ void ReadOneFoot(const ShellReading& reading, double x, double y, double z, doub
   ReadFoot<T>(reading.View, x, y, z, to);
 }
 
+/** As ReadFoot, of four points at a time. False if one of them is at the border. */
+template <typename T>
+VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
+{
+  const FourVectors place = LoadVectors(batch.Place, i);
+  const FourCells<T> at = FindCells<T>(view, place.X, place.Y, place.Z);
+  const auto isWithin = [&view](const FourPlaces& p, int axis)
+  {
+    return NotNegative(p.Cell - Spread(view.First[axis] + 1.0)) &
+      NotNegative(Spread(view.Last[axis] - 2.0) - p.Cell);
+  };
+  constexpr std::uint64_t all = 0b1111;
+  if ((isWithin(at.X, 0) & isWithin(at.Y, 1) & isWithin(at.Z, 2)) != all)
+  {
+    return false;
+  }
+  const std::int64_t sx = view.Volume.Stride[0];
+  const std::int64_t sy = view.Volume.Stride[1];
+  const std::int64_t sz = view.Volume.Stride[2];
+  const Double4 fx = at.X.Fraction;
+  const Double4 fy = at.Y.Fraction;
+  const Double4 fz = at.Z.Fraction;
+  const Double4 one = Spread(1.0);
+  const Double4 ey = one - fy;
+  const Double4 ez = one - fz;
+  const auto minus = [](const Double4& a) { return -1.0 * a; };
+  const std::int64_t inner[4] = { 0, sy, sz, sy + sz };
+  const std::int64_t besideY[4] = { -sy, -sy + sz, 2 * sy, 2 * sy + sz };
+  const std::int64_t besideZ[4] = { -sz, -sz + sy, 2 * sz, 2 * sz + sy };
+  const Double4 cell[4] = { ey * ez, fy * ez, ey * fz, fy * fz };
+  const Double4 innerY[4] = { minus(cell[1]), cell[0], minus(cell[3]), cell[2] };
+  const Double4 outerY[4] = { minus(cell[0]), minus(cell[2]), cell[1], cell[3] };
+  const Double4 innerZ[4] = { minus(cell[2]), minus(cell[3]), cell[0], cell[1] };
+  const Double4 outerZ[4] = { minus(cell[0]), minus(cell[1]), cell[2], cell[3] };
+  const Double4 cellY[4] = { minus(ez), ez, minus(fz), fz };
+  const Double4 cellZ[4] = { minus(ey), minus(fy), ey, fy };
+  // What ReadFoot has in its lanes, line by line.
+  Double4 terms[7][4];
+  for (int line = 0; line < 4; ++line)
+  {
+    Double4 t0;
+    Double4 t1;
+    Double4 t2;
+    Double4 t3;
+    LoadFourPairs(at, inner[line] - sx, t0, t1);
+    LoadFourPairs(at, inner[line] + sx, t2, t3);
+    const Double4 step = t2 - t1;
+    const Double4 a = t1 + fx * step;
+    terms[0][line] = cell[line] * a;
+    terms[1][line] = cell[line] * (0.5 * ((t2 + fx * (t3 - t2)) - (t0 + fx * (t1 - t0))));
+    LoadFourPairs(at, besideY[line], t0, t3);
+    terms[2][line] = 0.5 * (innerY[line] * a + outerY[line] * (t0 + fx * (t3 - t0)));
+    LoadFourPairs(at, besideZ[line], t0, t3);
+    terms[3][line] = 0.5 * (innerZ[line] * a + outerZ[line] * (t0 + fx * (t3 - t0)));
+    terms[4][line] = cell[line] * step;
+    terms[5][line] = cellY[line] * a;
+    terms[6][line] = cellZ[line] * a;
+  }
+  double* const to[7] = { batch.Value, batch.Gradient[0], batch.Gradient[1], batch.Gradient[2],
+    batch.Cell[0], batch.Cell[1], batch.Cell[2] };
+  for (int n = 0; n < 7; ++n)
+  {
+    StoreDouble4((terms[n][0] + terms[n][2]) + (terms[n][1] + terms[n][3]), to[n] + i);
+  }
+  return true;
+}
+
 template <typename T>
 void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
 {
-  for (std::size_t i = 0; i < batch.Count; ++i)
+  const auto readOne = [&](std::size_t i)
   {
     double foot[7];
     ReadFoot<T>(reading.View, batch.Place[0][i], batch.Place[1][i], batch.Place[2][i], foot);
@@ -389,6 +331,27 @@ void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
       batch.Gradient[axis][i] = foot[1 + axis];
       batch.Cell[axis][i] = foot[4 + axis];
     }
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= batch.Count; i += 4)
+  {
+    const bool isRead = ReadFourFeet<T>(reading.View, i, batch);
+    for (std::size_t n = i; n < i + 4; ++n)
+    {
+      // ReadFoot knows what to do with samples that are no numbers.
+      const bool isDone = isRead &&
+        (!std::is_floating_point_v<T> ||
+          IsNumber(
+            batch.Value[n] + batch.Gradient[0][n] + batch.Gradient[1][n] + batch.Gradient[2][n]));
+      if (!isDone)
+      {
+        readOne(n);
+      }
+    }
+  }
+  for (; i < batch.Count; ++i)
+  {
+    readOne(i);
   }
 }
 
@@ -455,15 +418,62 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
   }
 }
 
+/** As Trilinear, of four positions at a time. */
+template <typename T>
+VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const double* positions)
+{
+  const auto along = [positions](int axis)
+  {
+    return MakeDouble4(
+      positions[axis], positions[3 + axis], positions[6 + axis], positions[9 + axis]);
+  };
+  const FourCells<T> at = FindCells<T>(view, along(0), along(1), along(2));
+  const std::int64_t sy = view.Volume.Stride[1];
+  const std::int64_t sz = view.Volume.Stride[2];
+  const auto between = [&at](std::int64_t line, std::int64_t beside, const Double4& fraction,
+                         Double4& first, Double4& second)
+  {
+    Double4 a;
+    Double4 b;
+    LoadFourPairs(at, line, first, second);
+    LoadFourPairs(at, line + beside, a, b);
+    first = first + fraction * (a - first);
+    second = second + fraction * (b - second);
+  };
+  Double4 near[2];
+  Double4 far[2];
+  between(0, sz, at.Z.Fraction, near[0], near[1]);
+  between(sy, sz, at.Z.Fraction, far[0], far[1]);
+  const Double4 a = near[0] + at.Y.Fraction * (far[0] - near[0]);
+  const Double4 b = near[1] + at.Y.Fraction * (far[1] - near[1]);
+  return a + at.X.Fraction * (b - a);
+}
+
 template <typename T>
 void ReadValues(
   const ShellReading& reading, const double* positions, std::size_t count, double* to) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i)
+  const auto readOne = [&](std::size_t i)
   {
     const double value =
       Trilinear<T>(reading.View, positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
     to[i] = IsNumber(value) ? value : reading.View.Volume.BorderValue;
+  };
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4)
+  {
+    StoreDouble4(ReadFourValues<T>(reading.View, positions + 3 * i), to + i);
+    for (std::size_t n = i; std::is_floating_point_v<T> && n < i + 4; ++n)
+    {
+      if (!IsNumber(to[n]))
+      {
+        readOne(n); // a sample that is not a number but has no weight does not count
+      }
+    }
+  }
+  for (; i < count; ++i)
+  {
+    readOne(i);
   }
 }
 

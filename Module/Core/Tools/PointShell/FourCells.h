@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Four points at a time, in the lanes of vectors: their cells and samples. The rules of
+ * FieldKernels.h hold here too.
+ */
+#ifndef FourCells_h
+#define FourCells_h
+
+#include "Core/Field/LinearKernels.h"
+#include "Core/Tools/PointShell/ShellReader.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Not loaded from an array, which the processor would have to wait for. */
+VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
+{
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
+  return Double4{ a, b, c, d };
+#else
+  return { { a, b, c, d } };
+#endif
+}
+
+///@{
+/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
+#if defined(__GNUC__) && defined(__x86_64__) && defined(__AVX__)
+VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
+{
+  return _mm256_sqrt_pd(a);
+}
+VOLUME_HAPTICS_INLINE Double4 Over(const Double4& a, const Double4& b)
+{
+  return a / b;
+}
+VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
+{
+  return a > b ? a : b;
+}
+VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
+{
+  return a < b ? a : b;
+}
+VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
+{
+  return _mm256_floor_pd(a);
+}
+/** A bit for each lane; 0 for NaN. */
+VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
+{
+  return static_cast<std::uint64_t>(
+    _mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GE_OQ)));
+}
+#else
+template <typename F>
+VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
+{
+  return { { f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3]) } };
+}
+VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
+{
+  return EachLane(a, a, [](double x, double) { return __builtin_sqrt(x); });
+}
+VOLUME_HAPTICS_INLINE Double4 Over(const Double4& a, const Double4& b)
+{
+  return EachLane(a, b, [](double x, double y) { return x / y; });
+}
+VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
+{
+  return EachLane(a, b, [](double x, double y) { return x > y ? x : y; });
+}
+VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
+{
+  return EachLane(a, b, [](double x, double y) { return x < y ? x : y; });
+}
+VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
+{
+  return EachLane(a, a, [](double x, double) { return Floor(x); });
+}
+VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
+{
+  std::uint64_t bits = 0;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    bits |= static_cast<std::uint64_t>(a[lane] >= 0.0 ? 1 : 0) << lane;
+  }
+  return bits;
+}
+#endif
+///@}
+
+VOLUME_HAPTICS_INLINE Double4 Spread(double x)
+{
+  return MakeDouble4(x, x, x, x);
+}
+
+/** Four vectors. */
+struct FourVectors
+{
+  Double4 X;
+  Double4 Y;
+  Double4 Z;
+};
+VOLUME_HAPTICS_INLINE FourVectors LoadVectors(const double (*from)[ShellBatch::Most], std::size_t i)
+{
+  return { LoadDouble4(from[0] + i), LoadDouble4(from[1] + i), LoadDouble4(from[2] + i) };
+}
+VOLUME_HAPTICS_INLINE void StoreVectors(
+  const FourVectors& v, double (*to)[ShellBatch::Most], std::size_t i)
+{
+  StoreDouble4(v.X, to[0] + i);
+  StoreDouble4(v.Y, to[1] + i);
+  StoreDouble4(v.Z, to[2] + i);
+}
+VOLUME_HAPTICS_INLINE FourVectors Scaled(const Double4& s, const FourVectors& v)
+{
+  return { s * v.X, s * v.Y, s * v.Z };
+}
+VOLUME_HAPTICS_INLINE Double4 DotOf(const FourVectors& a, const FourVectors& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+/** A matrix by rows times vectors. */
+VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
+{
+  return { m[0] * v.X + m[1] * v.Y + m[2] * v.Z, m[3] * v.X + m[4] * v.Y + m[5] * v.Z,
+    m[6] * v.X + m[7] * v.Y + m[8] * v.Z };
+}
+
+/** Positions in their cells along an axis: LocateCell of four at a time. */
+struct FourPlaces
+{
+  Double4 Cell;
+  Double4 Fraction;
+};
+VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
+{
+  const Double4 inside = Larger(Smaller(position, Spread(last)), Spread(first));
+  // Whole numbers: the smaller one of two is not beyond the last cell.
+  const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
+  return { cell, inside - cell };
+}
+
+/** Two neighbours along x, at a distance from each of four samples: the first ones, the second. */
+template <typename T>
+VOLUME_HAPTICS_INLINE void LoadFourPairs(
+  const T* const* samples, std::int64_t distance, std::int64_t sx, Double4& first, Double4& second)
+{
+  if (sx == 1)
+  {
+    LoadFourPairs(samples[0] + distance, samples[1] + distance, samples[2] + distance,
+      samples[3] + distance, first, second);
+    return;
+  }
+  const auto load = [samples](std::int64_t i)
+  {
+    return MakeDouble4(static_cast<double>(samples[0][i]), static_cast<double>(samples[1][i]),
+      static_cast<double>(samples[2][i]), static_cast<double>(samples[3][i]));
+  };
+  first = load(distance);
+  second = load(distance + sx);
+}
+
+/** The cells of four positions. */
+template <typename T>
+struct FourCells
+{
+  FourPlaces X;
+  FourPlaces Y;
+  FourPlaces Z;
+  std::int64_t Step; ///< between samples along x
+  const T* First[4]; ///< the first sample of each
+};
+template <typename T>
+VOLUME_HAPTICS_INLINE FourCells<T> FindCells(
+  const FieldView& view, const Double4& x, const Double4& y, const Double4& z)
+{
+  const std::int64_t* const stride = view.Volume.Stride;
+  FourCells<T> at{ LocateCells(x, view.First[0], view.Last[0]),
+    LocateCells(y, view.First[1], view.Last[1]), LocateCells(z, view.First[2], view.Last[2]),
+    stride[0], {} };
+  // Exact: no volume has 2^53 samples.
+  const Double4 number = static_cast<double>(stride[0]) * at.X.Cell +
+    static_cast<double>(stride[1]) * at.Y.Cell + static_cast<double>(stride[2]) * at.Z.Cell;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    at.First[lane] =
+      static_cast<const T*>(view.Volume.Data) + static_cast<std::int64_t>(number[lane]);
+  }
+  return at;
+}
+
+/** Two neighbours along x, at a distance from the first sample of each cell. */
+template <typename T>
+VOLUME_HAPTICS_INLINE void LoadFourPairs(
+  const FourCells<T>& at, std::int64_t distance, Double4& first, Double4& second)
+{
+  LoadFourPairs(at.First, distance, at.Step, first, second);
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif
