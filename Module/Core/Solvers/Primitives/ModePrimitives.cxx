@@ -86,13 +86,14 @@ private:
     this->Mode.Field.Read(this->Index, v, j);
     const Vector3 curl{ j.Row[2].Y - j.Row[1].Z, j.Row[0].Z - j.Row[2].X, j.Row[1].X - j.Row[0].Y };
     const double magnitude = Norm(curl);
-    const double strength = this->StrengthAt(0, magnitude);
+    const auto strengths = this->StrengthsAt(magnitude);
+    const double strength = strengths[0];
     Vector3 toCore;
     const double atCore = this->FindCore(v, j, (1.0 / magnitude) * curl, toCore);
     const Vector3 core = this->Place + this->ToDevice(toCore);
     this->Add(PrimitiveKind::Plane, Cross(curl, v), (1.0 - atCore) * strength);
     this->Add(PrimitiveKind::Line, curl, atCore > 0.0 ? atCore * strength : 0.0, core);
-    this->Add(PrimitiveKind::Line, curl, this->StrengthAt(1, magnitude));
+    this->Add(PrimitiveKind::Line, curl, strengths[1]);
   }
 
   /** The displacement (world) to the core, and the share in which it holds: 0 if it is far. */

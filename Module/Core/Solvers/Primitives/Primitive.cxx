@@ -60,9 +60,8 @@ bool PrimitiveSet::Add(const Primitive& primitive) noexcept
   Primitive& added = this->Items[this->Size++];
   added = primitive;
   added.Strength = UsableStrength(primitive);
-  const bool isIdle = primitive.Kind == PrimitiveKind::Force && added.Strength == 0.0;
   const bool hasDirection =
-    primitive.Kind == PrimitiveKind::Point || isIdle || Normalise(added.Direction);
+    primitive.Kind == PrimitiveKind::Point || added.Strength == 0.0 || Normalise(added.Direction);
   const bool hasAnchor = primitive.Kind == PrimitiveKind::Force || IsNearEnough(primitive.Anchor);
   if (!hasDirection || !hasAnchor)
   {

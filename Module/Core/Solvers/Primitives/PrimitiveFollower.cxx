@@ -49,19 +49,27 @@ public:
   /** One step; the rate that it has met. */
   double Step(double rate, double longest) noexcept
   {
+    return this->Length < PrimitiveFollower::ShortShare * rate * longest
+      ? this->StepShortly(rate)
+      : this->StepFar(rate, longest);
+  }
+
+  /** The part of the lag that is still to go, and its length (m). */
+  const Vector3& GetRest() const noexcept { return this->Rest; }
+  double GetLength() const noexcept { return this->Length; }
+  bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
+  const Vector3& GetPlace() const noexcept { return this->Place; }
+  /** At the place. */
+  const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
+
+private:
+  double StepFar(double rate, double longest) noexcept
+  {
     const Vector3 from = this->Place;
     const double before = this->Length;
     const Vector3 first = (1.0 / before) * this->Rest;
     double length = std::min(before / rate, longest);
-    Vector3 middle = this->FindRest(from + (0.5 * length) * first, first);
-    const double met = (before - Dot(middle, first)) / (0.5 * length);
-    const double shorter = before / std::min(met, MostRate);
-    // Also false for NaN.
-    if (met > RateExcess * rate && shorter < length)
-    {
-      length = shorter;
-      middle = this->FindRest(from + (0.5 * length) * first, first);
-    }
+    const Vector3 middle = this->FindMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
     const Vector3 late =
       this->FindRest(from + (0.75 * length) * second, 1.5 * second - 0.5 * first);
@@ -76,19 +84,46 @@ public:
     const double ofThird = square * (16.0 / 9.0 * share - 4.0 / 3.0);
     this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third), last);
     this->Memory.Towards = last;
-    const double next = (before - Dot(this->Rest, third)) / (share * length);
-    return next > LeastRate ? std::min(next, MostRate) : LeastRate;
+    return Rate((before - Dot(this->Rest, third)) / (share * length));
   }
 
-  /** The part of the lag that is still to go, and its length (m). */
-  const Vector3& GetRest() const noexcept { return this->Rest; }
-  double GetLength() const noexcept { return this->Length; }
-  bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
-  const Vector3& GetPlace() const noexcept { return this->Place; }
-  /** At the place. */
-  const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
+  /** By the midpoint method, to where D ends by what the middle has met. */
+  double StepShortly(double rate) noexcept
+  {
+    const Vector3 from = this->Place;
+    const double before = this->Length;
+    const Vector3 first = (1.0 / before) * this->Rest;
+    double length = before / rate;
+    const Vector3 middle = this->FindMiddle(first, rate, length);
+    const Vector3 second = Along(middle, first);
+    length = before / Rate((before - Dot(middle, second)) / (0.5 * length));
+    this->Arrive(from + length * second, second);
+    this->Memory.Towards = second;
+    return Rate((before - Dot(this->Rest, second)) / length);
+  }
 
-private:
+  /** What is left in the middle of a step from the place, which becomes shorter if it is too long. */
+  Vector3 FindMiddle(const Vector3& first, double rate, double& length) noexcept
+  {
+    const double before = this->Length;
+    const Vector3 middle = this->FindRest(this->Place + (0.5 * length) * first, first);
+    const double met = (before - Dot(middle, first)) / (0.5 * length);
+    const double shorter = before / std::min(met, MostRate);
+    // Also false for NaN.
+    if (met > RateExcess * rate && shorter < length)
+    {
+      length = shorter;
+      return this->FindRest(this->Place + (0.5 * length) * first, first);
+    }
+    return middle;
+  }
+
+  /** A rate that was met, within its bounds. */
+  static double Rate(double met) noexcept
+  {
+    return met > LeastRate ? std::min(met, MostRate) : LeastRate;
+  }
+
   /** The direction of what is left, forwards; or the direction before if nothing is. */
   static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
   {
@@ -141,10 +176,15 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedShare * longestStep;
+  // The next tick goes about the same way as this one, and not as its last corrections.
+  const double told = PrimitiveFollower::ShortShare * way.GetLength();
+  double rate = memory.Rate;
   while (
     way.GetLength() > finished && motion.Steps < PrimitiveFollower::MostSteps && !way.IsSpent())
   {
-    memory.Rate = way.Step(memory.Rate, longestStep);
+    const bool tells = way.GetLength() > told;
+    rate = way.Step(rate, longestStep);
+    memory.Rate = tells ? rate : memory.Rate;
     ++motion.Steps;
   }
   const bool isThere = way.GetLength() <= finished;
@@ -153,7 +193,7 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
   motion.IsUnfinished = !isThere || way.GetBalance().IsUnfinished;
   if (isThere)
   {
-    motion.Proxy += (1.0 / std::max(memory.Rate, 1.0)) * way.GetRest();
+    motion.Proxy += (1.0 / std::max(rate, 1.0)) * way.GetRest();
   }
   return motion;
 }

@@ -20,7 +20,8 @@
  * lines bend around the tip, or strengths change. r is learned from step to step; a step that the
  * middle shows to be too long begins again, since a strength that rises would hold the proxy where
  * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
- * that one step a tick is mostly enough. Steps end when D is less than FinishedShare of a step.
+ * that one step a tick is mostly enough. Corrections after that are short, and take the midpoint
+ * method. Steps end when D is less than FinishedShare of a step.
  * After MostSteps, or if the sweeps of a tick are spent, the next tick goes on; the force is then
  * that of the balance at the place that is reached, so it is never more than the strengths.
  */
@@ -52,7 +53,9 @@ struct PrimitiveMotion
 namespace PrimitiveFollower
 {
 constexpr int MostSteps = 32;
-/** A last step this short, as a share of the longest one, needs no stages. */
+/** A step this short, as a share of the longest one, takes the midpoint method. */
+constexpr double ShortShare = 0.1;
+/** A last step this short needs no stages. */
 constexpr double FinishedShare = 1e-3;
 } // namespace PrimitiveFollower
 
