@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace benchmarks
 {
@@ -33,6 +34,9 @@ constexpr double SurfaceTarget = 10.0;
 /** A tick with one vector mode, and one with four oblique primitives, us. */
 constexpr double ModeTarget = 1.5;
 constexpr double SetTarget = 4.0;
+/** The same beside a tick of PRECISE, which takes 0.6 us where these are reached. */
+constexpr double ModeRatio = 2.5;
+constexpr double SetRatio = 6.7;
 /** A tick of a tool of 10^4 points, us. */
 constexpr double ShellTarget = 250.0;
 /** The time that a step may take beside its gradient, ns. */
@@ -120,11 +124,13 @@ void PrintRatios(const Medians& medians)
         motion == "slide" ? WarmTarget : (volume == "1GiB" ? ColdTarget : NoTarget));
     });
   PrintTitle("Tick of PRIMITIVES and the forces of its modes beside PRECISE");
-  for (const char* subject : { "mode_tick/follow", "mode_tick/vortex", "mode_tick/four_oblique",
-         "mode_forces/four_oblique" })
+  const std::string precise = NameOf("precise_tick", GetEstimators()[2].Name, "slide", "256^3");
+  const std::pair<const char*, double> modes[] = { { "mode_tick/follow", ModeRatio },
+    { "mode_tick/vortex", ModeRatio }, { "mode_tick/four_oblique", SetRatio },
+    { "mode_forces/four_oblique", NoTarget } };
+  for (const auto& [subject, most] : modes)
   {
-    const std::string precise = NameOf("precise_tick", GetEstimators()[2].Name, "slide", "256^3");
-    PrintRatio(medians, std::string(subject) + "/slide/96^3", precise, NoTarget);
+    PrintRatio(medians, std::string(subject) + "/slide/96^3", precise, most);
   }
   PrintTitle("Tick of PRIMITIVES, median tick of a slide, us");
   for (const char* subject : { "mode_tick/follow", "mode_tick/vortex", "mode_tick/four_oblique" })
