@@ -41,10 +41,11 @@ ball = plotter.add_volume(
 ball.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, times, visibility=False)
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N: the ball holds all of it
+haptics.head_up_display.AddTissue("the ball", 400, 1000)
 device = haptics.device
 plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
 plotter.camera.zoom(1.2)
-plotter.camera.focal_point = (0.0, 0.0, -6.0)  # above the figures
+plotter.camera.SetWindowCenter(-0.16, 0.0)  # beside the figures
 plotter.show(interactive_update=True)
 
 device.PlaceVirtualTip(REST, 0.0, 0.0)

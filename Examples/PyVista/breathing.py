@@ -105,11 +105,14 @@ haptics.filter.SetDisplacementArrayName("motion")
 # The lung has faint edges of its own, which would push on the way.
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(AIR, 0.0)
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
+for tissue, low, high in (("lung", -950, -600), ("fat", -150, -20), ("muscle or an organ", -20, 150), ("bone", 150, 3000)):
+    haptics.head_up_display.AddTissue(tissue, low, high)  # HU
 device = haptics.device
 device.SetPlaybackToPingPong()
 device.SetDataTime(SECONDS)
 plotter.view_vector((0.25, -1.0, 0.15), (0, 0, 1))
 plotter.camera.zoom(1.5)
+plotter.camera.SetWindowCenter(-0.26, 0.0)  # beside the figures
 plotter.show(interactive_update=True)
 device.PlaceVirtualTip(*rest)
 device.Arm()

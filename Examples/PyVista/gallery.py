@@ -93,7 +93,9 @@ def add_trail(plotter, trace, largest=None, bar=True, width=9):
 
 
 def add_title(plotter, text, colour="white"):
-    plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour, shadow=True)
+    title = plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour, shadow=True)
+    if colour == "white":  # also where something bright is behind it
+        title.prop.background_color, title.prop.background_opacity = "#12151b", 0.75
 
 
 def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
@@ -199,7 +201,8 @@ class Scene:
         self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
-        """Holds the time, and writes what is seen then."""
+        """Holds the time, and writes what is seen then, without the hint that nobody is there to follow."""
+        self.haptics.head_up_display.HintVisibilityOff()
         self.haptics.device.Hold()
         self.watch(0.3)
         self.plotter.render()

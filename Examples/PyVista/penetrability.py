@@ -28,10 +28,10 @@ plotter.add_mesh(head.slice(aside, origin=skin), cmap="gray", clim=(-1000, 1500)
 needle = trace.copy()
 needle.points = trace["Tip"] + 2.0 * aside  # before the slice
 gallery.add_trail(plotter, needle)
-gallery.add_title(plotter, "The way of the needle's tip, coloured by the force")
+gallery.add_title(plotter, "The way of the needle's tip, and the force")
 plotter.view_vector(aside, (0, 0, 1))
 plotter.camera.focal_point = skin - 15 * outwards
-plotter.camera.zoom(2.0)
+plotter.camera.zoom(2.6)
 plotter.subplot(0, 1)
 chart = gallery.add_chart(
     plotter, "Tissues that give way, and their surface strengths", "Depth below the skin (mm)", "Force on the hand (N)",
@@ -39,5 +39,6 @@ chart = gallery.add_chart(
 for (tissue, newtons), colour in zip(STRENGTH.items(), ("#c9a227", "#b1342b")):
     ends, label = [depth[0], depth[-1]], f"{tissue}, {newtons} N"
     chart.line(ends, [newtons, newtons], color=colour, width=2, style="--", label=label)
+chart.y_range = (0.0, 3.0)  # room for the legend
 chart.legend_visible = True
 gallery.show(plotter, picture)
