@@ -6,9 +6,13 @@ The volume is a ramp, V = 100 z, pressed 2 mm from z = 10 on, so that the force 
 """
 
 import gzip
+import math
+import re
 
 import numpy as np
 import pytest
+from demonstration import run
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
@@ -180,3 +184,29 @@ def test_labels_that_cannot_be():
         press(5, labels=LABELS + 0.5, materials={1: dict(stiffness=1)})
     with pytest.raises(TypeError, match="label_table"):
         press(5, materials={}, label_table=vtkHapticLabelTable())
+
+
+def write_chest(folder):
+    """A block of two organs that face the front, heart above liver, in NIfTI of a patient's axes."""
+    labels = np.zeros((130, 48, 48), np.uint8)  # z to the top, y to the front, x to the right
+    labels[5:65, 8:32, 4:44] = 5
+    labels[65:125, 8:32, 4:44] = 51
+    for name, samples in (("mask", labels), ("cxr", np.where(labels > 0, 50, -100).astype(np.int16))):
+        writer, place = vtkNIFTIImageWriter(), vtkMatrix4x4()
+        for axis in range(3):
+            place.SetElement(axis, axis, (-1.0, 1.0, 1.0)[axis])
+        writer.SetInputData(image(samples, spacing=(1.5, 1.5, 1.5)))
+        writer.SetSFormMatrix(place)
+        writer.SetQFac(-1.0)
+        writer.SetFileName(str(folder / f"{name}.nii.gz"))
+        writer.Write()
+    (folder / "structures.csv").write_text("group,structure,id\norgans,liver,5\norgans,heart,51\n", encoding="utf-8")
+
+
+def test_organs_of_a_chest_are_stroked(tmp_path):
+    """Springs of 700 N/m on the heart and 500 N/m on the liver, stretched by 2.5 mm, with a friction of 0.2."""
+    write_chest(tmp_path)
+    said = run("chest_labels.py", tmp_path / "picture.png", tmp_path)
+    newtons = {organ: float(median) for organ, median in re.findall(r"(\w+): ([\d.]+) N as a median", said)}
+    slide = 2.5 * math.hypot(1.0, 0.2)  # mm
+    assert newtons == {"heart": pytest.approx(0.7 * slide, rel=0.03), "liver": pytest.approx(0.5 * slide, rel=0.03)}, said
