@@ -6,13 +6,15 @@
 #
 # usage: Documentation/site/build.sh [FOLDER]
 #
-# Installs what is missing: Doxygen from Debian, Sphinx from PyPI into build/site-python. The site's first page is
-# FOLDER/index.html; FOLDER is build/site by default. Exits with 3 if pip reaches no registry.
+# Installs what is missing: Doxygen from Debian, Sphinx into build/site-python, from the wheels in build/site-wheels. The
+# first time these are fetched from PyPI; with them, it needs no network, also on another computer that they are copied
+# to. The site's first page is FOLDER/index.html; FOLDER is build/site by default. Exits with 3 if there are no such
+# wheels and pip reaches no registry.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 site=$(realpath -m "${1:-$root/build/site}")
 cd "$root"
@@ -22,10 +24,13 @@ require_packages doxygen python3 python3-venv
 
 packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1 sphinx-gallery==0.22.1)
 python=build/site-python
+wheels=build/site-wheels
 if ! "$python/bin/python" -c 'import myst_parser, pydata_sphinx_theme, sphinx_gallery' 2> /dev/null; then
   rm -rf "$python"
   /usr/bin/python3 -m venv "$python"
-  if ! "$python/bin/pip" install -q "${packages[@]}"; then
+  install=("$python/bin/pip" install -q --no-index --find-links "$wheels" "${packages[@]}")
+  if ! "${install[@]}" 2> /dev/null &&
+    ! { "$python/bin/pip" wheel -q -w "$wheels" "${packages[@]}" && "${install[@]}"; }; then
     rm -rf "$python"
     exit 3
   fi

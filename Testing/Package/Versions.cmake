@@ -19,6 +19,7 @@ foreach (line IN ITEMS
     "CMake/packages/conda/recipe.yaml|\n  version: |${version}"
     "CMake/packages/debian/control|libvtkvolumehaptics|${series}"
     "Documentation/building.md|libvtkvolumehaptics|${series}"
+    "Documentation/install.md|libvtkvolumehaptics|${series}"
     "Examples/Cxx/CMakeLists.txt|find_package\\(VolumeHaptics |${series}"
     "CHANGELOG.md|\n## |${version}")
   string(REPLACE "|" ";" line "${line}")

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures of Documentation/method.md, whose script tells how far the traces are from the closed forms beside them.
 
-Matplotlib comes with PyVista."""
+Matplotlib comes with PyVista; without it, this is skipped."""
 
 import re
 import subprocess
 import sys
 
-from matplotlib import image
+import pytest
+
+pytest.importorskip("matplotlib", reason="the figures need Matplotlib: pip install matplotlib")
+from matplotlib import image  # noqa: E402
 
 NUMBER = r"(-?[0-9.]+)"
 # The closed forms are exact on values that rise evenly. On curved ones the required figures of Documentation/evaluation.md
