@@ -23,6 +23,15 @@ cmake -S "$source_dir/Examples/Cxx" -B "$work/examples" -G Ninja \
   -DVolumeHaptics_DIR="$(dirname "$config")" \
   ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure.log"
 cmake --build "$work/examples" >"$work/build.log"
+# The CMakeLists.txt that Documentation/window.md shows, for the viewer beside it.
+mkdir "$work/viewer"
+# shellcheck disable=SC2016 # fences of Markdown
+sed -n '/^```cmake$/,/^```$/{/^```/d;p}' "$source_dir/Documentation/window.md" > "$work/viewer/CMakeLists.txt"
+cp "$source_dir/Examples/Cxx/DropIn.cxx" "$work/viewer/viewer.cxx"
+cmake -S "$work/viewer" -B "$work/viewer/build" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \
+  ${sanitize:+-DCMAKE_CXX_FLAGS="-fsanitize=$sanitize"} >"$work/configure-viewer.log"
+cmake --build "$work/viewer/build" >"$work/build-viewer.log"
+[[ -x $work/viewer/build/viewer ]] || { echo "the viewer of window.md was not built" >&2; exit 1; }
 from_cxx=$("$work/examples/first-touch" "$head")
 echo "C++:    $from_cxx"
 case $from_cxx in

@@ -1,8 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With the data on a server of one rank, and of two, the trace is the one of the VTK build, edited functions included."""
+"""With the data on a server of one rank, and of two, the trace is the one of the VTK build, edited functions included.
+
+The script of Documentation/paraview.md that connects to a server runs, and the script along a path after it.
+"""
 
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -13,7 +17,7 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-PLUGIN, REFERENCE = sys.argv[1:3]
+PLUGIN, REFERENCE, SOURCE = sys.argv[1:4]
 mpiexec, pvserver = shutil.which("mpiexec"), shutil.which("pvserver")
 # The client is an MPI program, too; a server that takes itself for a part of that would wait for ever.
 environment = {name: value for name, value in os.environ.items()
@@ -48,14 +52,35 @@ def touch():
     assert haptics.PointData["Stiffness"].GetRange(0) == (250.0, 250.0)
 
 
-for ranks in (1, 2):
+def run_documented(port):
+    """As printed, but for the server's port, and the plugin's place."""
+    with open(os.path.join(SOURCE, "Documentation", "paraview.md"), encoding="utf-8") as file:
+        scripts = re.findall("```python\n(.*?)```", file.read(), re.S)
+    (connect,) = [script for script in scripts if "Connect(" in script]
+    load = "LoadPlugin(plugin, remote=False, ns=globals())\n"
+    before, after = scripts[0].split(load)
+    felt = []
+    names = {"print": lambda *words: felt.append(words[0])}
+    exec(before, names)
+    names.update(plugin=PLUGIN, Connect=lambda host: simple.Connect(host, port))
+    os.chdir(SOURCE)
+    exec(connect, names)
+    exec(after, names)
+    assert felt[0][1] > 1.0, felt  # N
+
+
+def touch_with(port):
+    simple.Connect("localhost", port)  # tries for a minute
+    touch()
+
+
+for ranks, run in ((1, touch_with), (2, touch_with), (1, run_documented)):
     server, port = start(ranks)
     try:
         time.sleep(1)
-        simple.Connect("localhost", port)  # tries for a minute
-        touch()
+        run(port)
         simple.Disconnect()
-        print(f"{ranks} rank(s): the same")
+        print(f"{ranks} rank(s), {run.__name__}: right")
     finally:
         server.terminate()  # mpiexec passes that on
         server.wait(30)

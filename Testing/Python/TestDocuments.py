@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python of the documents runs as printed, and the commands that they name have the options that they are given.
 
-The blocks of python.md and measuring.md are in TestExamples.py and TestLarge.py, those on PyVista in Testing/PyVista,
-those on ParaView in Testing/ParaView, and those of C++ by Testing/Package/snippets.py.
+The blocks of python.md and measuring.md are in TestExamples.py and TestLarge.py, those on PyVista and notebooks in
+Testing/PyVista/TestSnippets.py, those on ParaView in TestReadme.py and TestServer.py of Testing/ParaView, those of C++ are
+compiled by Testing/Package/snippets.py, and that of CMake is configured and built by Testing/Package/install.sh.
 """
 
 import re
@@ -16,6 +17,7 @@ from conftest import ROOT
 from volumehaptics import arrays, examples
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").glob("*.md"))]
+PAGES = [*DOCUMENTS, ROOT / "CONTRIBUTING.md", ROOT / "Data" / "README.md", ROOT / "Examples" / "PyVista" / "README.md"]
 # Files whose blocks of Python a test runs, and how many there are.
 RUN = {
     "README.md": 1, "first-touch.md": 1, "devices.md": 1, "materials.md": 8, "measuring.md": 1, "notebook.md": 1,
@@ -30,6 +32,24 @@ def blocks(path, language):
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
 def test_every_block_of_python_is_run_by_a_test(path):
     assert len(blocks(path, "python")) == RUN.get(path.name, 0), "add the block to a test, and its number to RUN"
+
+
+PROGRAMS = re.compile(r"(?:sudo |\w+=\S+ )*(?:[.]/|[.] |\S+[.]sh\b|apt|cd |cmake|ctest|docker|git|pip|pv|python|\S*/python|"
+                      r"volumehaptics-|xvfb-run|mpiexec)")
+
+
+@pytest.mark.parametrize("path", PAGES, ids=lambda path: path.name)
+def test_commands_are_in_blocks_that_say_so(path):
+    """A block without a language is a formula or what a program writes, and is not checked."""
+    found = re.findall(r"^```(\S*)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+    for language, text in found:
+        if not language:
+            assert not PROGRAMS.match(text.strip()), f"this block needs the language sh: {text}"
+
+
+def test_the_cmake_of_documents_is_that_of_a_test():
+    pages = [path for path in PAGES for _ in blocks(path, "cmake")]
+    assert [path.name for path in pages] == ["window.md"], "let Testing/Package/install.sh configure it"
 
 
 def test_readme(capsys):
