@@ -8,9 +8,10 @@
  * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
  * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
  * and a new window is published, with the tables of the last one. While time runs, three steps are
- * in memory at most: one that is no longer needed is given up first. A series of up to three steps
- * is published whole; and so are components, and the frames of a vtkHapticFrameSource, which are in
- * memory anyway.
+ * in memory at most, beside the one that their source writes to: one that is no longer needed is
+ * given up first. Where SetTime goes to two other steps, there are four until they are published,
+ * since the servo feels the old pair up to then. A series of up to three steps is published whole;
+ * and so are components, and the frames of a vtkHapticFrameSource, which are in memory anyway.
  *
  * For SURFACE_PROXY, a window is published when its meshes have been made, in the background; the
  * first one, too, unless they are small.
