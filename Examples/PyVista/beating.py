@@ -16,6 +16,7 @@ STIFFNESS = 0.5  # N/mm
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
 parser.add_argument("--movie", metavar="FILE", help="write a movie of a beat (.ogv), half as fast")
+parser.add_argument("--pictures", type=int, default=FRAMES, help="of the movie (default: %(default)s)")
 chosen = parser.parse_args()
 
 
@@ -56,7 +57,7 @@ strongest = scene.strongest(2.5)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * (RADIUS + STROKE - REST):.3f} N")
 
 if chosen.movie:
-    scene.film(chosen.movie, FRAMES, span=1.0, rate=12)
+    scene.film(chosen.movie, chosen.pictures, span=1.0, rate=max(1, chosen.pictures // 2))
 if chosen.picture:
     device.SetPlaybackSpeed(0.25)
     scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest

@@ -29,6 +29,7 @@ parser.add_argument("volume", nargs="?", help="a NIfTI file of a CT, or what PyV
 parser.add_argument("--every", type=int, default=1, help="takes every so manieth voxel along x and y")
 parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
 parser.add_argument("--movie", metavar="FILE", help="write a movie of a breath (.ogv)")
+parser.add_argument("--pictures", type=int, default=24, help="of the movie (default: %(default)s)")
 chosen = parser.parse_args()
 FRAMES = 13 if chosen.movie else 5  # from breathed out to breathed in
 
@@ -121,7 +122,7 @@ scene = gallery.Scene(plotter, haptics, hidden)
 strongest = scene.strongest(2.0 * SECONDS + 1.0)
 print(f"strongest {strongest:.3f} N of {STIFFNESS * deep:.3f} N, by what goes down by {fall:.1f} mm")
 if chosen.movie:
-    scene.film(chosen.movie, 2 * FRAMES - 2, span=2.0 * SECONDS, rate=8)
+    scene.film(chosen.movie, chosen.pictures, span=2.0 * SECONDS, rate=max(1, chosen.pictures // 3))
     device.SetPlaybackSpeed(1.0)
 if chosen.picture:
     scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # breathed out

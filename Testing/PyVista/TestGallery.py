@@ -82,6 +82,35 @@ def test_script(window, root, tmp_path, name):
     assert 0.001 < colourful.mean() < 0.9 and np.unique((pixels * 15).astype(int).reshape(-1, 3), axis=0).shape[0] > 30
 
 
+def packets_of(movie):
+    """The packets of an Ogg file with one stream (RFC 3533)."""
+    data, at, packets = movie.read_bytes(), 0, [b""]
+    while at < len(data):
+        assert data[at:at + 4] == b"OggS"
+        lengths = data[at + 27:at + 27 + data[at + 26]]
+        at += 27 + len(lengths)
+        for length in lengths:
+            packets[-1] += data[at:at + length]
+            at += length
+            if length < 255:
+                packets.append(b"")
+    return packets[:-1]
+
+
+@pytest.mark.parametrize("name", ["beating", "breathing"])
+def test_movie(window, root, tmp_path, name):
+    movie = tmp_path / "movie.ogv"
+    done = subprocess.run(
+        [sys.executable, "-B", str(root / "Examples" / "PyVista" / f"{name}.py"), "--movie", str(movie), "--pictures",
+         "3"], capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0 and "DeprecationWarning" not in done.stderr, done.stderr
+    header, _, _, first, *others = packets_of(movie)  # by the specification of Theora I
+    assert header[:7] == b"\x80theora"
+    assert (int.from_bytes(header[14:17], "big"), int.from_bytes(header[17:20], "big")) == (640, 480)
+    # A picture that is the last one again would take some ten bytes.
+    assert len(others) == 2 and len(first) > 10000 and min(map(len, others)) > 1000, list(map(len, others))
+
+
 def test_own_volume_is_touched(window, root, tmp_path, head):
     # A smaller head: the script's way is over whatever skin there is.
     smaller = head.copy()
