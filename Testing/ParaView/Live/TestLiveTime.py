@@ -79,7 +79,8 @@ def touch():
     keeper = simple.GetTimeKeeper()
     scene.AnimationTime = 0.0
     filter = simple.VolumeHaptics(Input=volume, Scalars=["POINTS", "Wall"], MaterialPlacement=0)
-    filter.SurfaceStrength.Points = [0.0, 1.0, 0.5, 0.0, 1000.0, 1.0, 0.5, 0.0]
+    # More than the wall needs, which is 1 N at its end: there it would begin to slip.
+    filter.SurfaceStrength.Points = [0.0, 1.5, 0.5, 0.0, 1000.0, 1.5, 0.5, 0.0]
     if MESH:
         filter.Method, filter.IsoValue, filter.ProxyRadius = "Surface proxy", 500.0, RADIUS
     device = simple.HapticDevice(Touch=filter, MaximumRegionVoxels=44**3, VirtualTip=[20.0, 12.0, TIP])
@@ -108,10 +109,41 @@ def touch():
     live.check("rror" not in device.StatusText, "nothing is wrong", device.StatusText)
 
 
+def play():
+    """The VCR's Play and Stop while the hand is touched, with what an event loop does between two pictures."""
+    device.VirtualTip = [20.0, 12.0, TIP]
+    volume.Script = DATA
+    scene.GoToFirst()
+    live.check(live.poll(device, lambda: is_force(0.0) and device.Residency == 1.0), "the hand rests in the air again",
+               list(device.ComputedForce), device.StatusText)
+    scene.PlayMode = "Snap To TimeSteps"
+    player = scene.GetClientSideObject()
+    stop_at, seen = None, []
+
+    def between_pictures(*_):
+        if not seen or keeper.Time != seen[-1]:
+            seen.append(keeper.Time)
+            live.check(live.poll(device, lambda: is_force(keeper.Time)), "the force comes with what is seen", keeper.Time,
+                       list(device.ComputedForce), device.StatusText)
+        if keeper.Time == stop_at:
+            scene.Stop()
+
+    tag = player.AddObserver("AnimationCueTickEvent", between_pictures)
+    for stop_at, come in ((3.0, [0.0, 1.0, 2.0, 3.0]), (None, [0.0, 1.0, 2.0, 3.0, 4.0])):
+        scene.GoToFirst()
+        live.check(live.poll(device, lambda: is_force(0.0)), "the wall is gone again", list(device.ComputedForce))
+        seen.clear()
+        scene.Play()
+        live.check(seen == come, "it plays, to its end or where it is stopped", seen, stop_at)
+        live.poll_for(device, 0.3)
+        live.check(is_force(come[-1]), "and the force stays", list(device.ComputedForce), device.StatusText)
+    player.RemoveObserver(tag)
+    live.check("rror" not in device.StatusText, "nothing is wrong", device.StatusText)
+
+
 def come_back():
     global scene, keeper, device
-    volume.Script = DATA
-    device.VirtualTip = [20.0, 12.0, TIP]
+    scene.GoToFirst()
     state = live.FOLDER + "/time.pvsm"
     simple.SaveState(state)
     simple.ResetSession()
@@ -138,6 +170,7 @@ if REMOTE:
     with live.Server(2):
         live.load_plugin(remote=True)
         touch()
+        play()
         device.Running = 0
         simple.Disconnect()
     log = live.read_log(live.FOLDER + "/time.csv")
@@ -147,6 +180,7 @@ else:
 
     live.load_plugin()
     touch()
+    play()
     device.Running = 0
     reader = simple.XMLPolyDataReader(FileName=[live.FOLDER + "/time.vtp"])
     ticks = servermanager.Fetch(reader).GetPointData()
