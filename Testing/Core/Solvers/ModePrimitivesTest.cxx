@@ -5,98 +5,17 @@
  * Modes on sampled fields with closed forms: vortices, fronts, shear, and turning fibres.
  */
 
-#include "Core/Solvers/Primitives/ModePrimitives.h"
+#include "Rigs/ModeGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
-#include <vector>
 
-using namespace VolumeHaptics;
+using namespace modegrid;
 
 namespace
 {
-constexpr double CouplingOf = 500.0; // N/m
-const double HalfTurn = std::acos(-1.0);
-
-/// Components at the points of a grid of spacing h (mm), whose middle is the world's origin.
-class ModeGrid
-{
-public:
-  template <typename F>
-  ModeGrid(int nx, int ny, int nz, double h, int components, F&& f)
-    : Samples(static_cast<std::size_t>(nx) * ny * nz * components)
-    , QuarterVoxel(0.25e-3 * h)
-  {
-    this->Mode.View.Volume.Data = this->Samples.data();
-    const std::int64_t n[3] = { nx, ny, nz };
-    std::int64_t stride = components;
-    for (int a = 0; a < 3; ++a)
-    {
-      this->Mode.View.Volume.Dimensions[a] = n[a];
-      this->Mode.View.Volume.Stride[a] = stride;
-      stride *= n[a];
-    }
-    this->Mode.View.Components = components;
-    this->IndexToWorld = { h * Matrix3{},
-      { -0.5 * h * (nx - 1), -0.5 * h * (ny - 1), -0.5 * h * (nz - 1) } };
-    double* to = this->Samples.data();
-    for (int k = 0; k < nz; ++k)
-    {
-      for (int j = 0; j < ny; ++j)
-      {
-        for (int i = 0; i < nx; ++i, to += components)
-        {
-          f(this->IndexToWorld({ double(i), double(j), double(k) }), to);
-        }
-      }
-    }
-  }
-
-  /// One mode, in a world of millimetres.
-  void Bake(ModeKind kind, const Polyline& first, const Polyline& second = ConstantPolyline(0.0))
-  {
-    this->Mode.Kind = kind;
-    this->Mode.First = first;
-    this->Mode.Second = second;
-    this->Baked = std::make_unique<BakedMode>(this->Mode, this->IndexToWorld);
-    this->Field = std::make_unique<ModeField>(this->IndexToWorld, this->DeviceToWorld);
-    ASSERT_TRUE(this->Field->Add(*this->Baked));
-    this->Motion = {};
-    this->Memory = {};
-  }
-
-  /// The primitives at a place (mm).
-  PrimitiveSet At(const Vector3& place) const
-  {
-    PrimitiveSet set;
-    const PrimitiveField field = this->Field->GetField();
-    field.Find(field.Context, 1e-3 * place, set);
-    return set;
-  }
-
-  /// A tick; mm.
-  void Move(const Vector3& tip)
-  {
-    this->Motion = FollowPrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
-      this->Motion.Proxy, 1e-3 * tip, this->Memory);
-    const double most = this->At(1e3 * this->Motion.Proxy).SumStrengths();
-    EXPECT_LE(Norm(this->Motion.Force), most * 1.01 + 1e-3);
-  }
-  void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
-
-  std::vector<double> Samples;
-  double QuarterVoxel;
-  ModeDescription Mode;
-  Affine3 IndexToWorld;
-  Affine3 DeviceToWorld{ 1000.0 * Matrix3{}, {} };
-  std::unique_ptr<BakedMode> Baked;
-  std::unique_ptr<ModeField> Field;
-  PrimitiveMotion Motion;
-  PrimitiveMemory Memory;
-};
-
 Vector3 AtAngle(double radius, double angle)
 {
   return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * How much the force of a mode may change with the tip.
+ *
+ * For one set of primitives, with its anchors, the force is k-Lipschitz in the tip: the proxy is a
+ * proximal map (PrimitiveSolver.h). A mode has other primitives at each place. Let K(x) be the
+ * forces that those of the place x can have, and let them change by L along the proxy's way: for
+ * each force of K(x), K(x + dx) has one that differs by L |dx| at most. For a line along q of the
+ * strength S, that is |S grad q| + |grad S|: how fast the flow turns, and how fast it lets go. A
+ * proxy that moves has a force f of K(x) that does all it can against that: dx.(f - g) <= 0 for all
+ * g of K(x). So forces before and after a motion have
+ *
+ *   dx.df <= L |dx|^2,   df = k (dx - dy),   and, with q = L/k < 1,
+ *   |dx| <= |dy|/(1 - q)                     since dx.df = k (|dx|^2 - dx.dy),
+ *   |df|^2 <= k |df| |dy| + k L |dx|^2       since |df|^2 = k df.(dx - dy), and therefore
+ *
+ *   |df| <= k |dy| (1 + sqrt(1 + 4 q/(1 - q)^2))/2 = k |dy|/(1 - q).
+ *
+ * On a circle of radius R, with the tip a lead d inside of it, q is d/R: where the tip comes to the
+ * centre, the proxy runs around it. Where q is 1 or more, there is no such bound, but that of the
+ * strengths: |df| <= S(x) + S(x + dx). With S(|v|)/|v| and its slope at most s, q is at most
+ * s |J|/k for flows and fronts, since S v/|v| is a function of v that is s-Lipschitz; so these are
+ * within 1/(1 - q) wherever s |J| < k.
+ */
+
+#include "Rigs/ModeGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+using namespace modegrid;
+
+namespace
+{
+constexpr int Ticks = 1000000;
+constexpr double Stride = 0.2; // mm a tick, along each axis
+
+/// A flow of many directions, with a rotation, a stretching, and places without any. Its Jacobian
+/// is [0 a 0; 0 0 b; c d 0] with |a| <= 0.4, |b| <= 0.3, |c| <= 0.25, |d| <= 0.1 per mm: its norm
+/// is at most the root of the largest row sum times the largest column sum, (0.4 * 0.5)^(1/2).
+constexpr double SteepestSwirl = 0.45;
+void Swirl(const Vector3& x, double* v)
+{
+  v[0] = std::sin(0.4 * x.Y);
+  v[1] = std::cos(0.3 * x.Z) - 0.5;
+  v[2] = 0.5 * std::sin(0.5 * x.X + 0.2 * x.Y);
+}
+
+/// v v^T + 0.1, which is flat or long elsewhere.
+void SwirlTensor(const Vector3& x, double* t)
+{
+  double v[3];
+  Swirl(x, v);
+  const double flat = 0.3 * std::sin(0.3 * x.Z);
+  const double six[6] = { v[0] * v[0] + 0.1, v[1] * v[1] + 0.1 + flat * flat, v[2] * v[2] + 0.1,
+    v[0] * v[1], v[1] * v[2], v[0] * v[2] };
+  std::copy_n(six, 6, t);
+}
+
+/// How far a primitive's force is from those that another one can have.
+double Miss(const Vector3& force, const Primitive& p)
+{
+  const double along = Dot(force, p.Direction);
+  const double across = Norm(force - along * p.Direction);
+  switch (p.Kind)
+  {
+    case PrimitiveKind::Line:
+      return std::hypot(along, std::max(0.0, across - p.Strength));
+    case PrimitiveKind::Plane:
+      return Norm(force - std::clamp(along, 0.0, p.Strength) * p.Direction);
+    case PrimitiveKind::Point:
+      return std::max(0.0, Norm(force) - p.Strength);
+    case PrimitiveKind::Force:
+      break;
+  }
+  return Norm(force - p.Strength * p.Direction);
+}
+
+double Miss(const PrimitiveForces& forces, const PrimitiveSet& set)
+{
+  double sum = 0.0;
+  for (int i = 0; i < set.GetSize(); ++i)
+  {
+    sum += Miss(forces[static_cast<std::size_t>(i)], set[i]);
+  }
+  return sum;
+}
+
+/// What a walk has met.
+struct Walked
+{
+  double Strongest = 0.0; ///< N
+  double Steepest = 0.0;  ///< |df|/(k |dy|)
+  int Steeper = 0;        ///< steps with more than 1
+  int Unbound = 0;        ///< of them, those with q of 1 or more
+};
+
+class ModeSteps
+{
+public:
+  explicit ModeSteps(ModeGrid& grid)
+    : Grid(grid)
+  {
+  }
+
+  Walked Walk()
+  {
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> uniform(-Stride, Stride);
+    Vector3 tip;
+    this->Grid.Move(tip); // where it is pushed, it begins with a force
+    for (int tick = 0; tick < Ticks && !testing::Test::HasFailure(); ++tick)
+    {
+      const Vector3 next =
+        (1.0 - 0.1 * Stride) * tip + Vector3{ uniform(engine), uniform(engine), uniform(engine) };
+      const PrimitiveForces forces = this->Grid.Memory.Forces;
+      const PrimitiveMotion from = this->Grid.Motion;
+      this->Grid.Move(next); // which holds |f| to the strengths of the place
+      this->Compare(from, forces, 1e-3 * Norm(next - tip), tick);
+      tip = next;
+    }
+    return this->Met;
+  }
+
+private:
+  void Compare(const PrimitiveMotion& from, const PrimitiveForces& forces, double way, int tick)
+  {
+    const PrimitiveMotion& to = this->Grid.Motion;
+    const double step = Norm(to.Force - from.Force);
+    const double ratio = step / (CouplingOf * way);
+    this->Met.Strongest = std::max(this->Met.Strongest, Norm(to.Force));
+    this->Met.Steepest = std::max(this->Met.Steepest, ratio);
+    // The last part of a step that the place is ahead of the force (PrimitiveFollower.h).
+    constexpr double ofEnds = 1e-3;
+    if (ratio <= 1.0 + ofEnds)
+    {
+      return;
+    }
+    ++this->Met.Steeper;
+    const double q = this->FindTurning(from.Proxy, to.Proxy, forces);
+    if (q < 1.0)
+    {
+      EXPECT_LE(ratio, (1.0 + ofEnds) / (1.0 - q)) << "tick " << tick << ", q " << q;
+      return;
+    }
+    ++this->Met.Unbound;
+    EXPECT_LE(step, this->StrengthsAt(from.Proxy) + this->StrengthsAt(to.Proxy)) << tick;
+  }
+
+  /// q = L/k, of the forces before the motion and after it, on parts of the way.
+  double FindTurning(const Vector3& from, const Vector3& to, const PrimitiveForces& forces) const
+  {
+    constexpr int parts = 16;
+    const std::array<const PrimitiveForces*, 2> both = { &forces, &this->Grid.Memory.Forces };
+    const double length = Norm(to - from) / parts;
+    std::array<double, 2> before{};
+    double most = 0.0;
+    for (int part = 0; part <= parts; ++part)
+    {
+      const PrimitiveSet set = this->Grid.At(1e3 * (from + (1.0 * part / parts) * (to - from)));
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        const double miss = Miss(*both[i], set);
+        most = part > 0 ? std::max(most, std::abs(miss - before[i]) / length) : most;
+        before[i] = miss;
+      }
+    }
+    return most / CouplingOf;
+  }
+
+  double StrengthsAt(const Vector3& place) const
+  {
+    return this->Grid.At(1e3 * place).SumStrengths() + 1e-3;
+  }
+
+  ModeGrid& Grid;
+  Walked Met;
+};
+
+struct SteppedMode
+{
+  ModeKind Kind;
+  int Components;
+  double Second; ///< the strength of its other primitives, where the first one is whole, N
+};
+
+Walked WalkThrough(const SteppedMode& mode, double strength)
+{
+  ModeGrid grid(24, 24, 24, 1.0, mode.Components,
+    [&](const Vector3& x, double* to) { (mode.Components == 3 ? Swirl : SwirlTensor)(x, to); });
+  grid.Bake(mode.Kind, { { 0.0, 0.0 }, { 1.0, strength } }, { { 0.0, 0.0 }, { 1.0, mode.Second } });
+  grid.StartAt({});
+  return ModeSteps(grid).Walk();
+}
+} // namespace
+
+class ModesInASwirl : public testing::TestWithParam<SteppedMode>
+{
+};
+
+TEST_P(ModesInASwirl, StepByTheSpringAsFarAsTheFieldAllows)
+{
+  const Walked met = WalkThrough(this->GetParam(), 1.5);
+  EXPECT_GT(met.Strongest, 0.3);
+  // Of the steps, which are those of a hand at 0.2 m/s, few turn faster than any bound.
+  EXPECT_LT(met.Unbound, Ticks / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(ModeSteps, ModesInASwirl,
+  testing::Values(SteppedMode{ ModeKind::VectorFollow, 3, 0.2 },
+    SteppedMode{ ModeKind::VectorFront, 3, 0.0 }, SteppedMode{ ModeKind::TwoSidedFront, 3, 0.0 },
+    SteppedMode{ ModeKind::VortexTube, 3, 0.3 }, SteppedMode{ ModeKind::Shear, 3, 0.0 },
+    SteppedMode{ ModeKind::TensorFollow, 6, 0.5 }));
+
+/// s |J| = 0.3 N * 0.45/mm is 0.27 k.
+TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
+{
+  constexpr double strength = 0.3;
+  const double q = 1e3 * strength * SteepestSwirl / CouplingOf;
+  for (const ModeKind kind :
+    { ModeKind::VectorFollow, ModeKind::VectorFront, ModeKind::TwoSidedFront })
+  {
+    const Walked met = WalkThrough({ kind, 3, 0.0 }, strength);
+    EXPECT_LE(met.Steepest, 1.0 / (1.0 - q)) << "mode " << int(kind);
+    EXPECT_GT(met.Strongest, 0.25) << "mode " << int(kind);
+    EXPECT_EQ(met.Unbound, 0) << "mode " << int(kind);
+  }
+}
