@@ -179,6 +179,8 @@ void PrintRatios(const Medians& medians)
       NameOf("precise_tick", estimator.Name, "slide", "256^3"), BlendTarget);
     PrintRatio(medians, NameOf("blended_paper_tick", estimator.Name, "slide", "256^3"),
       NameOf("tick", estimator.Name, "slide", "256^3"), BlendTarget);
+    PrintRatio(medians, NameOf("displaced_tick", estimator.Name, "slide", "256^3"),
+      NameOf("precise_tick", estimator.Name, "slide", "256^3"), NoTarget);
   }
   PrintTitle("Tick of the filter, with its trace, ns; and beside its ticks alone");
   for (const char* const solver : { "PAPER", "PRECISE" })

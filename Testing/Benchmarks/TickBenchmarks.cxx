@@ -5,6 +5,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+
 using namespace VolumeHaptics;
 
 namespace benchmarks
@@ -37,11 +39,18 @@ void MeasureSlide(benchmark::State& bench, const Scene& scene)
   }
 }
 
+/** Whether frames tell where the material goes. */
+enum class Displacements
+{
+  None,
+  Given
+};
+
 /** A ball that grows and shrinks by 1 mm in 50 ms, in a window of three frames, as a servo has. */
 class Beating
 {
 public:
-  explicit Beating(const BallVolume& volume)
+  Beating(const BallVolume& volume, Displacements displacements)
   {
     const auto* const from = static_cast<const std::int16_t*>(volume.View.Data);
     const std::int64_t* const n = volume.View.Dimensions;
@@ -54,18 +63,54 @@ public:
     grown.Data = this->Grown.data();
     this->Frames = { { 0.0, volume.View, nullptr }, { FrameTime, grown, nullptr },
       { 2.0 * FrameTime, volume.View, nullptr } };
+    if (displacements == Displacements::Given)
+    {
+      this->FillMotion(volume);
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        this->Frames[i].Displacements = { this->Motion[i].data(), ScalarType::Float32 };
+      }
+    }
   }
 
   static constexpr double FrameTime = 0.05;
   std::vector<VolumeFrame> Frames;
 
 private:
+  /** Outwards by 1 mm in the first frame, inwards in the second one; none at the very middle. */
+  void FillMotion(const BallVolume& volume)
+  {
+    const std::int64_t* const n = volume.View.Dimensions;
+    for (std::vector<float>& motion : this->Motion)
+    {
+      motion.reserve(static_cast<std::size_t>(3 * n[0] * n[1] * n[2]));
+    }
+    const Vector3 middle = 0.5 * Vector3{ double(n[0] - 1), double(n[1] - 1), double(n[2] - 1) };
+    for (std::int64_t k = 0; k < n[2]; ++k)
+    {
+      for (std::int64_t j = 0; j < n[1]; ++j)
+      {
+        for (std::int64_t i = 0; i < n[0]; ++i)
+        {
+          const Vector3 out = Vector3{ double(i), double(j), double(k) } - middle;
+          const Vector3 u = (1.0 / std::max(Norm(out), 4.0)) * out;
+          for (const double component : { u.X, u.Y, u.Z })
+          {
+            this->Motion[0].push_back(static_cast<float>(component));
+            this->Motion[1].push_back(static_cast<float>(-component));
+          }
+        }
+      }
+    }
+  }
+
   std::vector<std::int16_t> Grown;
+  std::vector<float> Motion[2]; ///< world units
 };
 
-void MeasureBlended(benchmark::State& bench, const Scene& scene)
+void MeasureBlended(benchmark::State& bench, const Scene& scene, Displacements displacements)
 {
-  const Beating beating(scene.Volume);
+  const Beating beating(scene.Volume, displacements);
   ModelChoice choice;
   choice.Method = scene.Method;
   choice.Solver = scene.Solver;
@@ -96,6 +141,16 @@ void MeasureBlended(benchmark::State& bench, const Scene& scene)
   {
     bench.SkipWithError("the proxy does not slide");
   }
+}
+
+void MeasureInPlace(benchmark::State& bench, const Scene& scene)
+{
+  MeasureBlended(bench, scene, Displacements::None);
+}
+
+void MeasureDisplaced(benchmark::State& bench, const Scene& scene)
+{
+  MeasureBlended(bench, scene, Displacements::Given);
 }
 
 void Jump(benchmark::State& bench, const Scene& scene)
@@ -133,11 +188,14 @@ void RegisterTickBenchmarks(const BallVolume& volume)
     if (volume.Name == "256^3")
     {
       benchmark::RegisterBenchmark(
-        NameOf("blended_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureBlended,
+        NameOf("blended_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureInPlace,
         Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
       benchmark::RegisterBenchmark(
-        NameOf("blended_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureBlended,
+        NameOf("blended_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureInPlace,
         scene);
+      benchmark::RegisterBenchmark(
+        NameOf("displaced_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureDisplaced,
+        Scene{ volume, estimator, HapticMethod::Proxy, HapticSolver::Precise });
     }
     benchmark::RegisterBenchmark(
       NameOf("placed_as_paper_tick", estimator.Name, "slide", volume.Name).c_str(), MeasureSlide,
