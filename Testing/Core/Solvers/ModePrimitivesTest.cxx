@@ -68,6 +68,49 @@ TEST(ModePrimitives, AVortexHoldsTheHandInAsStronglyAsItTurns)
   EXPECT_NEAR(Norm(vortex.Motion.Proxy), 1e-3, 1e-5);
 }
 
+TEST(ModePrimitives, AHandThatWandersEndsOnAnObliqueCore)
+{
+  // P5, Lamb-Oseen around a line that meets no axis and no point of the grid. The hand begins 6 mm
+  // from it, and wanders within 3 mm of a place on it: inwards the proxy is free, outwards held.
+  const Vector3 axis{ 0.48, -0.6, 0.64 };
+  const Vector3 place{ 0.37, -0.21, 0.13 };
+  const Vector3 across{ 0.8, 0.64, 0.0 };
+  ModeGrid vortex(48, 48, 48, 0.5, 3,
+    [&](const Vector3& x, double* v)
+    {
+      const Vector3 around = Cross(axis, x - place);
+      const double square = Dot(around, around);
+      const Vector3 flow = (100.0 / square * -std::expm1(-square / 100.0)) * around;
+      v[0] = flow.X;
+      v[1] = flow.Y;
+      v[2] = flow.Z;
+    });
+  vortex.Bake(ModeKind::VortexTube, { { 0.0, 0.0 }, { 2.0, 2.0 } });
+  Vector3 tip = place + (6.0 / Norm(across)) * across;
+  vortex.StartAt(tip);
+  const auto findDistance = [&] { return Norm(Cross(axis, 1e3 * vortex.Motion.Proxy - place)); };
+  vortex.Move(tip);
+  EXPECT_NEAR(findDistance(), 6.0, 0.01);
+  std::mt19937_64 engine(8);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int way = 0; way < 100; ++way)
+  {
+    Vector3 to{ uniform(engine), uniform(engine), uniform(engine) };
+    to = place + (3.0 * std::abs(uniform(engine)) / Norm(to)) * to;
+    const Vector3 from = tip;
+    for (int tick = 1; tick <= 50; ++tick)
+    {
+      tip = from + (tick / 50.0) * (to - from);
+      vortex.Move(tip);
+    }
+  }
+  EXPECT_LT(findDistance(), 0.01 * 0.5) << "a hundredth of a voxel";
+  // Along the core it is free, across it held.
+  vortex.Move(place + 2.0 * axis + (2.0 / Norm(across)) * across);
+  EXPECT_NEAR(Norm(vortex.Motion.Force), 1.0, 0.01);
+  EXPECT_NEAR(Dot(1e3 * vortex.Motion.Proxy - place, axis), 2.0, 0.01);
+}
+
 TEST(ModePrimitives, ARankineVortexEndsAtItsRadius)
 {
   // P6: curl 2 within 10 mm, none outside.
