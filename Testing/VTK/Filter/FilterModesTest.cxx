@@ -230,37 +230,6 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
   }
 }
 
-TEST_F(FilterModes, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
-{
-  // P3, Poiseuille's profile with R = 20 mm: S = 2 (1 - r^2/R^2) N, so that the proxy is at r if
-  // the tip is at r + S(r)/k: at 10 mm with 1.5 N for 13 mm, at 15 mm with 0.875 N for 16.75 mm.
-  // A cubic B-spline of samples 1 mm apart adds 1/3 mm^2 to the square of each coordinate.
-  constexpr double axis = 23.5;
-  this->Image = MakeImage(48, VTK_DOUBLE, [](const Point&) { return 0.0; });
-  this->Filter->SetInputData(this->Image);
-  this->AddArray("flow", 3,
-    [](const Point& p, double* v)
-    {
-      v[0] = v[1] = 0.0;
-      v[2] = 1.0 - (std::pow(p[0] - axis, 2) + std::pow(p[1] - axis, 2)) / 400.0;
-    });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
-  mode->GetStrength()->AddPoint(0.0, 0.0);
-  mode->GetStrength()->AddPoint(1.0, 2.0);
-  this->Filter->AddMode(mode);
-  for (const double tip : { 13.0, 16.75 })
-  {
-    this->Follow(Line({ axis, axis, axis }, { axis + 0.8 * tip, axis - 0.6 * tip, axis }, 500));
-    vtkPolyData* const trace = this->Run(501);
-    const double proxy =
-      50.0 * (1.0 - std::sqrt(1.0 - 0.04 * (tip - 4.0 + 4.0 * 2.0 / 3.0 / 400.0)));
-    const double force = SpringPerMm * (tip - proxy);
-    EXPECT_NEAR(Get(trace, "NormalForce", 500), force, 0.001 * force);
-    ExpectNear(LastProxy(trace), { axis + 0.8 * proxy, axis - 0.6 * proxy, axis }, 0.002);
-    EXPECT_NEAR(force, tip == 13.0 ? 1.5 : 0.875, 0.006) << "of the flow itself";
-  }
-}
-
 TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
 {
   // P8, the shear v = (y, 0, 0), across y = 0.
