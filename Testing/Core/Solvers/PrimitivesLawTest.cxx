@@ -3,7 +3,7 @@
 
 /**
  * The paper's law as primitives, on both roads, against the law that the solvers use and against
- * the ticks of PAPER.
+ * the ticks of PAPER and PRECISE in random scenes.
  */
 
 #include "Core/Solvers/MaterialLaw.h"
@@ -12,6 +12,9 @@
 #include "Rigs/CoreScene.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
 
 using namespace coretest;
 
@@ -33,6 +36,101 @@ LawForces ForcesOf(const MaterialPoint& point, double k, const Vector3& proxy, c
   EXPECT_TRUE(PrimitiveSolver::Compose(set, k, tip, forces, composed));
   PrimitiveSolver::Descend(set, k, tip, forces, descended);
   return { composed.Force, descended.Force };
+}
+
+/// A ripple in any direction, with noise in every third scene, and materials that change with it.
+class RandomScene
+{
+public:
+  RandomScene(unsigned seed, HapticSolver solver)
+    : Dice(1.0, seed)
+  {
+    const Vector3 wave{ this->Between(-0.6, 0.6), this->Between(-0.6, 0.6),
+      this->Between(-0.6, 0.6) };
+    const double noise = seed % 3 == 0 ? this->Between(0.0, 200.0) : 0.0;
+    this->Volume.Fill<double>(
+      [&](std::int64_t i, std::int64_t j, std::int64_t k)
+      {
+        const double phase = Dot(wave, { double(i), double(j), double(k) });
+        return 1000.0 + 400.0 * std::sin(phase) + this->Between(-0.5, 0.5) * noise;
+      });
+    HapticModelDescription d = Describe(this->Volume);
+    d.Settings.Solver = solver;
+    d.Settings.Side = seed % 2 ? SurfaceSide::Both : SurfaceSide::Higher;
+    d.Estimator = static_cast<GradientEstimator>(seed % 3);
+    d.KernelRadius = 1 + static_cast<int>(seed % 3);
+    if (seed % 4 < 2)
+    {
+      PlaceAsThePaper(d);
+    }
+    d.Material.Stiffness = this->Ramp(100.0, 1500.0);
+    d.Material.Friction = this->Ramp(0.0, 0.9);
+    d.Material.SurfaceStrength = this->Ramp(0.1, 4.0);
+    d.Material.Viscosity = this->Ramp(0.0, 0.6);
+    if (seed % 5 == 0)
+    {
+      d.Material.Distinctness = { { 20.0, 0.0 }, { this->Between(50.0, 150.0), 1.0 } };
+    }
+    this->Model = std::make_unique<HapticModel>(d);
+  }
+
+  /// Walks through it; `compare` gets each finished tick, and the proxy before it.
+  template <typename Compare>
+  void Walk(unsigned seed, const Compare& compare)
+  {
+    Wanderer wanderer(24.0, seed);
+    ServoState state;
+    TickRecord record;
+    Tick(*this->Model, state, wanderer.Next(), record);
+    for (int tick = 0; tick < 3000; ++tick)
+    {
+      const Vector3 proxy = state.Proxy;
+      Tick(*this->Model, state, wanderer.Next(), record);
+      if (!record.IsUnfinished)
+      {
+        compare(record, proxy);
+      }
+    }
+  }
+
+private:
+  double Between(double low, double high) { return low + (high - low) * this->Dice.Uniform(); }
+  Polyline Ramp(double low, double high)
+  {
+    return { { this->Between(500.0, 900.0), this->Between(low, high) },
+      { this->Between(1000.0, 1500.0), this->Between(low, high) } };
+  }
+
+  Wanderer Dice;
+  TestVolume Volume{ ScalarType::Float64, { 24, 24, 24 } };
+  std::unique_ptr<HapticModel> Model;
+};
+
+/// By ContactState.
+struct Met
+{
+  double Worst[4] = {}; ///< N
+  int Count[4] = {};
+};
+
+template <typename AnchorOf>
+Met CompareScenes(HapticSolver solver, const AnchorOf& anchorOf)
+{
+  Met met;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    RandomScene(100 + seed, solver)
+      .Walk(seed,
+        [&](const TickRecord& record, const Vector3& before)
+        {
+          const Vector3 anchor = anchorOf(record, before);
+          const LawForces forces = ForcesOf(record, record.Stiffness, anchor, record.Tip);
+          const auto contact = static_cast<std::size_t>(record.Contact);
+          met.Worst[contact] = std::max(met.Worst[contact], Norm(forces.Composed - record.Force));
+          ++met.Count[contact];
+        });
+  }
+  return met;
 }
 } // namespace
 
@@ -71,37 +169,26 @@ TEST(PrimitivesLaw, IsThatOfTheSolvers)
 
 TEST(PrimitivesLaw, IsThatOfTicksOfPaper)
 {
-  TestVolume volume(ScalarType::Float64, { 24, 24, 24 });
-  volume.Fill<double>([](std::int64_t i, std::int64_t j, std::int64_t k)
-    { return 1000.0 + 400.0 * std::sin(0.5 * double(i) + 0.3 * double(j) - 0.4 * double(k)); });
-  HapticModelDescription description = Describe(volume);
-  description.Settings.Solver = HapticSolver::Paper;
-  description.Material.Stiffness = { { 600.0, 200.0 }, { 1400.0, 1200.0 } };
-  description.Material.Friction = { { 600.0, 0.0 }, { 1400.0, 0.6 } };
-  description.Material.SurfaceStrength = { { 600.0, 0.2 }, { 1400.0, 3.0 } };
-  description.Material.Viscosity = { { 800.0, 0.0 }, { 1200.0, 0.4 } };
-  description.Settings.Side = SurfaceSide::Both;
-  const HapticModel model(description);
-  Wanderer wanderer(24.0, 5);
-  ServoState state;
-  TickRecord record;
-  double worst = 0.0;
-  int contacts[4] = {};
-  for (int tick = 0; tick < 20000; ++tick)
+  // From the place of the proxy before the tick.
+  const Met met = CompareScenes(
+    HapticSolver::Paper, [](const TickRecord&, const Vector3& before) { return before; });
+  for (int contact = 0; contact < 4; ++contact)
   {
-    const Vector3 proxy = state.Proxy;
-    const bool isFirst = !state.Enabled;
-    Tick(model, state, wanderer.Next(), record);
-    if (!isFirst)
-    {
-      const LawForces forces = ForcesOf(record, record.Stiffness, proxy, record.Tip);
-      worst = std::max(worst, Norm(forces.Composed - record.Force));
-      ++contacts[static_cast<int>(record.Contact)];
-    }
+    EXPECT_LT(met.Worst[contact], 1e-12) << "N, contact " << contact;
+    EXPECT_GT(met.Count[contact], 1000) << "the walks have met every case";
   }
-  EXPECT_LT(worst, 1e-12) << "N";
-  for (const int count : contacts)
+}
+
+TEST(PrimitivesLaw, HoldsTheProxyWhereTicksOfPreciseEnd)
+{
+  // PRECISE goes on by the law of each place until the proxy is at rest: there, the primitives of
+  // the place hold it with the force of the tick. Where it slides, it stops a little before.
+  const Met met = CompareScenes(
+    HapticSolver::Precise, [](const TickRecord& record, const Vector3&) { return record.Proxy; });
+  for (int contact = 0; contact < 4; ++contact)
   {
-    EXPECT_GT(count, 100) << "the walk has met every case";
+    const bool slides = contact == static_cast<int>(ContactState::Sliding);
+    EXPECT_LT(met.Worst[contact], slides ? 1e-3 : 1e-12) << "N, contact " << contact;
+    EXPECT_GT(met.Count[contact], 1000) << "the walks have met every case";
   }
 }
