@@ -10,9 +10,13 @@
 #include "Rigs/Growth.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRegionSource.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -32,6 +36,25 @@ struct Led
   std::atomic<bool> IsBroken{ false };
   std::atomic<bool> GivesNumbers{ true };
   std::atomic<int> Waiting{ 0 };
+};
+
+/// A grid that waits until it is open, in all threads but the one of the test. Copies do so, too.
+class LedGrid : public vtkRectilinearGrid
+{
+public:
+  static LedGrid* New() { VTK_STANDARD_NEW_BODY(LedGrid); }
+  vtkTypeMacro(LedGrid, vtkRectilinearGrid);
+  void GetCellBounds(vtkIdType cell, double bounds[6]) override
+  {
+    while (!IsOpen && std::this_thread::get_id() != Owner)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    this->Superclass::GetCellBounds(cell, bounds);
+  }
+
+  static inline std::atomic<bool> IsOpen{ true };
+  static inline const std::thread::id Owner = std::this_thread::get_id();
 };
 
 /// V = 100 z in a volume of 2000^3: 32 GB of float.
@@ -209,6 +232,44 @@ TEST_F(RegionSource, ThatIsLateFadesAndComesBack)
     << this->Device->GetStatusText();
   EXPECT_TRUE(this->Source->IsWaiting());
   this->Reader->IsOpen = true;
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
+  ASSERT_TRUE(this->WaitForce());
+  this->ExpectNoStep();
+}
+
+/// The same for data that are no image, which a worker resamples around the tip.
+TEST_F(RegionSource, OfADataSetThatIsLateFadesAndComesBack)
+{
+  vtkNew<LedGrid> grid;
+  vtkNew<vtkDoubleArray> along;
+  for (int i = 0; i <= 20; ++i)
+  {
+    along->InsertNextValue(100.0 * i);
+  }
+  grid->SetDimensions(21, 21, 21);
+  grid->SetXCoordinates(along);
+  grid->SetYCoordinates(along);
+  grid->SetZCoordinates(along);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("V");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(100.0 * grid->GetPoint(i)[2]);
+  }
+  grid->GetPointData()->SetScalars(values);
+  vtkNew<vtkHapticRegionSource> source;
+  source->SetMemoryLimit(4194304);
+  ASSERT_TRUE(source->OpenDataSet(grid, 1.0));
+  this->Filter->SetInputConnection(0, source->GetOutputPort());
+  this->BeginInTheMiddle();
+  this->Press();
+  LedGrid::IsOpen = false;
+  EXPECT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  EXPECT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 0.0; }));
+  EXPECT_TRUE(this->Wait([&] { return Length(this->Device->GetForce()) == 0.0; }));
+  EXPECT_TRUE(source->IsWaiting());
+  LedGrid::IsOpen = true;
   ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
   ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1012.0));
   ASSERT_TRUE(this->WaitForce());
