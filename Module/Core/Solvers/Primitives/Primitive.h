@@ -57,8 +57,8 @@ public:
   /**
    * Adds a primitive, with a direction of unit length. One without a strength, a direction or an
    * anchor (0, negative, NaN, or infinite) keeps its place in the set, but has the strength 0;
-   * except that an infinite strength holds with MostStrength, if it does not push. Without a strength
-   * the direction stays as it is. False if the set is full.
+   * except that an infinite strength holds with MostStrength, if it does not push. Without a
+   * strength the direction stays as it is. False if the set is full.
    */
   bool Add(const Primitive& primitive) noexcept;
 

@@ -11,6 +11,12 @@ namespace
 {
 
 /**
+ * By how much, as a share of a step, its end is moved to where the stages show that the way ends:
+ * their weights lose an order away from the end of the step.
+ */
+constexpr double Farthest = 0.1;
+
+/**
  * The end of the way, as a share of a step: where the quadratic through the lengths that are left
  * at 0, 1/2 and 3/4 of it is 0.
  */
@@ -20,10 +26,8 @@ double FindEnd(double atBegin, double atMiddle, double late) noexcept
   const double bend = (4.0 / 3.0) * (4.0 * (late - atMiddle) - early);
   const double atEnd = atBegin + early + 0.5 * bend;
   const double slope = early + 1.5 * bend;
-  // The weights of the stages lose an order away from the end of the step.
-  constexpr double farthest = 0.1;
   // Also false for NaN.
-  return slope < 0.0 ? 1.0 + std::clamp(-atEnd / slope, -farthest, farthest) : 1.0;
+  return slope < 0.0 ? 1.0 + std::clamp(-atEnd / slope, -Farthest, Farthest) : 1.0;
 }
 
 constexpr double LeastRate = 0.25;
@@ -96,13 +100,15 @@ private:
     double length = before / rate;
     const Vector3 middle = this->FindMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
-    length = before / Rate((before - Dot(middle, second)) / (0.5 * length));
+    // No farther than the middle can tell: a hold would keep the proxy where it went too far.
+    const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
+    length = std::min(end, (1.0 + Farthest) * length);
     this->Arrive(from + length * second, second);
     this->Memory.Towards = second;
     return Rate((before - Dot(this->Rest, second)) / length);
   }
 
-  /** What is left in the middle of a step from the place, which becomes shorter if it is too long. */
+  /** What is left in the middle of a step from the place; a step that is too long is shortened. */
   Vector3 FindMiddle(const Vector3& first, double rate, double& length) noexcept
   {
     const double before = this->Length;

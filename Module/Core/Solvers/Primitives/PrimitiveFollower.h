@@ -21,7 +21,7 @@
  * middle shows to be too long begins again, since a strength that rises would hold the proxy where
  * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
  * that one step a tick is mostly enough. Corrections after that are short, and take the midpoint
- * method. Steps end when D is less than FinishedShare of a step.
+ * method, no farther than that either. Steps end when D is less than FinishedShare of a step.
  * After MostSteps, or if the sweeps of a tick are spent, the next tick goes on; the force is then
  * that of the balance at the place that is reached, so it is never more than the strengths.
  */
