@@ -40,7 +40,10 @@ void RegisterModeBenchmarks();
 /** Ticks of a tool of 10^4 points, a quarter in contact, and the bare reading of its taps. */
 void RegisterShellBenchmarks(const BallVolume& volume);
 
-/** Ticks of a burr of four voxels that slides and removes soft or hard tissue. */
+/**
+ * Ticks of a burr of four voxels that slides and removes soft or hard tissue; and of burrs of 16
+ * and 30 voxels, if the volume has room for them. With their 99th percentile.
+ */
 void RegisterBurrBenchmarks(const BallVolume& volume);
 
 /** The offline filter with its trace, beside its ticks alone; by the tick. */

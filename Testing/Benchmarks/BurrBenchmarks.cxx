@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -19,25 +20,35 @@ namespace benchmarks
 namespace
 {
 
-/** mm, and voxels: a burr of the size for which the surface that it leaves is within 0.05 voxel. */
-constexpr double BurrRadius = 4.0;
-/** J/mm^3, at 60 000/min: so soft that it removes a layer of bone, or so hard that little. */
-constexpr double Energies[] = { 1.0, 100.0 };
+struct BurrChoice
+{
+  const char* Name;
+  double Radius; ///< mm, and voxels
+  double Energy; ///< J/mm^3, at 60 000/min
+};
+
+/**
+ * A burr of the size for which the surface that it leaves is within 0.05 voxel, in tissue so soft
+ * that it removes a layer of bone, or so hard that little.
+ */
+constexpr BurrChoice SmallBurrs[] = { { "soft", 4.0, 1.0 }, { "hard", 4.0, 100.0 } };
+/** Burrs that take all the time that a tick has for removal. */
+constexpr BurrChoice LargeBurrs[] = { { "radius16", 16.0, 0.05 }, { "radius30", 30.0, 0.05 } };
 
 /** A burr that slides around the ball, 2 mm deep, and removes tissue. */
 struct BurrSlide
 {
-  BurrSlide(const BallVolume& volume, double energy)
-    : Ways(SlideAt(volume, BallRadius + BurrRadius - 2.0))
+  BurrSlide(const BallVolume& volume, const BurrChoice& burr)
+    : Ways(SlideAt(volume, BallRadius + burr.Radius - 2.0))
   {
     HapticModelDescription d;
     d.View = volume.View;
     d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
     d.Removal = std::make_shared<TissueRemoval>();
     d.Tool.Kind = ToolKind::Burr;
-    d.Tool.Burr.Settings.Radius = BurrRadius;
-    d.Tool.Burr.SpecificEnergy = ConstantPolyline(energy);
-    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(BurrRadius));
+    d.Tool.Burr.Settings.Radius = burr.Radius;
+    d.Tool.Burr.SpecificEnergy = ConstantPolyline(burr.Energy);
+    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(burr.Radius));
     d.Tool.Shell.Touch.Level = BallLevel;
     d.Tool.Shell.Touch.ContactArea = 0.1;
     this->Model = std::make_unique<HapticModel>(d);
@@ -73,9 +84,9 @@ struct BurrSlide
   double Removed = 0.0; ///< mm^3
 };
 
-void MeasureBurr(benchmark::State& bench, const BallVolume* volume, double energy)
+void MeasureBurr(benchmark::State& bench, const BallVolume* volume, const BurrChoice* burr)
 {
-  BurrSlide slide(*volume, energy);
+  BurrSlide slide(*volume, *burr);
   for (auto _ : bench)
   {
     slide.Next();
@@ -102,11 +113,16 @@ void MeasureBurr(benchmark::State& bench, const BallVolume* volume, double energ
 
 void RegisterBurrBenchmarks(const BallVolume& volume)
 {
-  for (const double energy : Energies)
+  const auto add = [&volume](const BurrChoice& burr)
   {
-    const std::string name = energy < 10.0 ? "soft" : "hard";
     benchmark::RegisterBenchmark(
-      NameOf("burr_tick", name, "slide", volume.Name).c_str(), MeasureBurr, &volume, energy);
+      NameOf("burr_tick", burr.Name, "slide", volume.Name).c_str(), MeasureBurr, &volume, &burr);
+  };
+  std::for_each(std::begin(SmallBurrs), std::end(SmallBurrs), add);
+  const std::int64_t* const n = volume.View.Dimensions;
+  if (*std::min_element(n, n + 3) > 2.0 * (BallRadius + 2.0 * LargeBurrs[1].Radius))
+  {
+    std::for_each(std::begin(LargeBurrs), std::end(LargeBurrs), add);
   }
 }
 

@@ -78,13 +78,13 @@ int main(int argc, char* argv[])
     RegisterTickBenchmarks(volume);
     RegisterFieldBenchmarks(volume);
     RegisterPeerBenchmarks(volume);
+    RegisterBurrBenchmarks(volume);
   }
   RegisterFilterBenchmarks(volumes.front());
   RegisterLabelBenchmarks(volumes.front());
   RegisterSurfaceBenchmarks(volumes.front());
   RegisterModeBenchmarks();
   RegisterShellBenchmarks(volumes.front());
-  RegisterBurrBenchmarks(volumes.front());
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
   PrintRatios(medians);

@@ -34,6 +34,7 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
 {
   std::vector<double> times;
   std::vector<double> ticks;
+  std::vector<double> slowest;
   for (const Run& run : runs)
   {
     if (run.error_occurred)
@@ -48,6 +49,10 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
       {
         ticks.push_back(tick->second);
       }
+      if (const auto tick = run.counters.find("p99"); tick != run.counters.end())
+      {
+        slowest.push_back(tick->second);
+      }
     }
   }
   if (times.empty())
@@ -61,6 +66,12 @@ void Medians::ReportRuns(const std::vector<Run>& runs)
   if (!ticks.empty())
   {
     this->Times[name + "/p50"] = Summarize(ticks);
+  }
+  if (!slowest.empty())
+  {
+    const IterationTime slow = Summarize(slowest);
+    std::printf("%-48s %10.1f %10.1f %10.1f\n", (name + "/p99").c_str(), slow.Median, slow.Least,
+      slowest.back());
   }
 }
 

@@ -10,6 +10,8 @@
 
 #include "Core/Math/Vector3.h"
 
+#include <cstdint>
+
 namespace VolumeHaptics
 {
 
@@ -28,6 +30,11 @@ struct BurrState
   double Phase = 0.0; ///< of the vibration, 0 to 1
   double Lost = 0.0;  ///< J, that the hand has lost, and the vibration may give back
   Vector3 Vibration;  ///< N, of the last tick
+  ///@{
+  /** A sphere that takes more than a tick: where it is (m), and which part is next; 0: none. */
+  Vector3 Next;
+  std::uint32_t Part = 0;
+  ///@}
 };
 
 } // namespace VolumeHaptics

@@ -194,6 +194,8 @@ void VisitBurr(Burr& burr, Function&& visit)
   visit(burr.Phase);
   visit(burr.Lost);
   VisitVector(burr.Vibration, visit);
+  VisitVector(burr.Next, visit);
+  visit(burr.Part);
 }
 
 /** Every number of a state. Those that were added later come last: older files lack them. */
@@ -324,7 +326,7 @@ bool IsPossible(const BurrState& burr)
   return IsNear(burr.Carved, FarthestTip) && IsAmount(burr.Unspent) && IsAmount(burr.LastCost) &&
     burr.LastWay >= 0.0 && burr.LastWay < FarthestTip && IsAmount(burr.Idle) && burr.Phase >= 0.0 &&
     burr.Phase <= 1.0 && std::abs(burr.Lost) <= MostOfMaterial &&
-    IsNear(burr.Vibration, MostOfMaterial);
+    IsNear(burr.Vibration, MostOfMaterial) && IsNear(burr.Next, FarthestTip);
 }
 
 } // namespace

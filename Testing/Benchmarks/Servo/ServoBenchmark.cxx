@@ -6,22 +6,29 @@
  * may have, and in turn without any of it; alone, and beside as many busy threads as the machine
  * has processors. To see it without a privilege, run it as an ordinary user.
  *
- * usage: volumehaptics-servo-benchmark [--seconds S]   (S a line of the table, 2 by default)
+ * usage: volumehaptics-servo-benchmark [--seconds S] [--drilling [SIZE]]
+ *
+ * S is the time of a line of the table, 2 by default. With --drilling, it is the punctuality of
+ * burrs instead, beside that of the same burrs that do not spin, in volumes of 256^3 samples to
+ * SIZE^3, 1024 by default: 1 GiB.
  */
 
 #include "Core/Servo/ServoClock.h"
 #include "Core/Servo/ServoLoop.h"
 #include "Rigs/CoreScene.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <pthread.h>
 #include <sys/prctl.h>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace coretest;
@@ -62,12 +69,51 @@ private:
   std::uint64_t Tick = 0;
 };
 
+/**
+ * A hand that goes 2 mm deep into the volume's upper half within half a second, and then to and
+ * fro, 20 mm/s; with the button pressed, it drills.
+ */
+class Drill : public DeviceBackend
+{
+public:
+  Drill(const Vector3& start, bool isPressed)
+    : Start(start)
+    , IsPressed(isPressed)
+  {
+  }
+  bool Open(std::string&) override { return true; }
+  void Close() override {}
+  std::string GetName() const override { return "drill"; }
+  DeviceLimits GetLimits() const override { return {}; }
+  DeviceState Read(double, DeviceSample& sample) noexcept override
+  {
+    const double seconds = 1e-3 * static_cast<double>(this->Tick++);
+    const double deep = std::min(6e-3 * seconds, 3e-3);
+    sample.Tip = this->Start + Vector3{ 0.02 * std::sin(seconds), 0.0, deep };
+    sample.Buttons = this->IsPressed ? 1 : 0;
+    sample.Fresh = true;
+    return DeviceState::Running;
+  }
+  DeviceState Write(const Vector3&) noexcept override { return DeviceState::Running; }
+  void Quench() noexcept override {}
+
+private:
+  const Vector3 Start; ///< m, 1 mm above the surface
+  const bool IsPressed;
+  std::uint64_t Tick = 0;
+};
+
 class RunningLoop
 {
 public:
   RunningLoop(double rate, bool plain, std::shared_ptr<const HapticModel> model)
-    : Device(plain)
-    , Loop(this->Device, rate)
+    : RunningLoop(std::make_unique<Slide>(plain), rate, std::move(model))
+  {
+  }
+  RunningLoop(
+    std::unique_ptr<DeviceBackend> device, double rate, std::shared_ptr<const HapticModel> model)
+    : Device(std::move(device))
+    , Loop(*this->Device, rate)
   {
     SafetyLimits limits;
     limits.MaximumForce = 4.0;
@@ -87,7 +133,7 @@ public:
   ServoLoop* operator->() { return &this->Loop; }
 
 private:
-  Slide Device;
+  std::unique_ptr<DeviceBackend> Device;
   ServoLoop Loop;
   std::thread Thread;
 };
@@ -260,16 +306,122 @@ void PrintTimeKeeping(
   }
 }
 
+/** Bone in the upper half of a cube, voxels of 1 mm. */
+class HalfCube
+{
+public:
+  explicit HalfCube(std::int64_t size)
+    : Size(size)
+    , Samples(static_cast<std::size_t>(size * size * size), 0)
+  {
+    std::fill(this->Samples.begin() + size * size * (size / 2), this->Samples.end(), 200);
+  }
+  std::shared_ptr<const HapticModel> MakeModel(double radius, double energy) const
+  {
+    HapticModelDescription d;
+    d.View.Type = ScalarType::UInt8;
+    d.View.Data = this->Samples.data();
+    std::fill_n(d.View.Dimensions, 3, this->Size);
+    d.View.Stride[0] = 1;
+    d.View.Stride[1] = this->Size;
+    d.View.Stride[2] = this->Size * this->Size;
+    d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
+    d.Removal = std::make_shared<TissueRemoval>();
+    d.Tool.Kind = ToolKind::Burr;
+    d.Tool.Burr.Settings.Radius = radius;
+    d.Tool.Burr.SpecificEnergy = ConstantPolyline(energy);
+    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(radius));
+    d.Tool.Shell.Touch.Level = 100.0;
+    d.Tool.Shell.Touch.ContactArea = 0.1;
+    return std::make_shared<const HapticModel>(d);
+  }
+  /** m: 1 mm above the surface */
+  Vector3 GetStart(double radius) const
+  {
+    const double half = 0.5 * static_cast<double>(this->Size);
+    return 0.001 * Vector3{ half + 0.3, half + 0.2, half - 0.5 - radius - 1.0 };
+  }
+
+private:
+  const std::int64_t Size;
+  std::vector<std::uint8_t> Samples;
+};
+
+/** In turn, as PrintTimeKeeping. */
+void PrintDrilling(double seconds, int largest)
+{
+  constexpr int turns = 5;
+  std::printf("Drilling at 1 kHz, %.1f s each in %d turns; cost of a tick, microseconds to 1/8\n"
+              "%6s %7s %7s  %-9s %9s %8s %8s %10s\n",
+    seconds, turns, "size", "radius", "J/mm^3", "burr", "missed", "p50", "p99", "mm^3");
+  for (int size = 256; size <= largest; size *= 2)
+  {
+    const HalfCube cube(size);
+    for (const auto& [radius, energy] :
+      { std::pair<double, double>{ 4.0, 1.0 }, { 16.0, 0.05 }, { 30.0, 0.05 } })
+    {
+      double missed[2] = { 0.0, 0.0 };
+      double ticks[2] = { 0.0, 0.0 };
+      double removed[2] = { 0.0, 0.0 };
+      std::vector<double> costs[2][2];
+      for (int turn = 0; turn < turns; ++turn)
+      {
+        for (const int drills : { 0, 1 })
+        {
+          const auto model = cube.MakeModel(radius, energy);
+          RunningLoop loop(
+            std::make_unique<Drill>(cube.GetStart(radius), drills == 1), 1000.0, model);
+          loop.Wait(seconds);
+          missed[drills] += static_cast<double>(loop->GetMissedTicks());
+          ticks[drills] += static_cast<double>(loop->GetTickCost().GetTotal());
+          costs[drills][0].push_back(1e-3 * loop->GetTickCost().GetPercentile(0.5));
+          costs[drills][1].push_back(1e-3 * loop->GetTickCost().GetPercentile(0.99));
+          removed[drills] += model->Baked->Removal->Journal.GetVolume();
+        }
+      }
+      for (const int drills : { 0, 1 })
+      {
+        std::printf("%6d %7.0f %7.2f  %-9s %7.3f %% %8.1f %8.1f %10.2f\n", size, radius, energy,
+          drills == 1 ? "spins" : "rests",
+          100.0 * missed[drills] / (missed[drills] + ticks[drills]), Median(costs[drills][0]),
+          Median(costs[drills][1]), removed[drills]);
+      }
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  const bool asked = argc == 3 && std::strcmp(argv[1], "--seconds") == 0;
-  const double seconds = asked ? std::atof(argv[2]) : 2.0;
-  if ((argc > 1 && !asked) || !(seconds > 0.0))
+  double seconds = 2.0;
+  int largest = 0;
+  bool isGood = true;
+  for (int i = 1; i < argc; ++i)
   {
-    std::fprintf(stderr, "usage: %s [--seconds S]\n", argv[0]);
+    const bool hasNumber = i + 1 < argc && std::atof(argv[i + 1]) > 0.0;
+    if (std::strcmp(argv[i], "--seconds") == 0 && hasNumber)
+    {
+      seconds = std::atof(argv[++i]);
+    }
+    else if (std::strcmp(argv[i], "--drilling") == 0)
+    {
+      largest = hasNumber ? std::atoi(argv[++i]) : 1024;
+    }
+    else
+    {
+      isGood = false;
+    }
+  }
+  if (!isGood)
+  {
+    std::fprintf(stderr, "usage: %s [--seconds S] [--drilling [SIZE]]\n", argv[0]);
     return 2;
+  }
+  if (largest > 0)
+  {
+    PrintDrilling(seconds, largest);
+    return 0;
   }
   const TestVolume volume = MakeRamp(64);
   HapticModelDescription description = Describe(volume);

@@ -219,6 +219,13 @@ TEST_F(BurrOfModel, AStateThatNoTickProducesIsTold)
   state.Burr = BurrState{};
   state.Burr.Carved.Y = 1e300;
   EXPECT_FALSE(AreOfAState(ToNumbers(state)));
+  state.Burr = BurrState{};
+  state.Burr.Next.X = 1e300;
+  EXPECT_FALSE(AreOfAState(ToNumbers(state)));
+  state.Burr = BurrState{};
+  state.Burr.Part = 4000000000U;
+  EXPECT_TRUE(AreOfAState(ToNumbers(state)));
+  EXPECT_EQ(FromNumbers(ToNumbers(state)).Burr.Part, 4000000000U);
 }
 
 /// Without the memory of its tool, or with nothing to write to.

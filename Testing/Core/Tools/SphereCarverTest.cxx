@@ -135,7 +135,7 @@ TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
       CarveSlowly(expected, n, at, radius);
       volume += cost.Volume;
       EXPECT_NEAR(cost.Energy, 10.0 * cost.Volume, 1e-9 * cost.Energy);
-      EXPECT_FALSE(cost.IsTooMuch || cost.IsUsedUp);
+      EXPECT_TRUE(cost.Next == 0 && !cost.IsUsedUp);
       last = 0.001 * at;
       from = &last;
       at += step;
@@ -227,12 +227,54 @@ TEST_F(CarvedSphere, WithoutRoomForItsBricksIsNotCarved)
   EXPECT_EQ(CopyShares(small.Bricks, tissue.View.Dimensions), before);
 }
 
-TEST_F(CarvedSphere, OfTooManySamplesIsNotCarved)
+/// In parts of any size it leaves the same, costs the same, and no part does more than it may.
+TEST_F(CarvedSphere, IsTheSameInParts)
 {
   const TestVolume tissue = MakeTissue(96);
-  const CarvingCost cost =
-    this->Carve(HapticModel(Describe(tissue)), { 0.048, 0.048, 0.048 }, 0.046);
-  EXPECT_TRUE(cost.IsTooMuch);
+  const HapticModel model(Describe(tissue));
+  const Vector3 centre{ 0.0471, 0.0484, 0.0467 };
+  const Vector3 from{ 0.0469, 0.0484, 0.0468 };
+  constexpr double radius = 44.0; // mm
+  const std::int64_t* const n = tissue.View.Dimensions;
+  std::vector<std::uint8_t> expected(96 * 96 * 96, 255);
+  CarveSlowly(expected, n, 1000.0 * from, radius);
+  CarveSlowly(expected, n, 1000.0 * centre, radius);
+  std::vector<double> volumes;
+  for (const std::size_t most : { std::size_t{ 1 }, std::size_t{ 5000 }, ~std::size_t{ 0 } })
+  {
+    TissueRemoval removal(4096);
+    this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+    double volume = 0.0;
+    int parts = 0;
+    for (const Vector3* const last : { static_cast<const Vector3*>(nullptr), &from })
+    {
+      CarvingPart part{ 0, most };
+      do
+      {
+        const CarvingCost cost =
+          this->Carver.Try(removal, last ? centre : from, 0.001 * radius, last, part);
+        EXPECT_TRUE(most == ~std::size_t{ 0 } || cost.Work < most + SphereCarver::MostWorkOfBrick);
+        EXPECT_NEAR(cost.Energy, 10.0 * cost.Volume, 1e-9 * cost.Energy);
+        EXPECT_TRUE(cost.Next == 0 || cost.Next > part.First);
+        this->Carver.Carve(removal);
+        volume += cost.Volume;
+        part.First = cost.Next;
+        ASSERT_LT(++parts, 10000);
+      } while (part.First != 0);
+    }
+    EXPECT_GT(parts, 2) << "more rows change than there is room for";
+    volumes.push_back(volume);
+    const std::vector<std::uint8_t> shares = CopyShares(removal.Bricks, n);
+    int different = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+    {
+      ASSERT_LE(std::abs(shares[i] - expected[i]), 1) << i;
+      different += shares[i] != expected[i] ? 1 : 0; // of the rounding of a distance
+    }
+    EXPECT_LE(different, 20);
+  }
+  EXPECT_NEAR(volumes[0], volumes[2], 1e-9 * volumes[2]);
+  EXPECT_NEAR(volumes[1], volumes[2], 1e-9 * volumes[2]);
 }
 
 TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)

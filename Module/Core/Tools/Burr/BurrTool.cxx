@@ -15,8 +15,6 @@ constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
 /** Voxels: so little is not felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
-/** Bricks that a tick has time to look at. */
-constexpr std::size_t MostBricks = 128;
 /** s: no tick is longer. */
 constexpr double LongestTick = 0.1;
 /** s without removal, after which a stroke ends. */
@@ -50,7 +48,11 @@ public:
   {
     BurrState& s = this->State;
     s.Unspent += earned;
-    for (int i = 0; i < MostCarvingSteps && this->Bricks < MostBricks; ++i)
+    if (s.Part > 0 && !this->GoOn())
+    {
+      return;
+    }
+    for (int i = 0; i < MostCarvingSteps && this->HasTime(); ++i)
     {
       const Vector3 lag = goal - s.Carved;
       const double distance = Norm(lag);
@@ -80,41 +82,89 @@ public:
   }
 
 private:
-  /** Takes a step, or a shorter one; false if not even that is paid. */
-  bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
+  bool HasTime() const noexcept { return this->Record.Work < MostBurrWork; }
+
+  /** What the next sphere costs, or its next part. */
+  CarvingCost Try(const Vector3& next) noexcept
+  {
+    const BurrState& s = this->State;
+    const CarvingPart part{ s.Part, MostBurrWork - this->Record.Work };
+    const CarvingCost cost =
+      this->Carver.Try(this->Removal, next, this->Radius, s.IsRemoved ? &s.Carved : nullptr, part);
+    this->Record.Work += cost.Work;
+    return cost;
+  }
+
+  /** Another part of a sphere; false if that was all that this tick can do. */
+  bool GoOn() noexcept
   {
     BurrState& s = this->State;
-    const Vector3* const from = s.IsRemoved ? &s.Carved : nullptr;
-    double way = longest;
-    for (int i = 0; i < MostTries && this->Bricks < MostBricks; ++i, way *= 0.5)
+    const CarvingCost cost = this->Try(s.Next);
+    if (cost.IsUsedUp)
     {
-      const Vector3 next = way == distance ? goal : s.Carved + (way / distance) * lag;
-      const CarvingCost cost = this->Carver.Try(this->Removal, next, this->Radius, from);
-      this->Bricks += cost.Bricks;
-      if (cost.IsUsedUp)
-      {
-        this->Removal.SetUsedUp(true);
-        s.Unspent = 0.0;
-        return false;
-      }
-      if (!cost.IsTooMuch && cost.Energy <= s.Unspent)
-      {
-        this->Take(next, way, cost);
-        return true;
-      }
-      s.LastCost = cost.Energy;
-      s.LastWay = way;
+      this->EndUsedUp();
+      return false;
     }
-    // The next ticks save for it, but no more.
+    if (cost.Energy > s.Unspent)
+    {
+      // A shorter step may be paid, or one to where the head is now. What is removed stays so.
+      s.Part = 0;
+      s.LastCost += cost.Energy;
+      this->Save();
+      return false;
+    }
+    this->Take(s.Next, 0.0, cost);
+    this->Record.IsUnfinished = s.Part > 0;
+    return s.Part == 0;
+  }
+
+  void EndUsedUp() noexcept
+  {
+    this->Removal.SetUsedUp(true);
+    this->State.Unspent = 0.0;
+    this->State.Part = 0;
+  }
+
+  /** The next ticks save for what was tried last, but for no more. */
+  void Save() noexcept
+  {
+    BurrState& s = this->State;
     s.Unspent = std::min(s.Unspent, s.LastCost);
     if (!(s.LastCost < HUGE_VAL))
     {
       // Tissue that cannot be removed: its cost does not estimate that of the next step.
       s.Unspent = s.LastCost = s.LastWay = 0.0;
     }
+  }
+
+  /** Takes a step, or a shorter one; false if not even that is paid, or it takes more ticks. */
+  bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
+  {
+    BurrState& s = this->State;
+    double way = longest;
+    for (int i = 0; i < MostTries && this->HasTime(); ++i, way *= 0.5)
+    {
+      const Vector3 next = way == distance ? goal : s.Carved + (way / distance) * lag;
+      const CarvingCost cost = this->Try(next);
+      if (cost.IsUsedUp)
+      {
+        this->EndUsedUp();
+        return false;
+      }
+      if (cost.Energy <= s.Unspent)
+      {
+        this->Take(next, way, cost);
+        this->Record.IsUnfinished = s.Part > 0;
+        return s.Part == 0;
+      }
+      s.LastCost = cost.Energy;
+      s.LastWay = way;
+    }
+    this->Save();
     return false;
   }
 
+  /** Removes what was tried last; of a sphere whose first part was taken before, way is 0. */
   void Take(const Vector3& next, double way, const CarvingCost& cost) noexcept
   {
     BurrState& s = this->State;
@@ -128,13 +178,18 @@ private:
     }
     this->Carver.Carve(this->Removal);
     this->Removal.Journal.Count(cost.Volume);
-    s.Carved = next;
-    s.IsRemoved = true;
     s.Unspent -= cost.Energy;
     // Shares are whole numbers: a single step may cost nothing, or more than those around it.
-    constexpr double kept = 0.9;
+    const double kept = s.Part == 0 ? 0.9 : 1.0;
     s.LastCost = kept * s.LastCost + cost.Energy;
     s.LastWay = kept * s.LastWay + way;
+    s.Next = next;
+    s.Part = cost.Next;
+    if (s.Part == 0)
+    {
+      s.Carved = next;
+      s.IsRemoved = true;
+    }
     this->Record.Energy += cost.Energy;
     this->Record.RemovedVolume += cost.Volume;
   }
@@ -144,7 +199,6 @@ private:
   BurrState& State;
   SphereCarver& Carver;
   BurrRecord& Record;
-  std::size_t Bricks = 0;
 };
 
 /** How deep the deepest point of the head is (m). */
@@ -178,6 +232,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
   {
     // Free, or at rest.
     state.IsCarving = false;
+    state.Part = 0;
     state.Unspent = hand.IsSpinning ? state.Unspent : 0.0;
     return;
   }
@@ -192,6 +247,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     const double away = FindDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
     state.IsCarving = true;
     state.IsRemoved = false;
+    state.Part = 0;
     state.Carved = head + (away / force) * record.Shell.Force;
     state.LastCost = state.LastWay = 0.0;
   }

@@ -16,6 +16,10 @@
  * Archard's law, and the cavity that is left has the head's radius. What a tick does not spend, the
  * next one has, but no more than the next step costs.
  *
+ * The time of a tick is bounded (MostBurrWork). Where more is paid for, because the head has many
+ * voxels or the tissue is soft, a step goes on in the next ticks, in parts, and no energy is lost
+ * meanwhile: the burr removes less than Q until it has caught up.
+ *
  * Removal takes nothing but the tissue: the contacts follow the surface that recedes, and lose
  * energy. A cycle of the hand creates none (ShellCoupling.h).
  *
@@ -32,6 +36,12 @@
 
 namespace VolumeHaptics
 {
+
+/**
+ * After so much work (CarvingCost) a tick begins to look at no further brick. That takes about a
+ * tenth of a millisecond, whatever the size of the burr and of the volume.
+ */
+constexpr std::size_t MostBurrWork = 20480;
 
 /** The hand that holds a burr. */
 struct BurrHand
@@ -55,6 +65,7 @@ struct BurrRecord
   Vector3 Force;              ///< N, on the hand, with the vibration
   double Energy = 0.0;        ///< J, spent on removal
   double RemovedVolume = 0.0; ///< mm^3
+  std::size_t Work = 0;       ///< of removal; less than MostBurrWork and that of one brick
   bool IsUnfinished = false;  ///< the head has moved farther than tissue could be removed
 };
 

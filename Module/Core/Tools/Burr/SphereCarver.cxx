@@ -13,6 +13,17 @@ namespace
 {
 
 constexpr std::int64_t BrickSide = CarvedBricks::Side;
+///@{
+/** Work (CarvingCost), as measured: of a brick, and what a row takes beyond the 1 of each. */
+constexpr std::size_t WorkOfPlace = 1;
+constexpr std::size_t WorkOfLine = 4; ///< of ten samples, where solid ones are looked for
+constexpr std::size_t WorkOfShares = 8;
+constexpr std::size_t WorkOfChange = 12;
+///@}
+static_assert(SphereCarver::MostWorkOfBrick ==
+    WorkOfPlace + (BrickSide + 2) * (BrickSide + 2) * WorkOfLine +
+      CarvedBricks::Rows * (1 + WorkOfShares + WorkOfChange),
+  "the sum of all");
 
 /** The larger part of what a sphere, or a box around it, reaches. */
 double ReachAlong(const Vector3& row, double radius) noexcept
@@ -74,8 +85,8 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   this->Count = 0;
 }
 
-CarvingCost SphereCarver::Try(
-  const TissueRemoval& removal, const Vector3& centre, double radius, const Vector3* from) noexcept
+CarvingCost SphereCarver::Try(const TissueRemoval& removal, const Vector3& centre, double radius,
+  const Vector3* from, const CarvingPart& part) noexcept
 {
   this->Count = 0;
   Sphere sphere{};
@@ -120,43 +131,55 @@ CarvingCost SphereCarver::Try(
     }
   }
   return WithSampleType(this->View.Type,
-    [&](auto sample) { return this->TryTyped<decltype(sample)>(removal.Bricks, sphere); });
+    [&](auto sample) { return this->TryTyped<decltype(sample)>(removal.Bricks, sphere, part); });
 }
 
 template <typename T>
-CarvingCost SphereCarver::TryTyped(const CarvedBricks& bricks, const Sphere& sphere) noexcept
+CarvingCost SphereCarver::TryTyped(
+  const CarvedBricks& bricks, const Sphere& sphere, const CarvingPart& wanted) noexcept
 {
   CarvingCost cost;
   std::uint32_t added = 0;
   const auto first = [&](int a) { return sphere.Box.Low[a] >> CarvedBricks::Shift; };
-  const auto last = [&](int a) { return sphere.Box.High[a] >> CarvedBricks::Shift; };
+  const auto count = [&](int a)
+  { return (sphere.Box.High[a] >> CarvedBricks::Shift) - first(a) + 1; };
+  const std::int64_t places = count(0) * count(1) * count(2);
   const double half = 0.5 * (BrickSide - 1);
   const double reach = std::sqrt(sphere.Outer) + sphere.BrickRadius;
-  for (std::int64_t z = first(2); z <= last(2); ++z)
+  BrickPlace brick{ first(0) + wanted.First % count(0),
+    first(1) + wanted.First / count(0) % count(1),
+    first(2) + wanted.First / (count(0) * count(1)) };
+  const auto next = [&]()
   {
-    for (std::int64_t y = first(1); y <= last(1); ++y)
+    if (++brick.X == first(0) + count(0))
     {
-      for (std::int64_t x = first(0); x <= last(0); ++x)
+      brick.X = first(0);
+      if (++brick.Y == first(1) + count(1))
       {
-        const auto from = [half](std::int64_t brick, double centre)
-        { return static_cast<double>(brick * BrickSide) + half - centre; };
-        const Vector3 middle = from(x, sphere.Index.X) * this->Step[0] +
-          from(y, sphere.Index.Y) * this->Step[1] + from(z, sphere.Index.Z) * this->Step[2];
-        const bool isBehind = sphere.HasFrom &&
-          Dot(middle, sphere.Way) + sphere.BrickRadius * Norm(sphere.Way) < sphere.Middle;
-        if (isBehind || Dot(middle, middle) >= reach * reach)
-        {
-          continue;
-        }
-        ++cost.Bricks;
-        const bool isAdded = this->LookAt<T>(bricks, sphere, { x, y, z }, cost);
-        added += isAdded ? 1 : 0;
-        if (cost.IsTooMuch)
-        {
-          return cost;
-        }
+        brick.Y = first(1);
+        ++brick.Z;
       }
     }
+  };
+  for (std::int64_t place = wanted.First; place < places; ++place, next())
+  {
+    if (cost.Work >= wanted.MostWork || this->Count + CarvedBricks::Rows > MostChanges)
+    {
+      cost.Next = static_cast<std::uint32_t>(place);
+      break;
+    }
+    cost.Work += WorkOfPlace;
+    const auto from = [half](std::int64_t at, double centre)
+    { return static_cast<double>(at * BrickSide) + half - centre; };
+    const Vector3 middle = from(brick.X, sphere.Index.X) * this->Step[0] +
+      from(brick.Y, sphere.Index.Y) * this->Step[1] + from(brick.Z, sphere.Index.Z) * this->Step[2];
+    const bool isBehind = sphere.HasFrom &&
+      Dot(middle, sphere.Way) + sphere.BrickRadius * Norm(sphere.Way) < sphere.Middle;
+    if (isBehind || Dot(middle, middle) >= reach * reach)
+    {
+      continue;
+    }
+    added += this->LookAt<T>(bricks, sphere, brick, cost) ? 1 : 0;
   }
   cost.Changes = this->Count;
   cost.IsUsedUp = bricks.GetCount() + added > bricks.GetMost();
@@ -170,7 +193,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 {
   const std::uint64_t key = CarvedBricks::KeyOf(place);
   const std::uint32_t brick = bricks.Find(key);
-  if (brick == CarvedBricks::None && !this->IsAnySolid<T>(place))
+  if (brick == CarvedBricks::None && !this->IsAnySolid<T>(place, cost.Work))
   {
     return false;
   }
@@ -191,6 +214,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
   {
     for (std::int64_t j = part.Low[1]; j <= part.High[1]; ++j)
     {
+      ++cost.Work;
       const auto row = static_cast<int>(j - bases[1] + BrickSide * (k - bases[2]));
       const std::uint64_t shares =
         brick == CarvedBricks::None ? CarvedBricks::WholeRow : bricks.GetRow(brick, row);
@@ -219,6 +243,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
+      cost.Work += WorkOfShares;
       // All at once: the compiler takes several of them together.
       std::int32_t targets[BrickSide];
       for (int i = 0; i < BrickSide; ++i)
@@ -257,11 +282,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       }
       if (left != shares)
       {
-        if (this->Count == MostChanges)
-        {
-          cost.IsTooMuch = true;
-          return false;
-        }
+        cost.Work += WorkOfChange;
         this->Changes[this->Count++] = { key, left, row };
       }
     }
@@ -284,7 +305,7 @@ double SphereCarver::FindEnergy(double value, const Vector3& index) const noexce
 }
 
 template <typename T>
-bool SphereCarver::IsAnySolid(const BrickPlace& place) noexcept
+bool SphereCarver::IsAnySolid(const BrickPlace& place, std::size_t& work) noexcept
 {
   const std::uint64_t key = CarvedBricks::KeyOf(place);
   std::uint64_t& known = this->Empty[(key * 0x9e3779b97f4a7c15) >> 52];
@@ -307,6 +328,7 @@ bool SphereCarver::IsAnySolid(const BrickPlace& place) noexcept
   {
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
     {
+      work += WorkOfLine;
       const T* const line = static_cast<const T*>(this->View.Data) + k * stride[2] + j * stride[1];
       for (std::int64_t i = low[0]; i <= high[0]; ++i)
       {

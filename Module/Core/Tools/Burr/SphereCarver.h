@@ -22,6 +22,10 @@
  * is nothing to remove.
  *
  * Where a brick is needed and none is left, nothing at all is removed.
+ *
+ * A sphere that takes more time than a tick has is removed in parts: bricks in the order of their
+ * places. Each sample's share depends on the sphere alone, so that the parts leave what the whole
+ * leaves.
  */
 #ifndef SphereCarver_h
 #define SphereCarver_h
@@ -44,14 +48,21 @@ struct CarvedTissue
   const SpecificEnergyTable* SpecificEnergy = nullptr;
 };
 
-/** What it would take to remove a sphere. */
+/** Which part of a sphere is removed: all of it, if there is the time. */
+struct CarvingPart
+{
+  std::uint32_t First = 0; ///< of the sphere's places of bricks; where the last part has ended
+  std::size_t MostWork = ~std::size_t{ 0 }; ///< after which no further brick is begun
+};
+
+/** What it would take to remove a sphere, or a part of one. */
 struct CarvingCost
 {
   double Energy = 0.0;     ///< J
   double Volume = 0.0;     ///< mm^3, of solid tissue
-  std::size_t Bricks = 0;  ///< that were looked at
+  std::size_t Work = 0;    ///< time: 1 is that of a row of samples that stays as it is
   std::size_t Changes = 0; ///< rows of samples
-  bool IsTooMuch = false;  ///< more changes than there is room for
+  std::uint32_t Next = 0;  ///< where the next part begins; 0: the sphere is complete
   bool IsUsedUp = false;   ///< needs more bricks than there are
 };
 
@@ -63,6 +74,8 @@ public:
   static constexpr double RampWidth = 3.0;
   /** The part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
+  /** A part does no more work than CarvingPart::MostWork and that of one brick. */
+  static constexpr std::size_t MostWorkOfBrick = 1745;
 
   SphereCarver();
 
@@ -79,7 +92,7 @@ public:
    * @param from if not null, a sphere of the same radius that was removed before
    */
   CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
-    const Vector3* from = nullptr) noexcept;
+    const Vector3* from = nullptr, const CarvingPart& part = {}) noexcept;
   /** The memory that a tick writes. */
   void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
   /** Removes what was tried last. */
@@ -98,12 +111,13 @@ private:
   static constexpr std::size_t Remembered = 4096;
 
   template <typename T>
-  CarvingCost TryTyped(const CarvedBricks& bricks, const Sphere& sphere) noexcept;
+  CarvingCost TryTyped(
+    const CarvedBricks& bricks, const Sphere& sphere, const CarvingPart& wanted) noexcept;
   template <typename T>
   bool LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
     CarvingCost& cost) noexcept;
   template <typename T>
-  bool IsAnySolid(const BrickPlace& place) noexcept;
+  bool IsAnySolid(const BrickPlace& place, std::size_t& work) noexcept;
   /** U, J/mm^3, of the sample at an index. */
   double FindEnergy(double value, const Vector3& index) const noexcept;
 

@@ -15,6 +15,8 @@ constexpr double FarthestHand = 1e9;
 /** What a servo has time for: looks, and points in all looks of a tick. */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
+/** To a burr, which also has to remove tissue, a point takes as much time as this many do else. */
+constexpr std::size_t PointsOfCarved = 5;
 /** A tick ends if the next step would change the force by less than this share of it, and N. */
 constexpr double ForceShare = 5e-3;
 constexpr double ForceTolerance = 5e-4;
@@ -112,6 +114,15 @@ bool IsPose(const ShellPose& pose) noexcept
   return IsNear(pose.Position, FarthestHand) && MakeUnit(q);
 }
 
+std::size_t FindMostLooks(const HapticModel& model, const PointShell& shell) noexcept
+{
+  const bool isCarved =
+    model.Baked->HasTool(ToolKind::Burr) && model.Baked->Field.GetCarved().HasAny();
+  const std::size_t points =
+    std::max<std::size_t>(shell.GetSize(), 1) * (isCarved ? PointsOfCarved : 1);
+  return std::clamp<std::size_t>(MostPointsRead / points, 2, MostLooks);
+}
+
 /** One tick of a tool that is enabled. */
 class Advance
 {
@@ -121,8 +132,7 @@ public:
     : Finder(model, shell, settings)
     , Springs(MakeCoupling(settings, model.Caps))
     , Reach(settings.Scale * shell.GetReach())
-    , Most(std::clamp<std::size_t>(
-        MostPointsRead / std::max<std::size_t>(shell.GetSize(), 1), 2, MostLooks))
+    , Most(FindMostLooks(model, shell))
     , State(state)
     , Memory(memory)
   {
