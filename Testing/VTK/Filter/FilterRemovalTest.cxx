@@ -6,6 +6,7 @@
  */
 
 #include "Rigs/ApiRig.h"
+#include "Rigs/FullDisk.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -279,7 +280,28 @@ TEST_F(FilterRemoval, ADamagedFileChangesNothing)
 TEST_F(FilterRemoval, AFullDiskIsToldAndKeepsTheOldFile)
 {
   vtkHapticRemoval* const removal = this->Drill();
+  ASSERT_TRUE(removal->WriteFile(this->File));
+  const std::string before = ReadAll(this->File);
+  ASSERT_GT(before.size(), 1000u);
+  // What would be written is another file.
+  this->Path = MakePath(Line({ 9.2, 20.4, 7.0 }, { 9.2, 20.4, 12.0 }, 800));
+  this->Filter->SetPathData(this->Path);
+  this->Drill();
   MessageLog log(removal);
+  for (const rlim_t bytes : { rlim_t{ 0 }, rlim_t{ 500 }, rlim_t{ before.size() / 2 } })
+  {
+    log.Errors.clear();
+    {
+      const devicetest::FullDisk full(bytes);
+      EXPECT_FALSE(removal->WriteFile(this->File)) << bytes;
+    }
+    ASSERT_EQ(log.Errors.size(), 1u);
+    EXPECT_NE(log.Errors[0].find(this->File), std::string::npos) << log.Errors[0];
+    EXPECT_EQ(ReadAll(this->File), before) << bytes;
+  }
+  EXPECT_TRUE(removal->WriteFile(this->File));
+  EXPECT_NE(ReadAll(this->File), before);
+  log.Errors.clear();
   EXPECT_FALSE(removal->WriteFile("/dev/full"));
   ASSERT_EQ(log.Errors.size(), 1u);
   EXPECT_NE(log.Errors[0].find("/dev/full"), std::string::npos);
