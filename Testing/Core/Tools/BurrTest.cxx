@@ -141,7 +141,11 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
   EXPECT_NEAR(missing, hand.Removed, 1e-9 * missing);
 }
 
-/// B2: a cavity is felt with the point where it was carved.
+/// B2: a cavity is felt with the point where it was carved, normals included. At less than ten
+/// voxels in radius, normals are, and the level of half of the tissue is there; but the rule of the
+/// edge, V(x_p) >= (V(x_s) + V(x_v))/2, is met early: x_s and x_v, a voxel to either side, are on
+/// the ramp of three voxels as long as x_p is within half a voxel, where the curvature alone
+/// decides.
 TEST(Burr, ItsCavityIsFeltWithThePoint)
 {
   TestVolume volume(ScalarType::Int16, { 48, 48, 48 });
@@ -151,8 +155,12 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
   scene.Material.SurfaceStrength = ConstantPolyline(1e6);
   scene.Material.Distinctness = { { 20.0, 0.0 }, { 100.0, 1.0 } };
   const HapticModel model(scene);
-  for (const double radius : { 10.0, 12.0 })
+  for (const double radius : { 4.0, 8.0, 10.0, 12.0 })
   {
+    scene.Removal->Request(RemovalRequest::Reset);
+    while (scene.Removal->Serve())
+    {
+    }
     const Vector3 centre{ 23.6, 23.3, 24.1 };
     SphereCarver carver;
     const SpecificEnergyTable energies({ ConstantPolyline(10.0), ConstantPolyline(0.0) });
@@ -161,6 +169,7 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
     carver.Carve(*scene.Removal);
     double worst = 0.0;
     double angle = 0.0;
+    double squares = 0.0;
     std::mt19937_64 engine(5);
     for (int i = 0; i < 100; ++i)
     {
@@ -175,43 +184,86 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
       EXPECT_GT(Norm(record.Force), 0.3);
       const Vector3 felt = 1000.0 * record.Proxy - centre;
       worst = std::max(worst, std::abs(Norm(felt) - radius));
+      double low = 0.0;
+      double high = radius + 3.0;
+      for (int n = 0; n < 40; ++n)
+      {
+        const double r = 0.5 * (low + high);
+        (model.Baked->Field.Value(centre + r * ray) < 500.0 ? low : high) = r;
+      }
+      squares += std::pow(low - radius, 2);
       const double cosine = Dot(record.Normal, felt) / Norm(felt);
       angle = std::max(angle, 180.0 / Pi * std::acos(std::min(1.0, cosine)));
     }
-    EXPECT_LE(worst, 0.05) << "voxels, at a radius of " << radius;
+    EXPECT_LE(worst, radius < 10.0 ? 0.5 : 0.05) << "voxels, at a radius of " << radius;
+    EXPECT_LE(std::sqrt(squares / 100.0), 0.05) << "voxels, at a radius of " << radius;
     EXPECT_LE(angle, 1.0) << "degrees";
   }
 }
 
-/// A groove has the radius of the burr, not that of what is pressed.
+/// A drilled hole has the radius of the burr, not that of what is pressed: within 0.05 voxel RMS,
+/// its normals within 0.5 degree on average, in the hole's straight part, a kernel away from its
+/// ends. Burrs of 4 and 8 voxels. Where voxels are twice as long along an axis, the ramp has less
+/// than two samples along it, for which the design measured a mean of 1.5 degrees: 1 is allowed.
 TEST(Burr, ItsHoleHasItsRadius)
 {
-  constexpr double size = 0.25;
-  HalfSpace half({ 48, 48, 48 }, size, 16);
-  BurrInVolume hand(half.Scene, MakeBurr(2e10, 100.0), ConstantPolyline(0.3), 1000);
-  const double middle = 23.7 * size;
-  hand.Tick({ middle, middle, half.Surface - 2.3 });
-  double depth = 0.0;
-  for (int i = 0; i < 8000 && depth < 3.5; ++i)
+  struct Case
   {
-    hand.Press(2.0);
-    depth = 1000.0 * hand.Record.Shell.Tool.Position.Z + 2.0 - half.Surface;
-  }
-  EXPECT_GE(depth, 3.5);
-  // One millimetre below the surface, in the hole's straight part.
-  const FieldSampler& field = hand.Model.Baked->Field;
-  for (int i = 0; i < 16; ++i)
+    double Spacing; ///< mm, along x; 0.25 along y and z
+    double Voxels;  ///< of the radius; of a cube with the volume of a voxel
+    double Angle;   ///< degrees
+  };
+  for (const auto& [spacing, voxels, allowed] :
+    { Case{ 0.25, 4.0, 0.5 }, Case{ 0.25, 8.0, 0.5 }, Case{ 0.5, 8.0, 1.0 } })
   {
-    const Vector3 ray{ std::cos(Pi * i / 8.0), std::sin(Pi * i / 8.0), 0.0 };
-    const Vector3 axis{ middle / size, middle / size, (half.Surface + 1.0) / size };
-    double low = 0.0;
-    double high = 16.0;
-    for (int n = 0; n < 40; ++n)
+    constexpr double size = 0.25;
+    const double voxel = std::cbrt(spacing * size * size);
+    const double radius = voxels * voxel;
+    HalfSpace half({ 48, 48, 56 }, size, 16);
+    half.Scene.IndexToWorld.Linear.Row[0].X = spacing;
+    BurrInHand settings = MakeBurr(2e10, 100.0);
+    settings.Radius = radius;
+    BurrInVolume hand(half.Scene, settings, ConstantPolyline(0.3), 1000);
+    const Vector3 middle{ 23.7 * spacing, 23.7 * size, half.Surface - radius - 0.3 };
+    hand.Tick(middle);
+    double depth = 0.0;
+    const double wanted = radius + 9.0 * size;
+    for (int i = 0; i < 20000 && depth < wanted; ++i)
     {
-      const double r = 0.5 * (low + high);
-      (field.Value(axis + r * ray) < 100.0 ? low : high) = r;
+      hand.Press(2.0);
+      depth = 1000.0 * hand.Record.Shell.Tool.Position.Z + radius - half.Surface;
     }
-    EXPECT_NEAR(size * low, 2.0, 0.1 * size);
+    ASSERT_GE(depth, wanted);
+    const FieldSampler& field = hand.Model.Baked->Field;
+    double squares = 0.0;
+    double angles = 0.0;
+    int rays = 0;
+    for (double below = 4.1 * size; below < 6.5 * size; below += 0.3 * size)
+    {
+      for (int i = 0; i < 90; ++i, ++rays)
+      {
+        const Vector3 ray{ std::cos(Pi * i / 45.0), std::sin(Pi * i / 45.0), 0.0 };
+        const auto toIndex = [&](double r)
+        {
+          const Vector3 at = Vector3{ middle.X, middle.Y, half.Surface + below } + r * ray;
+          return Vector3{ at.X / spacing, at.Y / size, at.Z / size };
+        };
+        double low = 0.0;
+        double high = radius + 4.0 * size;
+        for (int n = 0; n < 40; ++n)
+        {
+          const double r = 0.5 * (low + high);
+          (field.Value(toIndex(r)) < 100.0 ? low : high) = r;
+        }
+        squares += std::pow((low - radius) / voxel, 2);
+        const Vector3 g = field.Gradient(toIndex(low)).Gradient;
+        const Vector3 normal{ g.X / spacing, g.Y / size, g.Z / size };
+        angles += 180.0 / Pi * std::acos(std::min(1.0, Dot(normal, ray) / Norm(normal)));
+      }
+    }
+    const double rms = std::sqrt(squares / rays);
+    EXPECT_LE(rms, 0.05) << voxels << " voxels, spacing " << spacing;
+    EXPECT_LE(angles / rays, allowed) << voxels << " voxels, spacing " << spacing;
   }
 }
 
