@@ -5,11 +5,12 @@
 #include "Applications/Explorer/Live/FreeFile.h"
 #include "Applications/Explorer/Live/ToolFile.h"
 
+#include "VTK/Trace/TraceWriter.h"
+
 #include "vtkHapticRemoval.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <cmath>
 #include <iostream>
@@ -172,9 +173,9 @@ void HandTool::WriteTrack()
     return;
   }
   const std::string file = FindFreeFile("track", ".vtp");
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(track);
-  std::cout << (writer->Write() ? "Written: " : "Can't be written: ") << file << std::endl;
+  std::string error;
+  const bool isWritten = VolumeHaptics::WriteTracePolyData(track, file, error);
+  std::cout << (isWritten ? "Written: " + file : "Can't be written: " + file + ": " + error)
+            << std::endl;
 }
 } // namespace Explore

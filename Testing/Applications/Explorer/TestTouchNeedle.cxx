@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// A needle in the explorer's window: pressed into the forehead, key T writes its track; on a full
+// disk it says so, and leaves no file.
+#include "Applications/Explorer/Live/HandTool.h"
+#include "Expectations.h"
+#include "Rigs/FullDisk.h"
+#include "TouchedHead.h"
+
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+/// What a key prints.
+std::string PressKey(TouchedHead& head, char key)
+{
+  std::ostringstream text;
+  std::streambuf* const before = std::cout.rdbuf(text.rdbuf());
+  head.Interactor->SetKeyEventInformation(0, 0, key, 0, nullptr);
+  head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+  std::cout.rdbuf(before);
+  return text.str();
+}
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+} // namespace
+
+int TestTouchNeedle(int argc, char* argv[])
+{
+  TouchedHead head(argc, argv, Explore::MapperChoice::CPU);
+  // The program writes to where it runs.
+  const std::filesystem::path file =
+    std::filesystem::path(MakeTestFolder(argc, argv, "TouchNeedle")) / "track-001.vtp";
+  std::filesystem::remove(file);
+  std::filesystem::current_path(file.parent_path());
+  const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "needle");
+  Expect(Contains(PressKey(head, 'T'), "has no track"), "there is no track without a puncture");
+  head.TouchAt(165, 160, [&] { head.Press(165, 160, 6); });
+  Expect(head.Touch.Device->GetNeedleDepth() > 0.0, "the needle is inserted");
+  {
+    const devicetest::FullDisk full(100);
+    const std::string text = PressKey(head, 'T');
+    Expect(!Contains(text, "Written"), "nothing is written to a full disk");
+    Expect(Contains(text, "track-001.vtp"), "which file is not written is said: " + text);
+  }
+  Expect(!std::filesystem::exists(file), "no half of a file is left");
+  const std::string text = PressKey(head, 'T');
+  Expect(Contains(text, "Written: track-001.vtp"), "then it is written: " + text);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  Expect(reader->GetOutput()->GetNumberOfLines() > 0, "the file has the track");
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
