@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * Random drilling against a slow reference, written from the design alone: at every sample of a
+ * small volume, in double precision, a burr of radius a that has moved along a line from p to q
+ * leaves
+ *
+ *   rho <- min(rho, clamp(1/2 + (d - a)/w)),   w = 3 voxels,
+ *
+ * with the distance d to the line. It takes what removal decides, how far the centre follows the
+ * head; and tells what that has cost.
+ */
+
+#include "Rigs/BurrRig.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+/// All samples, without bricks. Lengths in mm.
+class SlowRemoval
+{
+public:
+  SlowRemoval(const std::int64_t* n, const Vector3& spacing, double radius)
+    : Left(static_cast<std::size_t>(n[0] * n[1] * n[2]), 1.0)
+    , N{ n[0], n[1], n[2] }
+    , Spacing(spacing)
+    , Radius(radius)
+    , Width(3.0 * std::cbrt(spacing.X * spacing.Y * spacing.Z))
+  {
+  }
+
+  void Move(const Vector3& from, const Vector3& to)
+  {
+    const Vector3 way = to - from;
+    const double square = Dot(way, way);
+    const double reach = this->Radius + 0.5 * this->Width;
+    std::size_t at = 0;
+    for (std::int64_t k = 0; k < this->N[2]; ++k)
+    {
+      for (std::int64_t j = 0; j < this->N[1]; ++j)
+      {
+        for (std::int64_t i = 0; i < this->N[0]; ++i, ++at)
+        {
+          const Vector3 x = this->PlaceOf(i, j, k);
+          const double share =
+            square > 0.0 ? std::clamp(Dot(x - from, way) / square, 0.0, 1.0) : 0.0;
+          const double distance = Norm(x - (from + share * way));
+          if (distance < reach)
+          {
+            const double rho = 0.5 + (distance - this->Radius) / this->Width;
+            this->Left[at] = std::min(this->Left[at], std::max(rho, 0.0));
+          }
+        }
+      }
+    }
+  }
+  Vector3 PlaceOf(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    return { double(i) * this->Spacing.X, double(j) * this->Spacing.Y,
+      double(k) * this->Spacing.Z };
+  }
+
+  std::vector<double> Left; ///< rho
+  const std::int64_t N[3];
+  const Vector3 Spacing;
+  const double Radius;
+  const double Width;
+};
+
+/// Of a lumpy body: values of 400 to 1700.
+TestVolume MakeBody(std::mt19937_64& engine)
+{
+  TestVolume volume(ScalarType::Int16, { 40, 40, 40 });
+  volume.Fill<std::int16_t>(
+    [&](std::int64_t i, std::int64_t j, std::int64_t k)
+    {
+      const double bumps = 2.0 * std::sin(0.3 * i) * std::cos(0.35 * j);
+      const double tissue = 1000.0 + 600.0 * std::sin(0.3 * i + 0.2 * k);
+      return static_cast<std::int16_t>(k > 16.0 + bumps ? tissue + (engine() % 100) : 0.0);
+    });
+  return volume;
+}
+} // namespace
+
+class DrilledAtRandom : public testing::TestWithParam<Vector3>
+{
+};
+
+/// The bound: the burr moves in steps s of a quarter voxel at most, so that its nearest centre is
+/// no farther from x than the line by s^2/(8 d), d >= a - w/2; that of 8 bits is half a share. A
+/// voxel that is not wholly removed may have cost six times as much more or less.
+TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
+{
+  const Vector3 spacing = GetParam();
+  const double voxel = std::cbrt(spacing.X * spacing.Y * spacing.Z);
+  std::mt19937_64 engine(27);
+  const TestVolume volume = MakeBody(engine);
+  const std::int64_t* const n = volume.View.Dimensions;
+  HapticModelDescription scene = Describe(volume);
+  scene.IndexToWorld.Linear = { { { spacing.X, 0, 0 }, { 0, spacing.Y, 0 }, { 0, 0, spacing.Z } } };
+  scene.Removal = std::make_shared<TissueRemoval>();
+  BurrInHand settings = MakeBurr(5e9, 300.0);
+  const Polyline energies{ { 400.0, 0.2 }, { 1700.0, 2.0 } };
+  BurrInVolume hand(scene, settings, energies, 1000);
+  SlowRemoval reference(n, spacing, settings.Radius);
+  const Vector3 middle = reference.PlaceOf(19, 19, 10);
+  Vector3 at{ middle.X, middle.Y, 0.0 };
+  hand.Tick(at);
+  int begun = 0;
+  int unfinished = 0;
+  for (int leg = 0; leg < 24; ++leg)
+  {
+    const Vector3 goal = middle + RandomIn(engine, 6.0 * voxel) + Vector3{ 0.0, 0.0, 2.0 };
+    hand.IsSpinning = leg % 5 != 4;
+    for (int i = 0; i < 150; ++i)
+    {
+      // 0.02 m/s at most, and no more than 3 N.
+      const Vector3 tool = 1000.0 * hand.Record.Shell.Tool.Position;
+      at = tool + ClampNorm(at + ClampNorm(goal - at, 0.02) - tool, 6.0);
+      const BurrState before = hand.State;
+      hand.Tick(at);
+      const BurrState& after = hand.State;
+      const Vector3& head = hand.Record.Shell.Tool.Position;
+      const bool begins =
+        !before.IsCarving || 1000.0 * Norm(before.Carved - head) > 2.0 * settings.Radius;
+      if (!after.IsCarving || !after.IsRemoved)
+      {
+        continue;
+      }
+      Vector3 from = 1000.0 * before.Carved;
+      if (begins)
+      {
+        // It begins half a ramp away from what it touches.
+        const ShellContacts& contacts = hand.Points.GetCurrent();
+        double depth = 0.0;
+        for (std::size_t c = 0; c < contacts.Count; ++c)
+        {
+          depth = std::max(depth, 1000.0 * contacts.List[c].Depth);
+        }
+        const Vector3& force = hand.Record.Shell.Force;
+        from = 1000.0 * head + ((depth + 0.5 * reference.Width) / Norm(force)) * force;
+        ++begun;
+      }
+      else if (before.Part > 0)
+      {
+        // A step that a tick had no time for is completed first.
+        if (Norm(after.Carved - before.Carved) > 0.0)
+        {
+          reference.Move(from, 1000.0 * before.Next);
+          from = 1000.0 * before.Next;
+        }
+        else
+        {
+          ++unfinished;
+        }
+      }
+      if (begins || Norm(after.Carved - before.Carved) > 0.0)
+      {
+        reference.Move(from, 1000.0 * after.Carved);
+      }
+    }
+  }
+  EXPECT_GT(begun, 3);
+  const double step = 0.25 * voxel;
+  const double nearest = settings.Radius - 0.5 * reference.Width;
+  const double bound = 0.5 + 255.0 / reference.Width * step * step / (8.0 * nearest);
+  const std::vector<std::uint8_t> shares = CopyShares(scene.Removal->Bricks, n);
+  const SpecificEnergyTable table({ energies, ConstantPolyline(0.0) });
+  const double whole = spacing.X * spacing.Y * spacing.Z;
+  double worst = 0.0;
+  double cost = 0.0;
+  double uncertain = 0.0;
+  int carved = 0;
+  std::size_t s = 0;
+  for (std::int64_t k = 0; k < n[2]; ++k)
+  {
+    for (std::int64_t j = 0; j < n[1]; ++j)
+    {
+      for (std::int64_t i = 0; i < n[0]; ++i, ++s)
+      {
+        const double value = volume(i, j, k);
+        if (value < 300.0)
+        {
+          continue; // bricks of air may keep theirs
+        }
+        const double rho = reference.Left[s];
+        worst = std::max(worst, std::abs(shares[s] - 255.0 * rho));
+        carved += rho < 1.0 ? 1 : 0;
+        const double energy = whole * table(value)[0];
+        cost += energy * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
+        const bool isOnRamp = std::abs(rho - 0.5) < 1.0 / 12.0 + bound / 255.0;
+        uncertain += isOnRamp ? energy * 6.0 * bound / 255.0 : 0.0;
+      }
+    }
+  }
+  EXPECT_GT(carved, 200);
+  EXPECT_LE(worst, bound) << "shares of 255";
+  EXPECT_NEAR(cost, hand.Energy, uncertain) << "J";
+  EXPECT_LE(uncertain, 0.05 * cost);
+  EXPECT_EQ(unfinished, 0) << "a step that was given up is not in the reference";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Voxels, DrilledAtRandom, testing::Values(Vector3{ 0.5, 0.5, 0.5 }, Vector3{ 0.4, 0.5, 0.6 }));
