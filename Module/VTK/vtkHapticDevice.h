@@ -475,8 +475,8 @@ public:
    * Length (world units). Field arrays, one number each: Depth and Deepest (world units), Angle to
    * the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
    * ForbiddenTouches, how often a forbidden label stopped this insertion. Without a needle in
-   * tissue there are no lines. vtkXMLPolyDataWriter exports all of it; on a full disk it leaves a
-   * part of the file and Write() may return 1: then its GetErrorCode() is not 0.
+   * tissue there are no lines. vtkXMLPolyDataWriter exports all of it, to where there is room: on a
+   * full disk it leaves a part of the file, and Write() may return 1 all the same.
    */
   void GetNeedleTrack(vtkPolyData* track);
 

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/DisplayText.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticMode.h"
+#include "vtkHapticPointShell.h"
 #include "vtkHapticRemoval.h"
 #include "vtkHapticSurfaceMode.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <iomanip>
@@ -42,6 +47,46 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
     }
   }
   return true;
+}
+
+/** Of an inserted needle, but for its depth and tissue. */
+std::string DescribeNeedle(vtkHapticDevice* device)
+{
+  vtkNew<vtkPolyData> track;
+  device->GetNeedleTrack(track);
+  const auto number = [&track](const char* name)
+  {
+    vtkDataArray* const array = track->GetFieldData()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : 0.0;
+  };
+  const vtkIdType layers = track->GetNumberOfCells();
+  const auto touches = static_cast<int>(number("ForbiddenTouches"));
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  if (number("Angle") >= 0.0)
+  {
+    text << number("Angle") << " degrees from upright, ";
+  }
+  text << layers << (layers == 1 ? " layer" : " layers");
+  if (touches > 0)
+  {
+    text << ", forbidden tissue touched " << touches << (touches == 1 ? " time" : " times");
+  }
+  return text.str();
+}
+
+/** N mm, of a tool with a shape; empty without one, and if nothing turns it. */
+std::string DescribeTorque(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double torque = 1e3 * vtkMath::Norm(device->GetComputedTorque());
+  if (!filter || !vtkHapticPointShell::SafeDownCast(filter->GetTool()) || !(torque >= 0.05))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << ", turned by " << std::fixed << std::setprecision(1) << torque << " N mm";
+  return text.str();
 }
 
 } // namespace
@@ -101,7 +146,12 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
          << (tissue.empty() ? "the volume" : tissue);
   }
   text << ", " << std::fixed << std::setprecision(2) << force << " N of at most "
-       << std::defaultfloat << std::setprecision(3) << device->GetMaximumForce() << " N";
+       << std::defaultfloat << std::setprecision(3) << device->GetMaximumForce() << " N"
+       << DescribeTorque(device);
+  if (depth > 0.0)
+  {
+    text << "\n" << DescribeNeedle(device);
+  }
   return text.str();
 }
 
