@@ -47,8 +47,8 @@ private:
  * be empty. A hand that rests now, but `slid` lately, slides. Of an inserted needle, such as
  * "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second line: "20 degrees from upright,
  * 3 layers, forbidden tissue touched 1 time"; its depth is in world units, its angle that to the
- * normal of the surface. Of a tool with a shape, the torque follows: "turned by 3.1 N mm". Where modes are
- * felt, none of which is a surface, nothing is rested on: "Held, 0.62 N".
+ * normal of the surface. Of a tool with a shape, the torque follows: "turned by 3.1 N mm". Where
+ * modes are felt, none of which is a surface, nothing is rested on: "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
