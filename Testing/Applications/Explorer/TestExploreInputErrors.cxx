@@ -8,8 +8,10 @@
 #include "Expectations.h"
 #include "HeadExploration.h"
 
+#include "vtkCell.h"
 #include "vtkExtractVOI.h"
 #include "vtkHapticProperty.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -18,6 +20,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -60,6 +63,22 @@ Explore::Options ParseNewtons(std::string newtons)
   return Explore::ParseOptions(4, arguments);
 }
 
+/// Of a closed surface of triangles that face outwards, by the divergence theorem.
+double FindVolume(vtkPolyData* surface)
+{
+  double volume = 0.0;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    double x[3][3];
+    for (int i = 0; i < 3; ++i)
+    {
+      surface->GetPoint(surface->GetCell(cell)->GetPointId(i), x[i]);
+    }
+    volume += vtkMath::Determinant3x3(x[0], x[1], x[2]) / 6.0;
+  }
+  return volume;
+}
+
 /// What --tool takes, and the surfaces in files.
 void ExpectTools()
 {
@@ -87,16 +106,31 @@ void ExpectTools()
   expectError(folder + "/missing.stl", true, "there is no such file");
   expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
   // A tetrahedron beside the origin, whose box is then in the middle.
-  const std::string corners = "10 0 0\n13 0 0\n10 4 0\n10 0 5\n";
-  const std::string file = WriteText("tool.ply",
-    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-    "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
-      corners + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  const auto write = [](const char* name, int count, const std::string& faces)
+  {
+    return WriteText(name,
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face " +
+        std::to_string(count) +
+        "\nproperty list uchar int vertex_indices\nend_header\n"
+        "10 0 0\n13 0 0\n10 4 0\n10 0 5\n" +
+        faces);
+  };
+  expectError(
+    write("open.ply", 3, "3 0 2 1\n3 0 1 3\n3 1 2 3\n"), true, "it is open: 3 edges have a");
+  const std::string file = write("tool.ply", 4, "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   const vtkSmartPointer<vtkPolyData> tool = Explore::ReadToolFile(file);
   const double* const bounds = tool->GetBounds();
   Expect(tool->GetNumberOfPolys() == 4, "a tetrahedron has four faces");
   Expect(bounds[0] == -1.5 && bounds[1] == 1.5 && bounds[3] == 2.0 && bounds[5] == 2.5,
     "a tool that does not have the origin is put around it");
+  // 3 * 4 * 5/6, whichever way its triangles face in the file.
+  const std::string inward = write("inward.ply", 4, "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n");
+  for (const std::string& name : { file, inward })
+  {
+    Expect(std::abs(FindVolume(Explore::ReadToolFile(name)) - 10.0) < 1e-5,
+      "the triangles of " + name + " face outwards");
+  }
 }
 
 /// The strength of a stick along its two axes, and what is none.

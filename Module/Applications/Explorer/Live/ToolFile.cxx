@@ -5,7 +5,11 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 
+#include "vtkCleanPolyData.h"
+#include "vtkFeatureEdges.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolyDataNormals.h"
 
 namespace
 {
@@ -13,6 +17,42 @@ bool HasOrigin(const double* bounds)
 {
   return bounds[0] <= 0.0 && bounds[1] >= 0.0 && bounds[2] <= 0.0 && bounds[3] >= 0.0 &&
     bounds[4] <= 0.0 && bounds[5] >= 0.0;
+}
+
+/// Files have no agreed side of a triangle that faces outwards.
+vtkSmartPointer<vtkPolyData> TurnOutwards(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataNormals> turned;
+  turned->SetInputData(surface);
+  turned->SplittingOff();
+  turned->ConsistencyOn();
+  turned->AutoOrientNormalsOn();
+  turned->ComputePointNormalsOff();
+  turned->ComputeCellNormalsOn();
+  turned->Update();
+  return turned->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MergeCorners(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> merged;
+  merged->SetInputData(surface);
+  merged->ConvertPolysToLinesOff();
+  merged->Update();
+  return merged->GetOutput();
+}
+
+/// Edges of which only one side has a triangle.
+vtkIdType CountOpenEdges(vtkPolyData* surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->BoundaryEdgesOn();
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells();
 }
 } // namespace
 
@@ -32,6 +72,13 @@ vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name)
   {
     throw InputError("--tool " + name, "it has no triangles", cure);
   }
+  surface = MergeCorners(surface);
+  if (const vtkIdType open = CountOpenEdges(surface))
+  {
+    throw InputError("--tool " + name,
+      "it is open: " + std::to_string(open) + " edges have a triangle on one side only", cure);
+  }
+  surface = TurnOutwards(surface);
   double bounds[6];
   surface->GetBounds(bounds);
   if (!HasOrigin(bounds))

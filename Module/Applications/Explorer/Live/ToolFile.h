@@ -14,7 +14,8 @@ namespace Explore
 bool IsToolFile(const std::string& name);
 
 /// The surface of a tool, in its file's units, which are those of the volume. One whose box does
-/// not have the origin is moved, so that the middle of the box is there. Throws InputError.
+/// not have the origin is moved, so that the middle of the box is there; triangles that face
+/// inwards are turned. Throws InputError, also for a surface that is open.
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
 } // namespace Explore
 

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# In the explorer, on a screen of its own, a needle is pushed into a head, and drawn out: key T writes its track while it
+# is in tissue, and has none to write before and after. Then a tool of a file, whose triangles face inwards, is pressed
+# into the head, turned, and changed for the others by key N: pictures show that it is drawn and moves.
+#
+# usage: tools.sh PROGRAM VOLUME
+#
+# Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
+set -euo pipefail
+
+# shellcheck source=own-screen.sh
+source "$(dirname "${BASH_SOURCE[0]}")/own-screen.sh"
+require_programs "xvfb xauth python3" xvfb-run python3
+take_own_screen "$@"
+program=$(realpath "$1")
+volume=$(realpath "$2")
+take_own_home
+cd "$folder"
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  cat "$folder"/*.log >&2 || true
+  exit 1
+}
+
+# run NAME TOOL: plays NAME.txt, into NAME.log.
+run()
+{
+  "$program" "$volume" --size 240 --tool "$2" --script "$1.txt" > "$folder/$1.log" 2>&1 &
+  child=$!
+  expect_end
+  # The errors of VTK.
+  if grep -q "ERR|" "$1.log"
+  then
+    fail "there are errors with the tool $2"
+  fi
+}
+
+cat > needle.txt << END
+0.0  move 0.5 0.6
+0.5  key t
+1.5  key T
+2.0  key F12
+2.5  wheel 6
+4.5  key T
+5.0  key F12
+5.5  wheel -14
+7.5  key T
+8.0  key q
+END
+run needle needle
+grep -q "The hand holds a needle" needle.log || fail "no needle is in the hand"
+[[ $(grep -c "The needle is not in tissue, and has no track" needle.log) -eq 2 ]] ||
+  fail "it has a track in air, or is stuck in tissue"
+grep -q "Written: track-001.vtp" needle.log || fail "its track was not written"
+[[ $(grep -c 'Name="ForbiddenTouches"' track-001.vtp) -eq 1 ]] || fail "its track has no forbidden touches"
+! cmp -s picture-001.png picture-002.png || fail "nothing of it is seen"
+
+# A tetrahedron, as a file that ends in .stl has it.
+facet()
+{
+  printf 'facet normal 0 0 0\nouter loop\n'
+  printf 'vertex %s\n' "$@"
+  printf 'endloop\nendfacet\n'
+}
+{
+  echo "solid probe"
+  facet "0 0 0" "4 -3 10" "4 3 10"
+  facet "0 0 0" "4 3 10" "-5 0 10"
+  facet "0 0 0" "-5 0 10" "4 -3 10"
+  facet "4 -3 10" "-5 0 10" "4 3 10"
+  echo "endsolid probe"
+} > probe.stl
+cat > shape.txt << END
+0.0  move 0.5 0.6
+0.5  key t
+1.5  key F12
+2.0  wheel 6
+4.0  key F12
+4.5  stroke 0.54 0.6 1
+6.5  key F12
+7.0  key N
+7.5  key N
+8.0  key N
+8.5  key N
+9.0  key q
+END
+run shape probe.stl
+[[ $(grep -c "The hand holds a tool with a shape" shape.log) -eq 2 ]] || fail "no shape is in the hand, or not again"
+for tool in point needle burr
+do
+  grep -q "The hand holds a $tool" shape.log || fail "key N does not get to a $tool"
+done
+! cmp -s picture-003.png picture-004.png || fail "nothing is seen of the press of a shape"
+! cmp -s picture-004.png picture-005.png || fail "a shape is not stroked"
