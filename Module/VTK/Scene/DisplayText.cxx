@@ -49,7 +49,7 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
   return true;
 }
 
-/** Of an inserted needle, but for its depth and tissue. */
+/** Of an inserted needle, but for its depth and tissue; empty in the tick that has inserted it. */
 std::string DescribeNeedle(vtkHapticDevice* device)
 {
   vtkNew<vtkPolyData> track;
@@ -60,6 +60,10 @@ std::string DescribeNeedle(vtkHapticDevice* device)
     return array ? array->GetComponent(0, 0) : 0.0;
   };
   const vtkIdType layers = track->GetNumberOfCells();
+  if (layers == 0)
+  {
+    return {};
+  }
   const auto touches = static_cast<int>(number("ForbiddenTouches"));
   std::ostringstream text;
   text << std::fixed << std::setprecision(0);
@@ -148,10 +152,8 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
   text << ", " << std::fixed << std::setprecision(2) << force << " N of at most "
        << std::defaultfloat << std::setprecision(3) << device->GetMaximumForce() << " N"
        << DescribeTorque(device);
-  if (depth > 0.0)
-  {
-    text << "\n" << DescribeNeedle(device);
-  }
+  const std::string needle = depth > 0.0 ? DescribeNeedle(device) : std::string();
+  text << (needle.empty() ? "" : "\n") << needle;
   return text.str();
 }
 
