@@ -230,3 +230,16 @@ TEST(ModeSteps, OfWeakFlowsAndFrontsAreWithinABoundOfTheirStrength)
     EXPECT_EQ(met.Unbound, 0) << "mode " << int(kind);
   }
 }
+
+/// The primitives of a straight guide are the same at each place: q is 0.
+TEST(ModeSteps, OfAStraightGuideAreThoseOfTheSpring)
+{
+  ModeGrid grid(24, 24, 24, 1.0, 3, Swirl);
+  const GuidePath::Line line = { { -1.5, -1.0, 0.2 }, { 1.0, 0.4, 0.7 } };
+  grid.Mode.Guide = std::make_shared<GuidePath>(std::vector<GuidePath::Line>{ line }, 0.0);
+  grid.Bake(ModeKind::Guide, ConstantPolyline(0.4));
+  grid.StartAt({});
+  const Walked met = ModeSteps(grid).Walk();
+  EXPECT_GT(met.Strongest, 0.39) << "it has yielded";
+  EXPECT_EQ(met.Steeper, 0);
+}
