@@ -129,39 +129,62 @@ explore editor << 'END'
 17.0 key q
 END
 
-# Whether the window has something in it, and has not changed for two seconds.
+# Whether the window has something in it, and has not changed for six seconds, in which a frame is drawn also in software.
 is_drawn()
 {
-  import -window "$window" "$folder/before.png" && sleep 2 && import -window "$window" "$folder/window.png" &&
+  import -window "$window" "$folder/before.png" && sleep 6 && import -window "$window" "$folder/window.png" &&
     [[ "$(identify -format %k "$folder/window.png")" -gt 1000 ]] &&
     [[ "$(compare -metric AE "$folder/before.png" "$folder/window.png" null: 2>&1)" == 0 ]]
 }
 
-# usage: touch_window NAME TITLE SCRIPT
+# Runs a script with frames as fine as those of a graphics card, however long that takes in software.
+cat > finely.py << 'END'
+import runpy
+import sys
+
+import volumehaptics.pyvista
+
+add_haptics = volumehaptics.pyvista.add_haptics
+
+
+def add_fine_haptics(*words, **settings):
+    haptics = add_haptics(*words, **settings)
+    haptics.style.AutoAdjustVolumeQualityOff()
+    haptics.device.SetAttentionTime(600.0)
+    return haptics
+
+
+volumehaptics.pyvista.add_haptics = add_fine_haptics
+sys.argv = sys.argv[1:]
+runpy.run_path(sys.argv[0], run_name="__main__")
+END
+
+# usage: touch_window NAME TITLE WORD...
 # The picture of a script's window, 720 pixels wide, while a hand is led over its middle.
 touch_window()
 {
-  "$python" -B "$root/Examples/PyVista/$3" > "$folder/script.log" 2>&1 &
+  "$python" -B "${@:3}" > "$folder/script.log" 2>&1 &
   child=$!
   wait_for_window "$2"
   local HEIGHT WIDTH
+  timeout 10 xdotool windowsize --sync "$window" 720 540 || true
   eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^(WIDTH|HEIGHT)=')"
   xdotool mousemove --window "$window" $((WIDTH * 52 / 100)) $((HEIGHT * 40 / 100))
   wait_for "a first frame" is_drawn
   xdotool key t
   sleep 1
   wait_for "a frame with the hand in it" is_drawn
-  for _ in 1 2 3 4 5 6
+  for _ in 1 2 3 4 5
   do
     xdotool click 4
-    sleep 0.3
+    sleep 1
   done
-  for ((step = 0; step < 40; ++step))
+  for ((step = 0; step < 8; ++step))
   do
     xdotool mousemove_relative -- 2 0
-    sleep 0.05
+    sleep 0.3
   done
-  sleep 12 # the fine frame of a hand at rest
+  sleep 1
   wait_for "a frame at rest" is_drawn
   convert "$folder/window.png" -resize 720x -quality 92 "$pictures/$1.jpg"
   echo "$pictures/$1.jpg"
@@ -173,6 +196,7 @@ touch_window()
 
 if [[ -n "$python" ]]
 then
-  touch_window touch_live "PyVista" touch_live.py
-  touch_window qt_window "Touch in pyvistaqt" qt_window.py
+  touch_window touch_live "PyVista" finely.py "$root/Examples/PyVista/touch_live.py"
+  # Not finely: Qt has no time for the mouse then.
+  touch_window qt_window "Touch in pyvistaqt" "$root/Examples/PyVista/qt_window.py"
 fi
