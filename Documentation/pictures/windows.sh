@@ -46,20 +46,13 @@ explore()
   "$explorer" "$volume" --size 1000 "$@" --script "$name.txt" > "$folder/explorer.log" 2>&1 &
   child=$!
   wait_for "the program's end" has_ended
-  wait "$child"
+  wait "$child" || fail "the explorer ended with an error"
   child=""
   mv picture-001.png "$pictures/$name.png"
   echo "$pictures/$name.png"
 }
 
 explore head << 'END'
-0.0 move 0.60 0.62
-4.0 key t
-6.0 wheel 5
-8.0 stroke 0.72 0.60 2
-10.2 stroke 0.70 0.48 2.5
-15.5 key F12
-17.0 key q
 0.0 move 0.60 0.62
 4.0 key t
 6.0 wheel 5
