@@ -38,8 +38,8 @@ namespace VolumeHaptics
 {
 
 /**
- * After so much work (CarvingCost) a tick begins to look at no further brick. That takes about a
- * tenth of a millisecond, whatever the size of the burr and of the volume.
+ * After so much work (CarvingCost) a tick begins to look at no further brick. That takes a fifth
+ * of a millisecond or so, whatever the size of the burr and of the volume.
  */
 constexpr std::size_t MostBurrWork = 20480;
 
