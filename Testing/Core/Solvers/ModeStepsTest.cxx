@@ -36,7 +36,7 @@ using namespace modegrid;
 
 namespace
 {
-constexpr int Ticks = 1000000;
+constexpr int Ticks = 200000;  // of each mode: more than a million in all
 constexpr double Stride = 0.2; // mm a tick, along each axis
 
 /// A flow of many directions, with a rotation, a stretching, and places without any. Its Jacobian
