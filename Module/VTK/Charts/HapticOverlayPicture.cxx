@@ -30,12 +30,17 @@ int HapticOverlayPicture::Render(
     return prop->RenderOverlay(viewport);
   }
   vtkOpenGLState* const state = window->GetState();
-  const int width = viewport->GetSize()[0];
-  const int height = viewport->GetSize()[1];
-  if (width < 1 || height < 1)
+  int origin[2] = { 0, 0 };
+  int size[2] = { 0, 0 };
+  viewport->GetTiledSizeAndOrigin(size, size + 1, origin, origin + 1);
+  if (size[0] < 1 || size[1] < 1)
   {
     return 0;
   }
+  // The viewport stands in the picture where it stands in the window: charts clip their curves by
+  // its place there.
+  const int width = origin[0] + size[0];
+  const int height = origin[1] + size[1];
   if (this->Window && this->Window != window)
   {
     this->ReleaseGraphicsResources(this->Window);
@@ -49,6 +54,11 @@ int HapticOverlayPicture::Render(
     this->Window = window;
     this->Size[0] = width;
     this->Size[1] = height;
+    isStale = true;
+  }
+  if (origin[0] != this->Origin[0] || origin[1] != this->Origin[1])
+  {
+    std::copy(origin, origin + 2, this->Origin);
     isStale = true;
   }
   int drawn = 1;
@@ -65,7 +75,7 @@ int HapticOverlayPicture::Render(
     this->Target->Bind();
     this->Target->AddColorAttachment(0, this->Picture);
     this->Target->ActivateDrawBuffer(0);
-    state->vtkglViewport(0, 0, width, height);
+    state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
     state->vtkglScissor(0, 0, width, height);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
@@ -77,14 +87,11 @@ int HapticOverlayPicture::Render(
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  int shown[2] = { std::min(extent[0], width), std::min(extent[1], height) };
-  int origin[2] = { 0, 0 };
-  int size[2] = { 0, 0 };
-  viewport->GetTiledSizeAndOrigin(size, size + 1, origin, origin + 1);
+  const int end[2] = { origin[0] + std::min(extent[0], size[0]) - 1,
+    origin[1] + std::min(extent[1], size[1]) - 1 };
   this->Picture->Activate();
-  this->Picture->CopyToFrameBuffer(0, 0, shown[0] - 1, shown[1] - 1, origin[0], origin[1],
-    origin[0] + shown[0] - 1, origin[1] + shown[1] - 1, window->GetSize()[0], window->GetSize()[1],
-    nullptr, nullptr);
+  this->Picture->CopyToFrameBuffer(origin[0], origin[1], end[0], end[1], origin[0], origin[1],
+    end[0], end[1], window->GetSize()[0], window->GetSize()[1], nullptr, nullptr);
   this->Picture->Deactivate();
   return drawn;
 }

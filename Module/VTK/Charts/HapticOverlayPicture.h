@@ -26,8 +26,8 @@ public:
   ~HapticOverlayPicture();
 
   /**
-   * Shows the prop. Draws it again if it is stale, if the viewport's size has changed, or if there
-   * is no picture yet. Shows the lower left corner of the picture, up to an extent (pixels). If the
+   * Shows the prop. Draws it again if it is stale, if the viewport has changed, or if there is no
+   * picture yet. Shows the lower left corner of the picture, up to an extent (pixels). If the
    * window does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result
    * of vtkProp::RenderOverlay.
    */
@@ -39,6 +39,7 @@ private:
   vtkNew<vtkTextureObject> Picture;
   vtkWindow* Window = nullptr; ///< the owner of the resources
   int Size[2] = { 0, 0 };      ///< pixels
+  int Origin[2] = { 0, 0 };    ///< of the viewport, pixels
 };
 
 } // namespace VolumeHaptics

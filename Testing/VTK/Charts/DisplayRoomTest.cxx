@@ -17,6 +17,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -177,4 +178,28 @@ TEST_F(DisplayRoom, PlotKeepsClearOfOrientationAxes)
     EXPECT_TRUE(this->Display->Covers(box)) << width;
     EXPECT_GT(look()->GetRange(-1)[1], 0.0) << "the plot is not in its corner, at " << width;
   }
+}
+
+/// Beside a function editor, the scene has the upper part of the window.
+TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
+{
+  this->Display->TextVisibilityOff();
+  this->Display->AddStates(
+    scenetest::MakeStates(0.0, 5.0, [](double t) { return 1.0 + std::sin(3.0 * t); }));
+  this->Draw(700, 560);
+  const auto sum = [](vtkUnsignedCharArray* pixels)
+  {
+    double all = 0.0;
+    for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+    {
+      all += pixels->GetValue(i);
+    }
+    return all;
+  };
+  const double alone = sum(this->Draw(700, 364));
+  ASSERT_GT(alone, 0.0);
+  this->Draw(700, 560);
+  this->Renderer->SetViewport(0.0, 0.35, 1.0, 1.0);
+  this->Draw(700, 560);
+  EXPECT_NEAR(sum(this->Pixels(0, 700, 196, 560)), alone, 1e-3 * alone);
 }
