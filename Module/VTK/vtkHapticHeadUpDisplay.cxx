@@ -460,8 +460,11 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
     this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
   if (isStale)
   {
-    const auto end = std::chrono::steady_clock::now();
-    this->Due = std::max(now + std::chrono::milliseconds(50), now + ChartPause * (end - now));
+    // The first picture takes longer than all that follow.
+    const std::chrono::nanoseconds pause = ChartPause * (std::chrono::steady_clock::now() - now);
+    this->Due = now +
+      std::clamp<std::chrono::nanoseconds>(
+        pause, std::chrono::milliseconds(50), std::chrono::milliseconds(250));
   }
   return drawn;
 }

@@ -277,6 +277,33 @@ TEST_F(CarvedSphere, IsTheSameInParts)
   EXPECT_NEAR(volumes[1], volumes[2], 1e-9 * volumes[2]);
 }
 
+/// A replay has not looked at what the hand has drilled before: its parts end at the same places.
+TEST_F(CarvedSphere, EndsItsPartsWhateverIsRemembered)
+{
+  TestVolume tissue(ScalarType::Int16, { 64, 64, 64 });
+  tissue.Fill<std::int16_t>(
+    [](std::int64_t i, std::int64_t, std::int64_t k) { return i + k < 70 ? 0 : 1000; });
+  const HapticModel model(Describe(tissue));
+  const Vector3 centre{ 0.031, 0.032, 0.033 };
+  const auto findParts = [&]()
+  {
+    std::vector<std::size_t> parts;
+    this->Carver.SetTissue(model, { 500.0, false, &this->Energies });
+    CarvingPart part{ 0, 3000 };
+    do
+    {
+      const CarvingCost cost = this->Carver.Try(this->Removal, centre, 0.025, nullptr, part);
+      parts.push_back(cost.Work);
+      parts.push_back(cost.Next);
+      part.First = cost.Next;
+    } while (part.First != 0 && parts.size() < 1000);
+    return parts;
+  };
+  const std::vector<std::size_t> fresh = findParts();
+  EXPECT_GT(fresh.size(), 6U);
+  EXPECT_EQ(findParts(), fresh);
+}
+
 TEST_F(CarvedSphere, ThatIsNoSphereRemovesNothing)
 {
   const TestVolume tissue = MakeTissue(24);

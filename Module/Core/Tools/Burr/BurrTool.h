@@ -18,7 +18,7 @@
  *
  * The time of a tick is bounded (MostBurrWork). Where more is paid for, because the head has many
  * voxels or the tissue is soft, a step goes on in the next ticks, in parts, and no energy is lost
- * meanwhile: the burr removes less than Q until it has caught up.
+ * meanwhile: the burr removes less than Q, and saves more than a step costs, until it catches up.
  *
  * Removal takes nothing but the tissue: the contacts follow the surface that recedes, and lose
  * energy. A cycle of the hand creates none (ShellCoupling.h).

@@ -14,15 +14,23 @@ namespace
 
 constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
-/** Work (CarvingCost), as measured: of a brick, and what a row takes beyond the 1 of each. */
+/**
+ * Work (CarvingCost), as measured: of a brick, and what a row takes beyond the 1 of each. It
+ * follows from the shares and the sphere alone, and not from what is remembered, so that a replay
+ * ends its parts where the recording did.
+ */
 constexpr std::size_t WorkOfPlace = 1;
-constexpr std::size_t WorkOfLine = 4; ///< of ten samples, where solid ones are looked for
+///@{
+/** Of a brick that is not in use; less where those before were looked at in the last steps. */
+constexpr std::size_t WorkOfSolid = 40;
+constexpr std::size_t WorkOfEmpty = 100;
+constexpr std::size_t KnownPart = 5;
+///@}
 constexpr std::size_t WorkOfShares = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
 static_assert(SphereCarver::MostWorkOfBrick ==
-    WorkOfPlace + (BrickSide + 2) * (BrickSide + 2) * WorkOfLine +
-      CarvedBricks::Rows * (1 + WorkOfShares + WorkOfChange),
+    WorkOfPlace + WorkOfSolid + CarvedBricks::Rows * (1 + WorkOfShares + WorkOfChange),
   "the sum of all");
 
 /** The larger part of what a sphere, or a box around it, reaches. */
@@ -45,7 +53,8 @@ struct SphereCarver::Sphere
   Vector3 Way;        ///< m, from From to Centre
   double Middle;      ///< m^2, of the middle between them along Way, from Centre
   double BrickRadius; ///< m, from a brick's middle to its farthest corner
-  CarvedBox Box;
+  CarvedBox Box;      ///< of the samples that are here
+  CarvedBox Bricks;   ///< all that it reaches, whatever is here
 };
 
 SphereCarver::SphereCarver()
@@ -125,6 +134,10 @@ CarvingCost SphereCarver::Try(const TissueRemoval& removal, const Vector3& centr
     }
     sphere.Box.Low[a] = static_cast<std::int64_t>(std::ceil(std::max(at[a] - reach, first)));
     sphere.Box.High[a] = static_cast<std::int64_t>(std::floor(std::min(at[a] + reach, last)));
+    sphere.Bricks.Low[a] =
+      static_cast<std::int64_t>(std::floor(at[a] - reach)) >> CarvedBricks::Shift;
+    sphere.Bricks.High[a] =
+      static_cast<std::int64_t>(std::floor(at[a] + reach)) >> CarvedBricks::Shift;
     if (sphere.Box.Low[a] > sphere.Box.High[a])
     {
       return cost;
@@ -140,9 +153,13 @@ CarvingCost SphereCarver::TryTyped(
 {
   CarvingCost cost;
   std::uint32_t added = 0;
-  const auto first = [&](int a) { return sphere.Box.Low[a] >> CarvedBricks::Shift; };
-  const auto count = [&](int a)
-  { return (sphere.Box.High[a] >> CarvedBricks::Shift) - first(a) + 1; };
+  const auto first = [&](int a) { return sphere.Bricks.Low[a]; };
+  const auto count = [&](int a) { return sphere.Bricks.Size(a); };
+  const auto isHere = [&](std::int64_t at, int a)
+  {
+    return at >= sphere.Box.Low[a] >> CarvedBricks::Shift &&
+      at <= sphere.Box.High[a] >> CarvedBricks::Shift;
+  };
   const std::int64_t places = count(0) * count(1) * count(2);
   const double half = 0.5 * (BrickSide - 1);
   const double reach = std::sqrt(sphere.Outer) + sphere.BrickRadius;
@@ -175,7 +192,8 @@ CarvingCost SphereCarver::TryTyped(
       from(brick.Y, sphere.Index.Y) * this->Step[1] + from(brick.Z, sphere.Index.Z) * this->Step[2];
     const bool isBehind = sphere.HasFrom &&
       Dot(middle, sphere.Way) + sphere.BrickRadius * Norm(sphere.Way) < sphere.Middle;
-    if (isBehind || Dot(middle, middle) >= reach * reach)
+    if (isBehind || Dot(middle, middle) >= reach * reach || !isHere(brick.X, 0) ||
+      !isHere(brick.Y, 1) || !isHere(brick.Z, 2))
     {
       continue;
     }
@@ -193,9 +211,14 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 {
   const std::uint64_t key = CarvedBricks::KeyOf(place);
   const std::uint32_t brick = bricks.Find(key);
-  if (brick == CarvedBricks::None && !this->IsAnySolid<T>(place, cost.Work))
+  if (brick == CarvedBricks::None)
   {
-    return false;
+    const bool isSolid = this->IsAnySolid<T>(place);
+    cost.Work += (isSolid ? WorkOfSolid : WorkOfEmpty) / (sphere.HasFrom ? KnownPart : 1);
+    if (!isSolid)
+    {
+      return false;
+    }
   }
   CarvedBox part;
   const std::int64_t bases[3] = { place.X * BrickSide, place.Y * BrickSide, place.Z * BrickSide };
@@ -305,7 +328,7 @@ double SphereCarver::FindEnergy(double value, const Vector3& index) const noexce
 }
 
 template <typename T>
-bool SphereCarver::IsAnySolid(const BrickPlace& place, std::size_t& work) noexcept
+bool SphereCarver::IsAnySolid(const BrickPlace& place) noexcept
 {
   const std::uint64_t key = CarvedBricks::KeyOf(place);
   std::uint64_t& known = this->Empty[(key * 0x9e3779b97f4a7c15) >> 52];
@@ -328,7 +351,6 @@ bool SphereCarver::IsAnySolid(const BrickPlace& place, std::size_t& work) noexce
   {
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
     {
-      work += WorkOfLine;
       const T* const line = static_cast<const T*>(this->View.Data) + k * stride[2] + j * stride[1];
       for (std::int64_t i = low[0]; i <= high[0]; ++i)
       {

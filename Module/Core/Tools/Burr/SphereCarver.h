@@ -21,7 +21,7 @@
  * solid cost nothing. Bricks in which, and around which, no sample is solid stay as they are: there
  * is nothing to remove.
  *
- * Where a brick is needed and none is left, nothing at all is removed.
+ * Where a brick is needed and none is left, nothing of the sphere, or of that part, is removed.
  *
  * A sphere that takes more time than a tick has is removed in parts: bricks in the order of their
  * places. Each sample's share depends on the sphere alone, so that the parts leave what the whole
@@ -75,7 +75,7 @@ public:
   /** The part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
   /** A part does no more work than CarvingPart::MostWork and that of one brick. */
-  static constexpr std::size_t MostWorkOfBrick = 1745;
+  static constexpr std::size_t MostWorkOfBrick = 1385;
 
   SphereCarver();
 
@@ -117,7 +117,7 @@ private:
   bool LookAt(const CarvedBricks& bricks, const Sphere& sphere, const BrickPlace& place,
     CarvingCost& cost) noexcept;
   template <typename T>
-  bool IsAnySolid(const BrickPlace& place, std::size_t& work) noexcept;
+  bool IsAnySolid(const BrickPlace& place) noexcept;
   /** U, J/mm^3, of the sample at an index. */
   double FindEnergy(double value, const Vector3& index) const noexcept;
 

@@ -142,7 +142,7 @@ struct FourPlaces
 };
 VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
 {
-  const Double4 inside = Larger(Smaller(position, Spread(last)), Spread(first));
+  const Double4 inside = Smaller(Larger(position, Spread(first)), Spread(last));
   // Whole numbers: the smaller one of two is not beyond the last cell.
   const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
   return { cell, inside - cell };

@@ -15,7 +15,7 @@ constexpr double FarthestHand = 1e9;
 /** What a servo has time for: looks, and points in all looks of a tick. */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
-/** To a burr, which also has to remove tissue, a point takes as much time as this many do else. */
+/** Where a burr has removed tissue, reading a point takes about this many times as long. */
 constexpr std::size_t PointsOfCarved = 5;
 /** A tick ends if the next step would change the force by less than this share of it, and N. */
 constexpr double ForceShare = 5e-3;
