@@ -7,6 +7,7 @@
 
 #include "Rigs/ApiRig.h"
 #include "Rigs/FullDisk.h"
+#include "Rigs/TemporaryFolder.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -82,7 +83,7 @@ protected:
     EXPECT_EQ(GetShares(removal), before);
   }
 
-  const std::string File = "RemovalTest.vti";
+  const std::string File = TemporaryPath("removal.vti");
   vtkNew<vtkHapticBurr> Burr;
 };
 } // namespace
