@@ -201,7 +201,7 @@ class Scene:
         self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
-        """Holds the time, and writes what is seen then, without the hint that nobody is there to follow."""
+        """Holds the time, and writes the picture of it, without the hint on keys."""
         self.haptics.head_up_display.HintVisibilityOff()
         self.haptics.device.Hold()
         self.watch(0.3)

@@ -13,14 +13,12 @@ import pathlib
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkWindowedSincPolyDataFilter
-from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
-from vtkmodules.vtkIOImage import vtkNIFTIImageReader
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 from volumehaptics import vtkHapticLabelTable, vtkVolumeHapticsFilter
 
 from force_scene import make_actor, make_bar, make_colours, make_renderer, show
+from scan_scene import make_image, make_surface, read_scan
 
 # The beginning of the name: its colour, and its stiffness (N/m).
 ORGANS = {
@@ -40,23 +38,10 @@ SPEED = 60.0  # mm/s
 
 def read(file):
     """Samples [z, y, x], with x to the left, y to the back and z to the top, and their spacing (mm)."""
-    reader = vtkNIFTIImageReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image, place = reader.GetOutput(), reader.GetSFormMatrix() or reader.GetQFormMatrix()
-    samples = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
-    samples = samples + np.int16(reader.GetRescaleIntercept())
+    samples, spacing, place = read_scan(file)
     turned = [place is not None and place.GetElement(axis, axis) * wanted < 0 for axis, wanted in enumerate((-1, -1, 1))]
     samples = samples[tuple(slice(None, None, -1 if turn else 1) for turn in turned[::-1])][:, ::EVERY, ::EVERY]
-    return np.ascontiguousarray(samples), np.array(image.GetSpacing()) * (EVERY, EVERY, 1)
-
-
-def make_image(samples, spacing):
-    image = vtkImageData()
-    image.SetDimensions(samples.shape[::-1])
-    image.SetSpacing(spacing)
-    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(samples).ravel(), deep=True))
-    return image
+    return np.ascontiguousarray(samples), spacing * (EVERY, EVERY, 1)
 
 
 def name_labels(file):
@@ -110,17 +95,8 @@ def feel(hu, labels, spacing, table, path):
 
 
 def surface(inside, spacing, colour, opacity=1.0):
-    soft, edges, smooth = vtkImageGaussianSmooth(), vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
-    soft.SetInputData(make_image(np.pad(inside, 2).astype(np.float32), spacing))  # closed at the border
-    soft.SetStandardDeviation(1.2)  # voxels
-    edges.SetInputConnection(soft.GetOutputPort())
-    edges.SetValue(0, 0.5)
-    smooth.SetInputConnection(edges.GetOutputPort())
-    smooth.SetNumberOfIterations(30)
-    smooth.SetPassBand(0.03)
-    actor = make_actor(smooth, opacity=opacity)
+    actor = make_surface(np.pad(inside, 2), spacing, colour, opacity, deviation=1.2)  # closed at the border
     actor.SetPosition(-2.0 * spacing)
-    actor.GetProperty().SetColor(colour)
     return actor
 
 

@@ -16,17 +16,16 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkTubeFilter, vtkWindowedSincPolyDataFilter
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkLineSource
-from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
-from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkActor, vtkImageSlice, vtkImageSliceMapper, vtkPolyDataMapper, vtkRenderer
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 from volumehaptics import vtkHapticLabelTable, vtkHapticNeedle, vtkVolumeHapticsFilter
 
-from force_scene import make_actor, make_renderer, show
+from force_scene import make_renderer, show
+from scan_scene import make_image, make_surface, read_scan
 
 L2, L1, T12 = 30, 31, 32
 # Label: name, colour, T (N) to puncture, R (N) to cut, tau (N per metre) along the shaft.
@@ -41,24 +40,6 @@ TISSUES = {
 SKIN, FAT, MUSCLE, LIGAMENT, CANAL, BONE = TISSUES
 CANAL_RADIUS, LIGAMENT_THICKNESS, SKIN_THICKNESS = 8.0, 3.0, 2.5  # mm
 SPEED = 8.0  # mm/s
-
-
-def read(file):
-    """Samples [z, y, x] and the spacing (mm)."""
-    reader = vtkNIFTIImageReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    image = reader.GetOutput()
-    samples = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
-    return samples + np.int16(reader.GetRescaleIntercept()), np.array(image.GetSpacing())
-
-
-def make_image(samples, spacing):
-    image = vtkImageData()
-    image.SetDimensions(samples.shape[::-1])
-    image.SetSpacing(spacing)
-    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(samples).ravel(), deep=True))
-    return image
 
 
 def crop(hu, organs):
@@ -205,20 +186,6 @@ def tell(track, table):
     print(f"{depth:.1f} mm deep" + (f", {angle:.0f} degrees to the normal of the skin" if angle >= 0.0 else ""))
 
 
-def surface(samples, spacing, colour, opacity):
-    soft, edges, smooth = vtkImageGaussianSmooth(), vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
-    soft.SetInputData(make_image(samples.astype(np.float32), spacing))
-    soft.SetStandardDeviation(1.5)  # voxels
-    edges.SetInputConnection(soft.GetOutputPort())
-    edges.SetValue(0, 0.5)
-    smooth.SetInputConnection(edges.GetOutputPort())
-    smooth.SetNumberOfIterations(30)
-    smooth.SetPassBand(0.03)
-    actor = make_actor(smooth, opacity=opacity)
-    actor.GetProperty().SetColor(colour)
-    return actor
-
-
 def draw_needle(track, table):
     """Its track in the colours of the tissues, and its shaft outside."""
     points = vtk_to_numpy(track.GetPoints().GetData())
@@ -310,8 +277,8 @@ def main():
     folder = pathlib.Path(chosen.folder)
     if not (folder / "cxr.nii.gz").exists() or not (folder / "mask.nii.gz").exists():
         parser.error(f"{folder} lacks cxr.nii.gz or mask.nii.gz: get both with `. Data/scans.sh; get_chest_ct FOLDER`")
-    hu, spacing = read(folder / "cxr.nii.gz")
-    organs, _ = read(folder / "mask.nii.gz")
+    hu, spacing, _ = read_scan(folder / "cxr.nii.gz")
+    organs, _, _ = read_scan(folder / "mask.nii.gz")
     hu, organs, spacing = refine(*crop(hu, organs), spacing)
     canal = find_canal(organs, spacing)
     labels = classify(hu, organs, canal, spacing)
@@ -324,9 +291,9 @@ def main():
     tell(track, table)
 
     scene = make_renderer(
-        surface(labels == BONE, spacing, TISSUES[BONE][1], 1.0),
-        surface(labels == CANAL, spacing, TISSUES[CANAL][1], 0.35),
-        surface(labels != 0, spacing, TISSUES[SKIN][1], 0.12), *draw_needle(track, table))
+        make_surface(labels == BONE, spacing, TISSUES[BONE][1], 1.0),
+        make_surface(labels == CANAL, spacing, TISSUES[CANAL][1], 0.35),
+        make_surface(labels != 0, spacing, TISSUES[SKIN][1], 0.12), *draw_needle(track, table))
     scene.AddViewProp(draw_slice(hu, spacing, int(round(target[0] / spacing[0])) - 12))
     scene.SetViewport(0.0, 0.0, 0.52, 1.0)
     camera = scene.GetActiveCamera()

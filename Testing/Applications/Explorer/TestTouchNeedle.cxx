@@ -17,7 +17,7 @@
 
 namespace
 {
-/// What a key prints.
+/// The text that a key prints.
 std::string PressKey(TouchedHead& head, char key)
 {
   std::ostringstream text;

@@ -90,7 +90,7 @@ double Miss(const PrimitiveForces& forces, const PrimitiveSet& set)
   return sum;
 }
 
-/// What a walk has met.
+/// The largest force, and the largest changes of the force, of a walk.
 struct Walked
 {
   double Strongest = 0.0; ///< N

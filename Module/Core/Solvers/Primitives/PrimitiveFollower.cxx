@@ -108,7 +108,7 @@ private:
     return Rate((before - Dot(this->Rest, second)) / length);
   }
 
-  /** What is left in the middle of a step from the place; a step that is too long is shortened. */
+  /** The rest in the middle of a step from the place. Shortens a step that is too long. */
   Vector3 FindMiddle(const Vector3& first, double rate, double& length) noexcept
   {
     const double before = this->Length;

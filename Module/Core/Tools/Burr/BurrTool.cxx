@@ -84,7 +84,7 @@ public:
 private:
   bool HasTime() const noexcept { return this->Record.Work < MostBurrWork; }
 
-  /** What the next sphere costs, or its next part. */
+  /** The cost of the next sphere, or of its next part. */
   CarvingCost Try(const Vector3& next) noexcept
   {
     const BurrState& s = this->State;

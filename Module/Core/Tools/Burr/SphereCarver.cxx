@@ -20,12 +20,9 @@ constexpr std::int64_t BrickSide = CarvedBricks::Side;
  * ends its parts where the recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
-///@{
-/** Of a brick that is not in use; less where those before were looked at in the last steps. */
-constexpr std::size_t WorkOfSolid = 40;
-constexpr std::size_t WorkOfEmpty = 100;
-constexpr std::size_t KnownPart = 5;
-///@}
+constexpr std::size_t WorkOfSolid = 40;  ///< of a brick that is not in use
+constexpr std::size_t WorkOfEmpty = 100; ///< the same, without anything solid
+constexpr std::size_t KnownPart = 5;     ///< of both: they count a fifth after the first sphere
 constexpr std::size_t WorkOfShares = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}

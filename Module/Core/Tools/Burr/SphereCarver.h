@@ -55,7 +55,7 @@ struct CarvingPart
   std::size_t MostWork = ~std::size_t{ 0 }; ///< after which no further brick is begun
 };
 
-/** What it would take to remove a sphere, or a part of one. */
+/** The cost of a sphere, or of a part of one, and how much it removes. */
 struct CarvingCost
 {
   double Energy = 0.0;     ///< J
