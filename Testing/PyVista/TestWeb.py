@@ -214,7 +214,7 @@ def run(*arguments):
 
 def test_bad_input_is_told_once(tmp_path):
     (tmp_path / "empty.nii").write_bytes(b"")
-    for arguments, fault in (([], "give one volume, or --demo"), (["none.vti"], "there is no none.vti"),
+    for arguments, fault in (([], "give one volume, or --demo"), (["none.vti"], "none.vti: there is no such file"),
                              ([str(tmp_path / "empty.nii")], "empty.nii"), (["--demo", "--preset", "Cheese"], "Cheese")):
         result = run(*arguments)
         assert result.returncode == 2 and fault in result.stderr, result.stderr

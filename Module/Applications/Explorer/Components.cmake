@@ -46,6 +46,7 @@ set(Explore_SOURCES
   Exploration/ModeChoice.cxx
   Exploration/ShapeFile.cxx
   Exploration/TissueTable.cxx
+  HelpText.cxx
   Live/FreeFile.cxx
   Live/HandTool.cxx
   Live/LiveRun.cxx

@@ -3,6 +3,7 @@
 /// Explores a volume by touch, without a device: the project's main task from the command line.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Live/LiveRun.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/Options.h"
@@ -141,6 +142,30 @@ void WritePictures(Explore::Exploration& exploration, const Explore::Options& op
   std::cout << "force.png\n";
 }
 
+Explore::Volume Load(const Explore::Options& options)
+{
+  std::vector<std::string> paths{ options.VolumePath };
+  paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
+  return Explore::LoadVolumes(paths, options.Large, options.Series, options.Array);
+}
+
+int WriteVolume(const Explore::Options& options)
+{
+  const Explore::Volume volume = Load(options);
+  if (volume.Large)
+  {
+    throw Explore::InputError(options.VolumePath,
+      "is read where the hand is, as it may be larger than memory", "leave --write-volume out");
+  }
+  Explore::WriteImage(volume.Image, options.WrittenVolume);
+  for (const std::string& note : volume.Notes)
+  {
+    std::cout << note << "\n";
+  }
+  std::cout << "Written: " << options.WrittenVolume << std::endl;
+  return DONE;
+}
+
 int Run(const Explore::Options& options, Explore::FileChoice& next)
 {
   const vtkSmartPointer<vtkRenderWindow> window = OpenWindow(options);
@@ -154,10 +179,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   };
   std::cout << "Reading " << options.VolumePath << std::endl;
   tell("Reading " + vtksys::SystemTools::GetFilenameName(options.VolumePath), 0.0);
-  std::vector<std::string> paths{ options.VolumePath };
-  paths.insert(paths.end(), options.MorePaths.begin(), options.MorePaths.end());
-  Explore::Volume volume =
-    Explore::LoadVolumes(paths, options.Large, options.Series, options.Array);
+  Explore::Volume volume = Load(options);
   if (volume.Large && options.Live)
   {
     throw Explore::InputError(options.VolumePath,
@@ -284,6 +306,10 @@ int main(int argc, char* argv[])
     if (options.CheckDisplay)
     {
       return CheckDisplay();
+    }
+    if (!options.WrittenVolume.empty())
+    {
+      return WriteVolume(options);
     }
     return RunAll(options);
   }

@@ -41,6 +41,7 @@ struct Options
   bool Sound = false;          // of the window
   std::string Tool;            // of the window: "needle", "burr", a file, or empty for a point
   std::string SoundFile;       // for the sound along the path
+  std::string WrittenVolume;   // file for the volume alone, if it is only read and written
   Settings How;
   MapperChoice Mapper = MapperChoice::Auto;
   int Width = 900;
@@ -48,9 +49,6 @@ struct Options
 
 /// Throws InputError for an option that is not known or has no proper value.
 Options ParseOptions(int argc, char* argv[]);
-
-/// The text of --help.
-std::string HelpText();
 } // namespace Explore
 
 #endif

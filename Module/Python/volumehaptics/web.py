@@ -17,10 +17,13 @@ Needs PyVista, and trame: pip install pyvista trame trame-vuetify trame-rca.
 from __future__ import annotations
 
 import argparse
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .__main__ import PROGRAM, find_explorer
 from ._webview import View, names_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 
@@ -112,22 +115,20 @@ def show_plotter(plotter: Any, **_: Any) -> Any:
 
 
 def _read(path: str) -> vtkImageData:
+    """The volume of a file or folder with the values, axes and lengths that the explorer has: by its own reader, since
+    those of VTK and PyVista leave out how a file's axes lie in the world."""
     import pyvista as pv
 
-    if not Path(path).exists():
-        raise ValueError(f"there is no {path}")
-    try:
-        image = pv.DICOMReader(path).read() if Path(path).is_dir() else pv.read(path)
-    except (OSError, ValueError) as error:
-        raise ValueError(f"{path} can't be read: {error}. What can is .vti .mhd .mha .nii .nii.gz .nrrd, or a folder "
-                         "of uncompressed DICOM slices; the explorer, without --web, reads more") from error
-    if not isinstance(image, pv.ImageData) or image.n_points < 8:
-        raise ValueError(f"{path} holds no volume, but {type(image).__name__}")
-    if image.active_scalars is None and image.point_data.keys():
-        image.set_active_scalars(image.point_data.keys()[0])
-    if image.active_scalars is None:
-        raise ValueError(f"{path} has no values at points")
-    return image
+    explorer = find_explorer()
+    if explorer is None:
+        raise ValueError(f"there is no {PROGRAM}, which reads volumes, neither in the package nor on PATH. Cure: the wheel "
+                         "brings it along (CMake/wheel/build.sh)")
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "volume.vti")
+        result = subprocess.run([explorer, path, "--write-volume", file], capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise ValueError(result.stderr.strip() or f"{path} can't be read: {PROGRAM} ended by {result.returncode}")
+        return pv.read(file)
 
 
 def _threshold(image: Any) -> float:
@@ -175,7 +176,8 @@ def main(arguments: list[str]) -> int:
     """python -m volumehaptics --web."""
     parser = argparse.ArgumentParser(prog="python -m volumehaptics --web", description=(
         "Touch a volume in a browser. The mouse of the page leads the hand; the servo runs here."))
-    parser.add_argument("volume", nargs="?", help=".vti .mhd .mha .nii .nii.gz .nrrd, or a folder of DICOM slices")
+    parser.add_argument("volume", nargs="?", help="whatever volumehaptics-explore reads: .vti .mhd .mha .nii .nii.gz .nrrd, "
+                                                    "a folder of DICOM slices, a grid, ...")
     parser.add_argument("--demo", action="store_true", help="the head phantom that comes with the package")
     parser.add_argument("--preset", choices=[*names_of(vtkHapticProperty.GetPresetNames()), "propose"],
                         help="what the tissues feel like (default: by the values)")

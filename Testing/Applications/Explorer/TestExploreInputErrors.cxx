@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Live/ToolFile.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Record/DemoScript.h"
+#include "Applications/Explorer/Report/ReportFiles.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 
@@ -77,6 +78,33 @@ double FindVolume(vtkPolyData* surface)
     volume += vtkMath::Determinant3x3(x[0], x[1], x[2]) / 6.0;
   }
   return volume;
+}
+
+/// What --write-volume takes.
+void ExpectWrittenVolumes()
+{
+  const auto answer = [](const std::string& file)
+  {
+    std::string words[] = { "explore", "head.vti", "--write-volume", file };
+    char* arguments[] = { &words[0][0], &words[1][0], &words[2][0], &words[3][0] };
+    try
+    {
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 2, 2);
+      image->AllocateScalars(VTK_SHORT, 1);
+      Explore::WriteImage(image, Explore::ParseOptions(4, arguments).WrittenVolume);
+      return std::string("nothing");
+    }
+    catch (const Explore::InputError& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  Expect(answer("head.vtk").find("take one that ends in .vti") != std::string::npos,
+    "a volume is written as .vti only");
+  Expect(answer(folder + "/missing/head.vti").find("cannot be written") != std::string::npos,
+    "a folder that is missing is told");
+  Expect(answer(folder + "/written.VTI") == "nothing", "a volume is written");
 }
 
 /// What --tool takes, and the surfaces in files.
@@ -293,6 +321,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
 
   ExpectNewtons();
+  ExpectWrittenVolumes();
   ExpectWindowFiles();
   ExpectTools();
   ExpectPresetFiles(head);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The head comes out of every format the same way up, at the same place, with the same values,
 // whatever the order of its voxels in the file and the numbers that are stored there.
+#include "Applications/Explorer/Report/ReportFiles.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
@@ -55,6 +56,9 @@ int TestExploreOrientation(int argc, char* argv[])
   const vtkSmartPointer<vtkImageData> shuffled = ShuffleHead(head);
 
   ExpectSamePlace("a left-handed frame", head, Explore::AlignToAxes(shuffled));
+  const std::string written = folder + "/written.vti";
+  Explore::WriteImage(shuffled, written);
+  ExpectSamePlace("VTK's XML", head, Explore::LoadVolume(written).Image);
   ExpectSamePlace("MetaImage", head, Explore::LoadVolume(WriteMetaImage(folder, shuffled)).Image);
   for (const auto& [slope, intercept] :
     { std::pair<double, double>{ 1.0, 0.0 }, { 1.0, -1024.0 }, { 0.5, -1024.0 } })

@@ -3,12 +3,14 @@
 #include "Applications/Explorer/Report/ReportFiles.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "VTK/Trace/TraceWriter.h"
 
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkWindowToImageFilter.h"
+#include "vtkXMLImageDataWriter.h"
 
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
@@ -57,6 +59,21 @@ void WriteTrace(vtkPolyData* trace, const std::string& file)
 void WriteTable(vtkPolyData* trace, const std::string& file)
 {
   Write(VolumeHaptics::WriteTraceTable, trace, file);
+}
+
+void WriteImage(vtkImageData* image, const std::string& file)
+{
+  const MessageCapture capture; // what is wrong is told below
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(image);
+  writer->SetCompressorTypeToNone();
+  writer->EncodeAppendedDataOff();
+  if (writer->Write() == 0 || writer->GetErrorCode() != 0)
+  {
+    throw InputError(file, "cannot be written",
+      "check that the disk is not full and the folder is there and yours");
+  }
 }
 
 void WritePicture(vtkRenderWindow* window, const std::string& file)

@@ -3,6 +3,7 @@
 #ifndef Explore_ReportFiles_h
 #define Explore_ReportFiles_h
 
+#include "vtkImageData.h"
 #include "vtkPolyData.h"
 
 #include <string>
@@ -20,6 +21,9 @@ void WriteTrace(vtkPolyData* trace, const std::string& file);
 /// Writes a row for each tick and a column for each component of an array; the header has the
 /// units.
 void WriteTable(vtkPolyData* trace, const std::string& file);
+
+/// Writes an image as VTK's XML, with all of its arrays, not compressed.
+void WriteImage(vtkImageData* image, const std::string& file);
 
 /// Renders the window into a PNG file.
 void WritePicture(vtkRenderWindow* window, const std::string& file);

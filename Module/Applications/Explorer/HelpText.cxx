@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/HelpText.h"
+
+#include "Applications/Explorer/Exploration/ModeChoice.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkStringArray.h"
+#include "vtkVolumeHapticsFilter.h"
+
+namespace
+{
+/// ", first, second" of names, each in quotes or not.
+std::string List(vtkStringArray* names, const std::string& quote)
+{
+  std::string list;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    list += ", " + quote + names->GetValue(i) + quote;
+  }
+  return list;
+}
+} // namespace
+
+namespace Explore
+{
+std::string HelpText()
+{
+  const std::string presets = List(vtkHapticProperty::GetPresetNames(), "\"");
+  const std::string methods = List(vtkVolumeHapticsFilter::GetMethodNames(), "").substr(2);
+  return R"(Usage: volumehaptics-explore VOLUME [options]
+
+Feels its way over a volume: presses a tip into the outer surface, drags it, presses through to what is
+dense inside, drags it there, and says what a hand would feel. Then, if there is a display, opens a
+window in which the mouse, or a device, touches the volume. Without a display, or with --pictures, writes
+pictures, the trace and a summary.
+
+VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series; a folder of DICOM slices or of
+         folders of them, or its DICOMDIR; or one that may be larger than memory:
+         .vtkhdf, a folder .zarr (of a Zarr array or an OME-Zarr image), or raw samples behind .mhd .mha .nrrd
+         .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
+         files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
+         names; a .pvd file with times (s); or a NIfTI file with several times. The window plays it: space holds,
+         arrows go from frame to frame, comma and period change the speed. Files without times are 1/10 s apart.
+         Grids, .vtu .vtr .vts .vtm .vtmb .vtk, OpenFOAM's .foam and EnSight's .case, are resampled; if they
+         have vectors, the flow is followed
+
+  --pictures DIR    no window, and where the results go (default explore-pictures):
+                    explore.png force.png trace.vtp trace.csv summary.txt
+  --device ID       of the window: virtual (default, the mouse), replay:FILE, or a real one, such as
+                    falcon: see volumehaptics-device list
+  --firmware FILE   the image for a Novint Falcon that has none
+  --newtons X[,Y]   a stick's force at full scale along its axes, N (100): measure it, most have much
+                    less; Y is 0 if only the first axis has a motor, as that of a wheel
+  --setup FILE      of the window: loaded if it is there, saved when the window is closed
+  --measurements FILE
+                    of the window: points, distances, angles, paths and areas that you measure by touch (keys P,
+                    D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
+                    .vtp, or .mrk.json for 3D Slicer
+  --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
+                    begins and ends one, F10 a recording of the touch, and F12 takes a picture
+  --replay FILE.vtp of the window: shows a recording of key F10 with a slider for its time. F5 plays and holds it,
+                    F6 and F7 go back and on
+  --script FILE     of the window: a demonstration, lines with a time (s) and an event, such as
+                    "1.0 key t", "1.5 wheel 3", "2.0 stroke 0.7 0.5 1.5", "9 key q": see
+                    Documentation/recording.md
+  --stereo MODE     of the window: anaglyph, crystal-eyes, red-blue, interlaced, checkerboard,
+                    split-viewport, dresden, left, right, fake, emulate
+  --slices          of the window: three slices through the tip beside the volume (key s). A click goes
+                    there and touches, the wheel moves across them, the right button sets window and level
+  --cut NAME        of the window: cut open at first by a plane or a box (default: not cut). The mouse drags the
+                    handles; keys: x plane, box, none; X swaps the kept and the hidden part; z feels the
+                    cut faces
+  --tool NAME       of the window: what the hand holds: point (default); needle, which punctures surfaces, and
+                    rubs and is held in tissue; burr, which removes tissue while the left button, or the
+                    device's, is pressed. Keys: N the next one; T saves the track of a needle, or what was
+                    removed; U undoes a stroke of the burr, J does it again
+  --tool FILE.stl   the closed surface of a tool, also .ply, .obj or .vtp, in the volume's units: its shape is
+                    felt where it meets the outer surface. Alt + mouse turns it; key N: the next one
+  --sound           of the window: what is touched can be heard, a click where a surface is touched or
+                    pierced, and noise while the tip slides; the harder, the brighter
+  --sound FILE.wav  the sound along the path, in a file
+  --preset NAME     materials: auto (default: "CT contrast" for Hounsfield units, else propose), propose
+                    (what the volume's own edges suggest), histogram)" +
+    presets + R"(,
+                    or a file .json that the key F8 of the window saved
+  --array NAME      of several point arrays, the one that is shown and felt: its values, or the magnitude of
+                    its vectors (default: the active scalars, or else the first array)
+  --displacements NAME
+                    of a volume that moves: the point array of vectors that tells where the material of a frame
+                    is in the next one. Surfaces then go from frame to frame however far that is, and take
+                    along a hand that sticks to them
+  --series N        which series of a DICOM folder with several (default: that with most pixels; the
+                    summary lists them, and key F3 of the window). Key F2, or a file that is dropped on
+                    the window, opens another volume
+  --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
+                    have names in the window, and materials of their own
+  --as-labels       the volume is a label map: its values are numbers of labels, which have colours, and
+                    the names that the file has for them. The window asks if it looks like one (key F4)
+  --materials FILE  a table of what the labels feel like, such as a CSV with the columns label, name,
+                    stiffness, friction, viscosity, strength; several of these options add up
+  --method NAME     of the path, and the first of the window: )" +
+    methods + R"(
+                    (default proxy, or primitives for the vectors of a grid; the others for comparison; primitives feels the modes)
+  --mode NAME[:ARRAY]
+                    a mode of the method primitives, which this chooses, too: )" +
+    ListModes() + R"(;
+                    ARRAY has its vectors or tensors (default: the first that fits). Several of these options
+                    add up; without any, the vectors are followed, else the tensors. NAME may also say what
+                    you want: )" +
+    ListModePresets() + R"(
+  --guide FILE      leads the hand along the lines of a file, or on its surface, as a mode of primitives, with
+                    2 N: .vtp .vtk .stl .ply .obj, in the volume's coordinates; or along the paths that you
+                    measured (--measurements: .csv .mrk.json .vtp), or a trace. The modes of --mode are felt,
+                    too; without any, the window offers them (key M)
+  --estimator NAME  gradient: central, gaussian (default), bspline
+  --size PX         width of the picture (default 900)
+  --mapper NAME     volume rendering: auto (default), gpu, cpu; auto takes the
+                    processor in a window if OpenGL runs there, too
+  --front AXIS      where a face looks: -y (default), +y, +x, -x, +z, -z
+  --up AXIS         where the top is: +z (default), ...
+  --write-volume FILE.vti
+                    no window: the volume alone, with the values, axes and lengths that are felt (of one that
+                    moves, the first frame)
+  --live            run the same path through the servo loop, too, at 1 kHz in real time; what was felt
+                    there is recorded in live.vtp and shown in the pictures
+  --large           read .mhd .mha .nrrd .nhdr where the hand is (default: if they take more than half of the
+                    free memory)
+  --check-display   do nothing but test whether the display can draw pictures: exit status 0 if it can;
+                    if not, VTK may crash
+  --help            this text
+
+Exit status: 0 done, 1 the computation failed, 2 the input or an option is wrong, 3 no display.
+)";
+}
+} // namespace Explore

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_HelpText_h
+#define Explore_HelpText_h
+
+#include <string>
+
+namespace Explore
+{
+/// The text of --help.
+std::string HelpText();
+} // namespace Explore
+
+#endif
