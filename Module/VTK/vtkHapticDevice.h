@@ -324,9 +324,10 @@ public:
    * again at zero. GetDataTime is that of the latest state, or of SetDataTime until it is felt
    * there; default 0. In the interval after the last step it is above the last step's.
    *
-   * UpdateState reads the time steps ahead of the servo, three in memory at most while time runs,
-   * four for a moment after SetDataTime. If they are late, data time holds: IsWaitingForData, and
-   * GetStatusText tells for which. Components are felt where they are, without a copy.
+   * UpdateState reads the time steps ahead of the servo, three in memory at most: on the way of
+   * SetDataTime to two other ones, one of them may be felt alone for a moment. If they are late,
+   * data time holds: IsWaitingForData, and GetStatusText tells for which. Components are felt where
+   * they are, without a copy.
    */
   void Play();
   void Hold();

@@ -221,6 +221,10 @@ std::size_t BakedVolume::FindFrame(double time) const noexcept
 double BakedVolume::FindShare(std::size_t frame, double time) const noexcept
 {
   const FieldFrame& before = this->Frames[frame];
+  if (frame + 1 == this->Frames.size())
+  {
+    return 0.0; // the only one
+  }
   // A window may end where the series begins again.
   const bool isPast = time < before.Time && this->Frames[frame + 1].Time < before.Time;
   return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
@@ -236,6 +240,10 @@ FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noex
 {
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
+  if (this->Frames.size() == 1)
+  {
+    return FieldAtTime(before.Field, memory);
+  }
   return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
     before.Motion ? &*before.Motion : nullptr, memory, frame };
 }

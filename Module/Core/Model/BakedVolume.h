@@ -115,7 +115,8 @@ struct BakedVolume
   }
   FrameWindow GetWindow() const noexcept
   {
-    return { this->Series, this->Frames.front().Time, this->Frames.back().Time };
+    return { this->Series, this->Frames.front().Time, this->Frames.back().Time,
+      this->Frames.size() == 1 };
   }
   /** The number of the frame that a data time follows, and to which At blends the next one. */
   std::size_t FindFrame(double time) const noexcept;

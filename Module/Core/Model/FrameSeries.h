@@ -10,7 +10,8 @@
  *   First ... Last ... First + GetPeriod(), which is First again.
  *
  * A model may hold a window only: some of the frames, in this order. A window that goes on with the
- * first frame after the last one ends at an earlier time than it begins.
+ * first frame after the last one ends at an earlier time than it begins. A window of one frame has
+ * no other time than that of the frame.
  */
 #ifndef FrameSeries_h
 #define FrameSeries_h
@@ -33,14 +34,15 @@ struct FrameSeries
 struct FrameWindow
 {
   FrameSeries Series;
-  double Front = 0.0; ///< of its first frame
-  double Back = 0.0;  ///< of its last frame; that of Front again if it holds the whole loop
+  double Front = 0.0;     ///< of its first frame
+  double Back = 0.0;      ///< of its last frame; that of Front again if it holds the whole loop
+  bool IsInstant = false; ///< it has one frame only
 
-  bool IsLoop() const noexcept { return this->Front == this->Back; }
+  bool IsLoop() const noexcept { return this->Front == this->Back && !this->IsInstant; }
   bool Has(double time) const noexcept
   {
-    return this->Front < this->Back ? this->Front <= time && time <= this->Back
-                                    : time >= this->Front || time <= this->Back;
+    return this->Front < this->Back || this->IsInstant ? this->Front <= time && time <= this->Back
+                                                       : time >= this->Front || time <= this->Back;
   }
   ///@{
   /** The data time that it has from `time` on, forward and backward. */

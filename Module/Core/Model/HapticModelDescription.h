@@ -59,8 +59,9 @@ struct HapticModelDescription
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * Of a volume that moves, two at least, by ascending time; View is that of the first one, and all
-   * have its geometry. After the last frame of the series, the first one may follow once more.
+   * Of a volume that moves, by ascending time, two at least, or one of a Series; View is that of
+   * the first one, and all have its geometry. After the last frame of the series, the first one may
+   * follow once more.
    */
   std::vector<VolumeFrame> Frames;
   /** That of the frames if they are a window; with a LoopInterval of 0, they are all of it. */

@@ -44,9 +44,10 @@ DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrde
   this->Report.Places = orders.Places;
   if (orders.Places != this->Places)
   {
-    const Leap within = this->FollowPlace(window, orders, time);
-    leap = leap == Leap::Away ? leap : within;
+    const Leap there = this->FollowPlace(window, orders, time);
+    leap = leap == Leap::Away ? leap : there;
   }
+  this->WasInstant = window.IsInstant;
   this->IsReturning = this->IsReturning && orders.Mode == Playback::PingPong;
   if (orders.Plays && !this->Report.IsWaiting)
   {
@@ -75,7 +76,8 @@ DataClock::Leap DataClock::FollowPlace(
   this->Places = orders.Places;
   const bool isElsewhere = time != place;
   time = place;
-  return isElsewhere ? Leap::Within : Leap::None;
+  const Leap leap = this->WasInstant ? Leap::Away : Leap::Within;
+  return isElsewhere ? leap : Leap::None;
 }
 
 void DataClock::Advance(

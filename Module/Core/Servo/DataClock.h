@@ -22,7 +22,9 @@
  *
  * A model may have a window of the series only (FrameSeries.h). If the next frame has not come when
  * it is needed, time holds at the end of the window and goes on from there: it never jumps. So does
- * it if the frames at another Place have not come.
+ * it if the frames at another Place have not come. On the way there, the model may have one frame
+ * only, where time holds, too. Nothing is carried from the old place to that frame, nor from there
+ * to Place.
  */
 #ifndef DataClock_h
 #define DataClock_h
@@ -69,7 +71,7 @@ public:
   {
     None,
     Within, ///< to another time of the model: the force may leap
-    Away    ///< from a time that the model does not have
+    Away    ///< from a time that the model does not have, or by way of one frame
   };
   /**
    * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at
@@ -96,6 +98,7 @@ private:
   std::uint32_t Places = 0; ///< of the Place where it has been
   bool HasTime = false;
   bool IsReturning = false; ///< PingPong, on the way back
+  bool WasInstant = false;  ///< the last tick's model had one frame only
 };
 
 } // namespace VolumeHaptics

@@ -306,7 +306,8 @@ std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count
       (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
     const FieldFrame& frame = this->Window->Frames[offset];
     frames.push_back({ frame.Time, frame.Field.GetView(), frame.Samples });
-    frames.back().Mesh = frame.Mesh;
+    // That of a frame alone goes nowhere.
+    frames.back().Mesh = this->Window->Frames.size() > 1 ? frame.Mesh : nullptr;
     if (frame.Motion)
     {
       frames.back().Displacements = frame.Motion->GetView();
@@ -400,8 +401,9 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     frames.insert(begin == need.First ? frames.end() : frames.begin(), frame);
     return this->ShowMeshed(filter, begin, std::move(frames));
   }
+  const std::vector<std::size_t> steps = this->ChooseSteps(need, wanted);
   std::vector<VolumeFrame> frames;
-  for (const std::size_t step : { need.First, second })
+  for (const std::size_t step : steps)
   {
     if (this->Has(step))
     {
@@ -416,7 +418,25 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
       return nullptr;
     }
   }
-  return this->ShowMeshed(filter, need.First, std::move(frames));
+  return this->ShowMeshed(filter, steps.front(), std::move(frames));
+}
+
+/**
+ * The pair that time needs; but if that and the felt one have no step in common, one of it alone:
+ * the felt pair, which the servo needs up to then, is given up before the other one is read.
+ */
+std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time) const
+{
+  const std::size_t second = this->Steps.After(need.First);
+  if (this->Window->Frames.size() < 2 || this->Has(need.First) || this->Has(second))
+  {
+    return { need.First, second };
+  }
+  // A mesh is that of the way to the next step: it is the same at the step itself.
+  const std::vector<double>& times = this->Steps.Times;
+  const bool isSecondNearer =
+    std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Window->Mesh;
+  return { isSecondNearer ? second : need.First };
 }
 
 /** The window, or null until it has its meshes. */

@@ -7,10 +7,10 @@
  *
  * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
  * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
- * and a new window is published, with the tables of the last one. While time runs, three steps are
- * in memory at most, beside the one that their source writes to: one that is no longer needed is
- * given up first. Where SetTime goes to two other steps, there are four until they are published,
- * since the servo feels the old pair up to then. A series of up to three steps is published whole;
+ * and a new window is published, with the tables of the last one. Three steps are in memory at
+ * most, beside the one that their source writes to: one that is no longer needed is given up first.
+ * Where SetTime goes to two other steps, the servo feels the old pair until one of them is there,
+ * and that one alone until it has the other one. A series of up to three steps is published whole;
  * and so are components, and the frames of a vtkHapticFrameSource, which are in memory anyway.
  *
  * For SURFACE_PROXY, a window is published when its meshes have been made, in the background; the
@@ -112,6 +112,7 @@ private:
   bool Has(std::size_t step) const;
   Need FindNeed(double time, bool isBackward) const;
   bool IsMemoryFree() const;
+  std::vector<std::size_t> ChooseSteps(const Need& need, double time) const;
   std::vector<VolumeFrame> Keep(std::size_t first, std::size_t count);
   bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
   std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);

@@ -26,6 +26,8 @@ public:
    */
   vtkImageData* Show(const HapticFrame& frame, bool isComponent, vtkImageData* shape);
   void Clear();
+  /** The array of the frame; null without one. */
+  vtkDataArray* GetArray() const { return this->Array; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;

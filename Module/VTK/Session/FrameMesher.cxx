@@ -6,6 +6,7 @@
 
 #include "vtkDataArray.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace VolumeHaptics
@@ -14,14 +15,15 @@ namespace VolumeHaptics
 bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components,
   double value, const Affine3& indexToWorld)
 {
-  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+  for (std::size_t i = 0; i < frames.size() && (i + 1 < frames.size() || i == 0); ++i)
   {
     if (frames[i].Mesh)
     {
       continue;
     }
+    const std::size_t after = std::min(i + 1, frames.size() - 1);
     const auto make =
-      [frame = frames[i], next = frames[i + 1], component = components[i], value, indexToWorld]
+      [frame = frames[i], next = frames[after], component = components[i], value, indexToWorld]
     { return MeshFrame(frame, next, component, value, indexToWorld); };
     // Arrays of another layout make a copy of their values for their readers, one for all threads.
     // See ShareArray of the model's builder.
@@ -31,7 +33,7 @@ bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int
       frames[i].Mesh = make();
       continue;
     }
-    const Key key{ frames[i].Samples.get(), frames[i + 1].Samples.get(), components[i] };
+    const Key key{ frames[i].Samples.get(), frames[after].Samples.get(), components[i] };
     if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
     {
       this->Meshing.Abandon(); // and do not wait for its end

@@ -22,8 +22,8 @@ class FrameMesher
 {
 public:
   /**
-   * To be called often: gives all frames but the last one the meshes that they lack. False until
-   * they have them.
+   * To be called often: gives all frames but the last one the meshes that they lack, and a frame
+   * alone one that stays. False until they have them.
    * @param components of their arrays, one for each frame
    * @param value of the isosurface
    */

@@ -243,7 +243,16 @@ bool ModelSource::IsUpToDate() const
 std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
 {
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
-  return this->Playback.Follow(filter);
+  std::shared_ptr<const HapticModel> model = this->Playback.Follow(filter);
+  const auto isShown = [this](const FieldFrame& frame)
+  { return frame.Samples.get() == this->Shown.GetArray(); };
+  const bool hasShown =
+    model && std::any_of(model->Baked->Frames.begin(), model->Baked->Frames.end(), isShown);
+  if (model && !hasShown)
+  {
+    this->Shown.Clear(); // its memory is needed
+  }
+  return model;
 }
 
 bool ModelSource::LacksFrames() const

@@ -215,6 +215,17 @@ TEST(DataClock, AWindowIsTheWholeToTheBit)
   const HapticModel whole(wall.Describe());
   for (std::size_t first = 0; first < 5; ++first)
   {
+    const BakedVolume instant(*whole.Baked, wall.Pick(first, 1), whole.Baked->Series);
+    const double time = wall.Times[first];
+    for (const double other : { time - 0.1, time + 0.1 })
+    {
+      EXPECT_FALSE(instant.GetWindow().Has(other));
+    }
+    EXPECT_TRUE(instant.GetWindow().Has(time));
+    EXPECT_EQ(instant.GetWindow().GetAhead(time) + instant.GetWindow().GetBehind(time), 0.0);
+    EXPECT_EQ(instant.FindNearestFrame(time), 0U);
+    const Vector3 place{ 3.3, 4.4, 5.5 };
+    EXPECT_EQ(instant.At(time).Value(place), whole.Baked->At(time).Value(place));
     for (const std::size_t count : { 2, 3 })
     {
       const BakedVolume window(*whole.Baked, wall.Pick(first, count), whole.Baked->Series);
@@ -350,6 +361,65 @@ TEST(DataClock, GoesToAPlaceAtOnceOrWhenItsFramesCome)
   hand.Publish(wall.Pick(3, 3));
   hand.Step(RestingTip);
   EXPECT_EQ(hand.GetTime(), 6.0);
+}
+
+/// One frame of it may come first. Whatever the mode, time holds there, and is carried by nothing.
+TEST(DataClock, GoesToAPlaceByWayOfOneFrame)
+{
+  const HighWall wall = MakeUneven();
+  for (const Playback mode : { Playback::Once, Playback::Loop, Playback::PingPong })
+  {
+    for (const double rate : { 1.0, -1.0 })
+    {
+      for (const bool plays : { false, true })
+      {
+        ClockedHand hand(wall.Describe());
+        hand.Orders = { mode, false, rate, 3.0, 1 };
+        hand.Publish(wall.Pick(0, 2));
+        for (int i = 0; i <= 50; ++i)
+        {
+          hand.Step({ 0.004, 0.004, 0.0115 + 1e-5 * i });
+        }
+        const Vector3& tip = RestingTip;
+        ASSERT_NEAR(hand.Record.Force.Z, -1e-3 * ClockStiffness * 0.5, 1e-3);
+        hand.Orders.Place = 4.6;
+        hand.Orders.Places = 2;
+        hand.Orders.Plays = plays;
+        hand.Step(tip);
+        ASSERT_TRUE(hand.GetReport().IsWaiting);
+        hand.Publish(wall.Pick(2, 1)); // 4.5, where the wall is at 1.6 mm
+        EXPECT_EQ(hand.Step(tip), DataClock::Leap::Away);
+        EXPECT_EQ(Norm(hand.Record.Force), 0.0);
+        for (int i = 0; i < 20; ++i)
+        {
+          EXPECT_EQ(hand.GetTime(), 4.5);
+          EXPECT_TRUE(hand.GetReport().IsWaiting);
+          EXPECT_EQ(hand.GetReport().Wanted, 4.6);
+          EXPECT_EQ(hand.Step(tip), DataClock::Leap::None);
+        }
+        hand.Publish(wall.Pick(2, 2));
+        EXPECT_EQ(hand.Step(tip), DataClock::Leap::Away);
+        EXPECT_NEAR(hand.GetTime(), 4.6, plays ? 1.1 * ClockPeriod : 0.0);
+        EXPECT_EQ(Norm(hand.Record.Force), 0.0);
+        EXPECT_FALSE(hand.GetReport().IsWaiting);
+
+        // Which may be the place itself: there it waits to go on.
+        hand.Publish(wall.Pick(4, 1));
+        hand.Orders.Place = 6.0;
+        hand.Orders.Places = 3;
+        EXPECT_EQ(hand.Step(tip), DataClock::Leap::Away);
+        for (int i = 0; i < 20; ++i)
+        {
+          EXPECT_EQ(hand.GetTime(), 6.0);
+          const bool isEnd = mode == Playback::Once && rate > 0.0;
+          EXPECT_EQ(hand.GetReport().IsWaiting, plays && !isEnd);
+          EXPECT_EQ(hand.Step(tip), DataClock::Leap::None);
+        }
+        hand.Publish(wall.Pick(3, 2));
+        EXPECT_EQ(hand.Step(tip), DataClock::Leap::None);
+      }
+    }
+  }
 }
 
 /// A wall that beats by 1.6 mm, felt through the safety stage by hands that rest, yield and press.

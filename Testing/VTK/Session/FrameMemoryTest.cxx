@@ -10,9 +10,13 @@
 #include "Rigs/TimeSource.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkHapticFrameSource.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
 
 using namespace devicetest;
 
@@ -25,22 +29,20 @@ public:
   static CountedArray* New() { VTK_STANDARD_NEW_BODY(CountedArray); }
   vtkTypeMacro(CountedArray, vtkDoubleArray);
 
-  /// For what belongs to the source.
-  void LeaveOut()
-  {
-    this->Counts = false;
-    --Live;
-  }
-
+  static inline bool OfSource = false; ///< those that are made now belong to the source
   static inline int Live = 0;
   static inline int Most = 0;
 
 protected:
-  CountedArray() { Most = std::max(Most, ++Live); }
+  CountedArray()
+  {
+    Live += this->Counts ? 1 : 0;
+    Most = std::max(Most, Live);
+  }
   ~CountedArray() override { Live -= this->Counts ? 1 : 0; }
 
 private:
-  bool Counts = true;
+  const bool Counts = !OfSource;
 };
 
 class FrameMemory : public DeviceTest
@@ -56,15 +58,9 @@ protected:
     }
     this->Source->Make = [](double time)
     {
-      auto image = MakeImage(24, VTK_DOUBLE,
-        [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - 8.0 - time) / 1.5)); });
-      vtkDataArray* const plain = image->GetPointData()->GetScalars();
-      vtkNew<CountedArray> counted;
-      counted->LeaveOut();
-      counted->DeepCopy(plain);
-      counted->SetName("counted");
-      image->GetPointData()->SetScalars(counted);
-      image->GetPointData()->RemoveArray("Density");
+      CountedArray::OfSource = true;
+      auto image = MakeCounted(time);
+      CountedArray::OfSource = false;
       return image;
     };
     this->Filter->SetInputConnection(this->Source->GetOutputPort());
@@ -75,6 +71,19 @@ protected:
     CountedArray::Most = CountedArray::Live = 0;
   }
 
+  /// A wall that comes.
+  static vtkSmartPointer<vtkImageData> MakeCounted(double time)
+  {
+    auto image = MakeImage(24, VTK_DOUBLE,
+      [time](const Point& p) { return 500.0 * (1.0 - std::tanh((p[0] - 8.0 - time) / 1.5)); });
+    vtkNew<CountedArray> counted;
+    counted->DeepCopy(image->GetPointData()->GetScalars());
+    counted->SetName("counted");
+    image->GetPointData()->SetScalars(counted);
+    image->GetPointData()->RemoveArray("Density");
+    return image;
+  }
+
   void Begin()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -82,6 +91,12 @@ protected:
     this->Device->Play();
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 0.5; }));
+  }
+
+  bool GoTo(double time)
+  {
+    this->Device->SetDataTime(time);
+    return this->WaitTicks(2) && this->Wait([this] { return !this->Device->IsWaitingForData(); });
   }
 
   /// The most steps that were in memory since the last call.
@@ -112,26 +127,133 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWhileTimeRuns)
   EXPECT_LE(CountedArray::Live, 3);
 }
 
-TEST_F(FrameMemory, HasFourForAMomentWhereAPersonGoesToAnotherTime)
+/// The servo keeps the pair that is felt until one step of the other one is there, and has that
+/// alone until the rest comes.
+TEST_F(FrameMemory, HasThreeStepsAtMostWhereAPersonGoesToAnotherTime)
 {
-  // The servo keeps the pair that is felt until it has the other one.
+  this->Begin();
+  for (const bool plays : { false, true })
+  {
+    for (const auto mode :
+      { vtkHapticDevice::ONCE, vtkHapticDevice::LOOP, vtkHapticDevice::PING_PONG })
+    {
+      for (const double speed : { 0.01, -0.01 })
+      {
+        this->Device->SetPlayback(mode);
+        this->Device->SetPlaybackSpeed(speed);
+        plays ? this->Device->Play() : this->Device->Hold();
+        for (int i = 1; i < Steps; ++i)
+        {
+          // Far from the last one, between steps and on them.
+          const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
+          ASSERT_TRUE(this->GoTo(time)) << time;
+          if (!plays)
+          {
+            EXPECT_EQ(this->Device->GetDataTime(), time);
+          }
+          EXPECT_LE(TakeMost(), 3) << time;
+        }
+      }
+    }
+  }
+  EXPECT_LE(CountedArray::Live, 3);
+}
+
+/// As a slider is drawn: orders come before the last one was followed.
+TEST_F(FrameMemory, HasThreeStepsAtMostWhileASliderIsDrawn)
+{
   this->Begin();
   this->Device->Hold();
-  TakeMost();
-  for (int i = 1; i < 40; ++i)
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(-1.0, Steps);
+  for (int i = 0; i < 200; ++i)
   {
-    const double time = 0.3 + static_cast<double>(i * 5 % (Steps - 1)); // far from the last one
-    this->Device->SetDataTime(time);
-    ASSERT_TRUE(this->WaitTicks(2));
-    ASSERT_TRUE(this->Wait(
-      [&] { return this->Device->GetDataTime() == time && !this->Device->IsWaitingForData(); }))
-      << time;
+    this->Device->SetDataTime(i % 2 ? anywhere(random) : std::round(anywhere(random)));
+    ASSERT_TRUE(this->WaitTicks(i % 4));
   }
-  EXPECT_EQ(TakeMost(), 4);
-  // The last pair of the old place goes, and the third step of the new one comes: then it is still.
-  ASSERT_TRUE(this->WaitTicks(500));
-  EXPECT_LE(CountedArray::Live, 3);
+  ASSERT_TRUE(this->GoTo(3.4));
+  EXPECT_EQ(this->Device->GetDataTime(), 3.4);
+  EXPECT_EQ(TakeMost(), 3);
+}
+
+/// While the servo stands, and begins elsewhere.
+TEST_F(FrameMemory, HasThreeStepsAtMostWhereItWasStoppedMeanwhile)
+{
+  this->Begin();
+  for (const double time : { 7.3, 2.0, 5.5 })
+  {
+    this->Device->Stop();
+    this->Device->SetDataTime(time);
+    ASSERT_TRUE(this->Device->Start());
+    ASSERT_TRUE(this->WaitTicks(2));
+    ASSERT_TRUE(this->Wait([this] { return !this->Device->IsWaitingForData(); }));
+    EXPECT_GE(this->Device->GetDataTime(), time);
+  }
+  EXPECT_EQ(TakeMost(), 3);
+}
+
+/// An image that was asked for once is let go with its step.
+TEST_F(FrameMemory, HasThreeStepsAtMostWhereOneWasShown)
+{
+  this->Begin();
+  this->Device->Hold();
+  for (int i = 1; i < 10; ++i)
+  {
+    ASSERT_NE(this->Device->GetFrameImage(), nullptr);
+    ASSERT_TRUE(this->GoTo(static_cast<double>(i * 5 % (Steps - 1))));
+    EXPECT_LE(TakeMost(), 3);
+  }
+}
+
+/// So it is with meshes, which take their time.
+TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
+{
+  this->Filter->SetMethodToSurfaceProxy();
+  this->Filter->SetIsoValue(500.0);
+  this->Begin();
+  this->Device->Hold();
+  for (int i = 1; i < 20; ++i)
+  {
+    const double time = (i % 3) * 0.4 + static_cast<double>(i * 5 % (Steps - 1));
+    ASSERT_TRUE(this->GoTo(time)) << time;
+    // A sphere before the wall, which is met at the tip: it has no way into the wall.
+    EXPECT_EQ(this->Device->GetDataTime(), time);
+    EXPECT_LE(TakeMost(), 3) << time;
+  }
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// As ParaView's animation gives them: two images at a time, the last one and the new one.
+TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
+{
+  vtkNew<vtkHapticFrameSource> stream;
+  stream->StreamedOn();
+  vtkSmartPointer<vtkImageData> last = this->MakeCounted(0.0);
+  double time = -1.0;
+  const auto give = [&](double next)
+  {
+    // What the servo had before the last one is not needed, so that it is free for this one.
+    const vtkSmartPointer<vtkImageData> image = next == time ? last : this->MakeCounted(next);
+    stream->RemoveAllFrames();
+    stream->AddFrame(last, time);
+    stream->AddFrame(image, next);
+    stream->Update();
+    last = image;
+    this->Device->SetPlaybackSpeed(next < time ? -1.0 : 1.0);
+    time = next;
+  };
+  give(0.0);
+  this->Filter->SetInputConnection(stream->GetOutputPort());
+  ASSERT_TRUE(this->Device->Open("virtual"));
+  this->Device->SetVirtualTip(12.0, 11.5, 11.5);
+  this->Device->Play();
+  ASSERT_TRUE(this->Device->Start());
   TakeMost();
-  ASSERT_TRUE(this->WaitTicks(100));
-  EXPECT_LE(TakeMost(), 3);
+  for (const double next : { 1.0, 2.0, 3.0, 7.0, 8.0, 0.0, 8.0, 7.0, 6.0, 2.0, 1.0, 0.0 })
+  {
+    give(next);
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() == next; })) << next;
+    EXPECT_LE(TakeMost(), 3) << next;
+  }
 }
