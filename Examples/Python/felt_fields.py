@@ -1,16 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel fields along a path: a hand is drawn through one of four, and what holds it back is shown.
+"""Feel fields along a path: a hand is drawn through one of five, and what holds it back is shown.
 
 python3 felt_fields.py pipe      a swirling flow in a bent pipe, on an unstructured grid
-python3 felt_fields.py pipe CASE.foam   one that OpenFOAM has computed: see ../openfoam/pipe_cyclic.sh
+python3 felt_fields.py openfoam  a swirling flow in a straight pipe, which OpenFOAM computes the first time
 python3 felt_fields.py fibres    a diffusion phantom: a bundle that turns, crossed by a straight one
 python3 felt_fields.py charges   the equipotentials of point charges
 python3 felt_fields.py vessels   a tree of vessels, of which one is followed by its ridge
 
-Add --picture FILE for a PNG instead of a window.
+Add --picture FILE for a PNG instead of a window. ../openfoam/pipe_cyclic.sh computes the flow of OpenFOAM without
+feeling it; felt_fields.py openfoam CASE.foam feels it wherever it is.
 """
 import argparse
+import shutil
+import subprocess
+from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -97,15 +101,29 @@ def follow_flow(speed):
     return mode
 
 
-def computed_pipe(case):
+def compute_pipe():
+    """The case of OpenFOAM's tutorial pipeCyclic, in the folder for builds; it is computed if it isn't there."""
+    root = Path(__file__).resolve().parents[2]
+    case = root / "build" / "pipe_cyclic"
+    if not (case / "computed").exists():
+        if not shutil.which("simpleFoam"):
+            raise SystemExit("OpenFOAM is not installed: there is no program simpleFoam.\n"
+                             "Cure: apt install openfoam openfoam-examples (Debian 12), or see felt_fields.py pipe")
+        if subprocess.run(["bash", root / "Examples" / "openfoam" / "pipe_cyclic.sh", case], check=False).returncode:
+            raise SystemExit("OpenFOAM's pipe could not be computed: see the messages above.")
+    return str(case / "pipe_cyclic.foam")
+
+
+def openfoam(case=None):
     """OpenFOAM's tutorial pipeCyclic, a quarter of a pipe along x, turned to a whole one of 20 mm."""
+    case = case or compute_pipe()
     reader = vtkOpenFOAMReader()
     reader.SetFileName(case)
     reader.CreateCellToPointOn()
     reader.UpdateInformation()
     steps = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
     if not steps or not reader.UpdateTimeStep(steps[-1]):
-        raise SystemExit(f"{case}: no OpenFOAM case with results. ../openfoam/pipe_cyclic.sh computes one.")
+        raise SystemExit(f"{case}: no OpenFOAM case with results. felt_fields.py openfoam computes one.")
     quarter = reader.GetOutput().GetBlock(0)
     append = vtkAppendFilter()
     append.MergePointsOn()
@@ -125,16 +143,16 @@ def computed_pipe(case):
     away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # nearly as the flow turns
     middle = np.stack([length, away * np.cos(turn), away * np.sin(turn)], -1)
     seeds = places[(places[:, 0] < 1e-6) & (np.hypot(places[:, 1], places[:, 2]) < 9)]
-    return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds)
+    return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds, 85)
 
 
-def stream_lines(flow, seeds):
+def stream_lines(flow, seeds, longest=150):
     """Tubes along the lines of the flow U from some places."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(seeds), deep=True))
     source = vtkPolyData()
     source.SetPoints(points)
-    lines, tubes = trace_stream(flow, "U", source, 150), vtkTubeFilter()
+    lines, tubes = trace_stream(flow, "U", source, longest), vtkTubeFilter()
     tubes.SetInputConnection(lines.GetOutputPort())
     tubes.SetRadius(0.12)
     return tubes
@@ -235,15 +253,16 @@ def as_line(path):
 
 
 def main():
-    fields = {function.__name__: function for function in (pipe, fibres, charges, vessels)}
+    fields = {function.__name__: function for function in (pipe, openfoam, fibres, charges, vessels)}
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("field", choices=fields)
-    parser.add_argument("case", nargs="?", metavar="CASE.foam", help="of the pipe: a flow that OpenFOAM has computed")
+    parser.add_argument("case", nargs="?", metavar="CASE.foam", help="of openfoam: a pipe that is computed already")
     parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of opening a window")
     options = parser.parse_args()
-    if options.case and options.field != "pipe":
-        parser.error("only the pipe can be a case of OpenFOAM")
-    data, mode, path, surface = computed_pipe(options.case) if options.case else fields[options.field]()
+    if options.case and options.field != "openfoam":
+        parser.error("a case goes with openfoam only")
+    cases = [options.case] if options.case else []
+    data, mode, path, surface = fields[options.field](*cases)
     touch = vtkVolumeHapticsFilter()
     touch.SetInputData(0, data)
     touch.SetPathData(path)
@@ -264,7 +283,7 @@ def main():
     renderer.AddActor2D(make_bar(colours))
     if surface:
         renderer.AddActor(make_actor(surface, opacity=0.4))
-    if options.case:
+    if options.field == "openfoam":
         renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # where the path is
     else:
         renderer.ResetCamera(data.GetBounds())

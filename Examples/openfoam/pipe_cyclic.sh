@@ -16,7 +16,8 @@ usage()
 Usage: Examples/openfoam/pipe_cyclic.sh [FOLDER]
 
 Copies the tutorial from Debian's package openfoam-examples to FOLDER (default build/pipe_cyclic), computes it with
-the package openfoam, and prints how it is felt. On Debian, missing packages are installed.
+the package openfoam, and prints how it is felt. On Debian, missing packages are installed. A folder in which it was
+computed stays as it is: remove it to compute it again.
 EOF
 }
 
@@ -39,6 +40,12 @@ then
   exit
 fi
 case="${1:-$root/build/pipe_cyclic}"
+feel="Feel it: python3 Examples/Python/felt_fields.py openfoam $case/pipe_cyclic.foam"
+if [[ -e "$case/computed" ]]
+then
+  echo "$feel"
+  exit
+fi
 require_packages openfoam openfoam-examples
 if [[ ! -d "$tutorial" ]]
 then
@@ -65,4 +72,5 @@ run blockMesh
 run topoSet
 run refineHexMesh c0 -overwrite
 run simpleFoam
-echo "Feel it: python3 Examples/Python/felt_fields.py pipe $case/pipe_cyclic.foam"
+touch "$case/computed"
+echo "$feel"

@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Modes from Python: what is seen is what is felt, and the demonstrations show what they say."""
 
+import contextlib
+import importlib
 import re
+import shutil
 import time
 
 import numpy as np
 import pytest
-from demonstration import run
+from demonstration import DEMONSTRATIONS, run
 from foam import write_foam
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkRectilinearGrid, vtkStaticPointLocator)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkTensorGlyph
@@ -35,8 +38,9 @@ def make_image(name, components, function):
     return image
 
 
-def followed(mode, image, tip):
-    """The shapes that a mode shows at a tip of the virtual device, and the proxy there."""
+@contextlib.contextmanager
+def felt(mode, image, tip):
+    """The virtual device with a mode, its tip at a place, and a function that leads it to others."""
     touch = vtkVolumeHapticsFilter()
     touch.SetInputData(image)
     touch.AddMode(mode)
@@ -44,17 +48,94 @@ def followed(mode, image, tip):
     device = vtkHapticDevice()
     device.SetVolumeHaptics(touch)
     assert device.Open("virtual")
+
+    def lead(place):
+        device.SetVirtualTip(*place)
+        device.UpdateState()
+        tick, end = device.GetTick(), time.monotonic() + 30.0
+        while not (device.UpdateState() and device.GetTick() > tick + 20):
+            assert time.monotonic() < end, device.GetStatusText()
+            time.sleep(0.002)
+        return np.array(device.GetProxyPosition())
+
     device.SetVirtualTip(*tip)
     assert device.Start()
-    end = time.monotonic() + 30.0
-    while not (device.UpdateState() and device.GetTick() > 20):
-        assert time.monotonic() < end, device.GetStatusText()
-        time.sleep(0.002)
-    shapes = vtkPolyData()
-    device.GetFollowed(shapes, 24.0)
-    proxy = np.array(device.GetProxyPosition())
+    lead(tip)
+    yield device, lead
     device.Close()
-    return shapes, proxy
+
+
+def followed(mode, image, tip):
+    """The shapes that a mode shows at a tip of the virtual device, and the proxy there."""
+    with felt(mode, image, tip) as (device, _):
+        shapes = vtkPolyData()
+        device.GetFollowed(shapes, 24.0)
+        return shapes, np.array(device.GetProxyPosition())
+
+
+def distance_to(line, place):
+    """Of a place to a line of points."""
+    first, along = line[:-1], np.diff(line, axis=0)
+    share = np.clip(((place - first) * along).sum(1) / (along**2).sum(1), 0, 1)
+    return np.linalg.norm(first + share[:, None] * along - place, axis=1).min()
+
+
+def test_a_stream_line_of_a_rotation_is_a_circle():
+    image = make_image("flow", 3, lambda x, y, z: (-y, x, 0.0 * z))
+    mode = vtkHapticVectorFollowMode()
+    mode.SetArrayName("flow")
+    shapes, proxy = followed(mode, image, (3.0, -2.0, 1.0))
+    line = vtk_to_numpy(shapes.GetPoints().GetData())
+    assert shapes.GetNumberOfLines() == 1 and len(line) > 40
+    assert np.abs(np.hypot(line[:, 0], line[:, 1]) - np.hypot(proxy[0], proxy[1])).max() < 1e-3
+    assert np.abs(line[:, 2] - proxy[2]).max() < 1e-3
+    assert np.linalg.norm(line[0] - line[-1]) == 0.0, "it is closed"
+
+
+@pytest.mark.parametrize("tensors", (False, True))
+def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
+    """A flow of short waves, or fibres along it, in an image that is turned and has flat voxels: led a millimetre
+    beside the line, in both directions, the hand stays on it; and the line goes along the flow there."""
+    image = vtkImageData()
+    image.SetDimensions(41, 41, 61)
+    image.SetSpacing(1.0, 1.0, 0.7)
+    turn = np.array([[0.8, -0.6, 0.0], [0.36, 0.48, -0.8], [0.48, 0.64, 0.6]])
+    image.SetDirectionMatrix(*turn.ravel())
+    image.SetOrigin(*(-turn @ [20.0, 20.0, 21.0]))
+    places = np.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
+
+    def flow(x):  # the waves of Arnold, Beltrami and Childress
+        a, b, c = np.moveaxis(2 * np.pi / 18 * x, -1, 0)
+        return np.stack([np.sin(c) + 0.8 * np.cos(b), 0.7 * np.sin(a) + np.cos(c), 0.8 * np.sin(b) + 0.7 * np.cos(a)], -1)
+
+    v = flow(places)
+    values = 0.1 * np.eye(3) + v[:, :, None] * v[:, None, :] if tensors else v
+    array = numpy_to_vtk(values.reshape(len(v), -1), deep=True)
+    array.SetName("flow")
+    image.GetPointData().AddArray(array)
+    mode = vtkHapticTensorFollowMode() if tensors else vtkHapticVectorFollowMode()
+    mode.SetArrayName("flow")
+    mode.GetStrength().AddPoint(0.0, 2.0)
+    shapes, apart = vtkPolyData(), []
+    with felt(mode, image, (2.0, -3.0, 1.0)) as (device, lead):
+        device.GetFollowed(shapes, 20.0)
+        ids = vtkIdList()
+        shapes.GetCellPoints(shapes.GetNumberOfVerts(), ids)
+        line = np.array([shapes.GetPoint(ids.GetId(i)) for i in range(ids.GetNumberOfIds())])
+        assert len(line) > 70
+        begin = np.linalg.norm(line - device.GetProxyPosition(), axis=1).argmin()
+        for half in (line[begin:-4:2], line[begin:4:-2]):
+            assert len(half) > 15
+            lead(half[0])
+            for near, place in zip(half, half[1:]):
+                across = np.cross(place - near, [0.3, -0.4, 0.5])
+                proxy = lead(place + across / np.linalg.norm(across))
+                apart.append(distance_to(line, proxy))
+                assert np.linalg.norm(proxy - place) < 0.6, "and it is led along"
+    assert max(apart) < 0.05
+    along, wanted = np.diff(line, axis=0), flow(0.5 * (line[1:] + line[:-1]))
+    cosines = np.abs((along * wanted).sum(1)) / np.linalg.norm(along, axis=1) / np.linalg.norm(wanted, axis=1)
+    assert cosines.min() > np.cos(np.radians(4)), "but for what kernels smooth"
 
 
 def test_a_stream_line_is_that_of_the_stream_tracer():
@@ -225,8 +306,29 @@ def test_grids_that_can_not_be_felt_say_why():
 def test_a_case_of_openfoam_is_felt(tmp_path):
     """The last step, of a flow along the pipe: held across it, by as much as the path turns."""
     case = write_foam(tmp_path / "case", (5.0, 0.36, 0.5), np.tile([1.0, 0.0, 0.0], (20, 1)))
-    said = run("felt_fields.py", tmp_path / "picture.png", "pipe", case)
+    said = run("felt_fields.py", tmp_path / "picture.png", "openfoam", case)
     assert re.match(r"vector follow, U: \d+ ticks, strongest 2.00 N", said), said
+
+
+def test_openfoam_computes_its_case_once(tmp_path, monkeypatch):
+    """With a script in the place of OpenFOAM's; and without OpenFOAM it says what to install."""
+    monkeypatch.syspath_prepend(DEMONSTRATIONS)
+    fields = importlib.import_module("felt_fields")
+    monkeypatch.setattr(fields, "__file__", str(tmp_path / "Examples" / "Python" / "felt_fields.py"))
+    monkeypatch.setattr(shutil, "which", lambda program: None)
+    with pytest.raises(SystemExit, match="(?s)simpleFoam.*apt install openfoam openfoam-examples"):
+        fields.compute_pipe()
+    monkeypatch.setattr(shutil, "which", lambda program: f"/usr/bin/{program}")
+    script = tmp_path / "Examples" / "openfoam" / "pipe_cyclic.sh"
+    script.parent.mkdir(parents=True)
+    script.write_text('echo once >> "$(dirname "$0")/log" && mkdir -p "$1" && touch "$1/computed"\n', encoding="ascii")
+    for _ in range(2):
+        assert fields.compute_pipe() == str(tmp_path / "build" / "pipe_cyclic" / "pipe_cyclic.foam")
+    assert (script.parent / "log").read_text(encoding="ascii") == "once\n"
+    shutil.rmtree(tmp_path / "build")
+    script.write_text("exit 1\n", encoding="ascii")
+    with pytest.raises(SystemExit, match="could not be computed"):
+        fields.compute_pipe()
 
 
 @pytest.mark.parametrize("field, kind, held", (

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/FollowedPolyData.h"
 
+#include "Core/Model/HapticModel.h"
 #include "Core/Solvers/Primitives/FollowedShapes.h"
+#include "VTK/Session/FollowedLine.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,6 +16,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -53,19 +56,19 @@ public:
     this->Modes->InsertNextValue(shape.Mode);
   }
 
-  void AddLine(const FollowedShape& shape)
+  void AddLine(int mode, const std::vector<Vector3>& line)
   {
-    this->Lines->InsertNextCell(static_cast<vtkIdType>(shape.Line.size()));
-    for (const Vector3& place : shape.Line)
+    this->Lines->InsertNextCell(static_cast<vtkIdType>(line.size()));
+    for (const Vector3& place : line)
     {
       this->Lines->InsertCellPoint(this->AddPoint(place, {}));
     }
-    this->Modes->InsertNextValue(shape.Mode);
+    this->Modes->InsertNextValue(mode);
   }
 
   void AddFront(const FollowedShape& shape, double radius)
   {
-    const Vector3& n = shape.Normal;
+    const Vector3& n = shape.Direction;
     const Vector3 a = UnitAcross(n);
     const Vector3 b = Cross(n, a);
     constexpr double turn = 6.283185307179586 / FrontCorners;
@@ -119,27 +122,32 @@ private:
 void WriteFollowed(
   const HapticModel& model, const Vector3& proxy, double reach, vtkPolyData* shapes)
 {
-  const std::vector<FollowedShape> found = FindFollowedShapes(model, proxy, reach);
+  FollowedShapes modes(model);
+  const std::vector<FollowedShape> found = modes.Find(proxy);
   ShapeWriter writer(model);
   // Cells are numbered vertices first, then lines, then polygons, and so is the array.
   const double voxel = 1.0 / model.MostVoxelsPerMeter;
   for (const FollowedShape& shape : found)
   {
-    if (shape.IsTensor)
+    if (shape.Form == FollowedForm::Tensor)
     {
       writer.AddTensor(shape, TensorShare * reach * voxel);
     }
   }
   for (const FollowedShape& shape : found)
   {
-    if (!shape.Line.empty())
+    if (shape.Form == FollowedForm::Line)
     {
-      writer.AddLine(shape);
+      const std::vector<Vector3> line = TraceFollowedLine(modes, shape, voxel, reach);
+      if (line.size() > 1)
+      {
+        writer.AddLine(shape.Mode, line);
+      }
     }
   }
   for (const FollowedShape& shape : found)
   {
-    if (shape.Line.empty() && !shape.IsTensor)
+    if (shape.Form == FollowedForm::Front)
     {
       writer.AddFront(shape, FrontShare * reach * voxel);
     }

@@ -19,42 +19,82 @@
  * | GuideSurface  | its tangent plane, as a front                             |
  * | Surface       | nothing: the volume shows it                              |
  *
- * Lines are followed by Runge and Kutta's method of fourth order, in steps of half a voxel; those
- * with an anchor of their own return to it in every step. For the GUI thread: this allocates.
+ * A line is told by a place on it and its direction there; whoever draws it follows it with the
+ * directions of FollowedShapes. For the GUI thread: this allocates.
  */
 #ifndef FollowedShapes_h
 #define FollowedShapes_h
 
-#include "Core/Model/HapticModel.h"
+#include "Core/Model/LabelMemory.h"
+#include "Core/Solvers/Primitives/ModePrimitives.h"
 
 #include <vector>
 
 namespace VolumeHaptics
 {
 
-struct FollowedShape
+enum class FollowedForm
 {
-  int Mode = 0;              ///< its number
-  std::vector<Vector3> Line; ///< m, in the order along it; empty for a front or tensor
-  bool IsClosed = false;     ///< the line ends where it begins
-  ///@{
-  /** Of a front: its place (m), and the unit normal to its free side; both sides may be held. */
-  Vector3 Centre;
-  Vector3 Normal;
-  ///@}
-  ///@{
-  /** Of a tensor, in world axes, at Centre: divided by its first eigenvalue, which is positive. */
-  bool IsTensor = false;
-  Matrix3 Tensor;
-  ///@}
+  Line,
+  Front,
+  Tensor
 };
 
-/**
- * The shapes at a place (m), as far as `reach` voxels along lines to either side. Modes that hold
- * nothing there have none, and so have other methods than Primitives.
- */
-std::vector<FollowedShape> FindFollowedShapes(
-  const HapticModel& model, const Vector3& place, double reach);
+struct FollowedShape
+{
+  FollowedForm Form = FollowedForm::Line;
+  int Mode = 0;   ///< its number
+  Vector3 Centre; ///< m; on the line
+  /** A unit vector along the line, or normal to the front: to its free side, if it has one. */
+  Vector3 Direction;
+  Matrix3 Tensor; ///< in world axes: divided by its first eigenvalue, which is positive
+};
+
+class FollowedShapes
+{
+public:
+  /** Borrows the model. Friction of surfaces is of no interest here, and so is the tip. */
+  explicit FollowedShapes(const HapticModel& model);
+  FollowedShapes(const FollowedShapes&) = delete;
+  FollowedShapes& operator=(const FollowedShapes&) = delete;
+
+  /**
+   * The shapes at a place (m). Modes that hold nothing there have none, and so have other methods
+   * than Primitives.
+   */
+  std::vector<FollowedShape> Find(const Vector3& place);
+
+  /** Turns a direction to that of the line of a mode at a place; false if there is no line. */
+  bool Turn(int mode, const Vector3& place, Vector3& direction);
+  /**
+   * Moves a place near the line of a mode back to it, if the line has an anchor of its own: a
+   * step along its direction leaves it. False if it ends there.
+   */
+  bool Return(int mode, Vector3& place);
+
+private:
+  void FindOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
+  void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
+  ModeKind KindOf(int mode) const;
+  /** Reads the primitives of a mode; false if none of them holds. */
+  bool Read(int mode, const Vector3& place);
+  /** The front among what was read; null if there is none. */
+  const Primitive* FindFront(ModeKind kind) const;
+  /**
+   * The line among what was read. That of a vortex is its core, whether the hand is there or not.
+   */
+  const Primitive* FindLine(ModeKind kind) const;
+  /** The first primitive of a kind with more than a strength. */
+  const Primitive* FindPrimitive(PrimitiveKind kind, double strength) const;
+  /** Moves a place to the line that a mode is about; false if there is none. */
+  bool FindStart(int mode, Vector3& place);
+
+  const HapticModel& Model;
+  const double Voxel; ///< m
+  LabelMemory Memory;
+  const ModeField Modes;
+  PrimitiveSet Set;
+};
 
 } // namespace VolumeHaptics
 
