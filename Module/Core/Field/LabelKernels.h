@@ -12,6 +12,7 @@
 #include "Core/Field/LabelSamples.h"
 #include "Core/Field/LinearKernels.h"
 #include "Core/Field/SeparableSum.h"
+#include "Core/Math/LowestBit.h"
 
 namespace VolumeHaptics
 {
@@ -53,21 +54,6 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
       planes[k] |= ToBits<U>(Equal<U>(vector, all)) << (v * LabelsOfVector<U>);
     }
   }
-}
-
-/** The number of the lowest bit that is set; there has to be one. */
-VOLUME_HAPTICS_INLINE int LowestBit(std::uint64_t bits)
-{
-#if defined(__GNUC__)
-  return __builtin_ctzll(bits);
-#else
-  int bit = 0;
-  while (((bits >> bit) & 1U) == 0)
-  {
-    ++bit;
-  }
-  return bit;
-#endif
 }
 
 /** All labels after the first one, one after the other. */

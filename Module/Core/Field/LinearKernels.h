@@ -10,6 +10,7 @@
 
 #include "Core/Field/FieldSampler.h"
 #include "Core/Math/Double4.h"
+#include "Core/Math/KernelFloor.h"
 
 #include <type_traits>
 
@@ -17,16 +18,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-/** The largest whole number below a position that is not negative. */
-VOLUME_HAPTICS_INLINE double Floor(double position)
-{
-#if defined(__SSE4_1__)
-  return __builtin_floor(position); // one instruction there, a call elsewhere
-#else
-  return static_cast<double>(static_cast<std::int64_t>(position));
-#endif
-}
 
 /** The sample at or before a position along an axis, and the distance from it to the position. */
 struct Axis

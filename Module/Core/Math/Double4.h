@@ -29,6 +29,12 @@ VOLUME_HAPTICS_INLINE bool IsNumber(double x)
   return x - x == 0.0;
 }
 
+/** A number in all lanes. */
+VOLUME_HAPTICS_INLINE Double4 Spread(double x)
+{
+  return MakeDouble4(x, x, x, x);
+}
+
 /** Two samples from each of two places. */
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPairs(const T* low, const T* high)

@@ -22,6 +22,39 @@ namespace
 typedef double Double4 __attribute__((vector_size(32)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
+/** Not loaded from an array, which the processor would have to wait for. */
+VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
+{
+  return Double4{ a, b, c, d };
+}
+
+///@{
+/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
+VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
+{
+  return _mm256_sqrt_pd(a);
+}
+VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
+{
+  return a > b ? a : b;
+}
+VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
+{
+  return a < b ? a : b;
+}
+VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
+{
+  return _mm256_floor_pd(a);
+}
+///@}
+
+/** A bit for each lane, the first one the lowest; 0 for NaN. */
+VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
+{
+  return static_cast<std::uint64_t>(
+    _mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GE_OQ)));
+}
+
 /**
  * Four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the instructions
  * meant for it.

@@ -7,7 +7,11 @@
 #ifndef Double4Portable_h
 #define Double4Portable_h
 
+#include "Core/Math/KernelFloor.h"
 #include "Core/Math/KernelInline.h"
+
+#include <cmath>
+#include <cstdint>
 
 namespace VolumeHaptics
 {
@@ -36,6 +40,51 @@ VOLUME_HAPTICS_INLINE Double4 operator+(const Double4& a, const Double4& b)
 VOLUME_HAPTICS_INLINE Double4 operator-(const Double4& a, const Double4& b)
 {
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3] } };
+}
+
+VOLUME_HAPTICS_INLINE Double4 operator/(const Double4& a, const Double4& b)
+{
+  return { { a[0] / b[0], a[1] / b[1], a[2] / b[2], a[3] / b[3] } };
+}
+VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
+{
+  return { { a, b, c, d } };
+}
+
+///@{
+/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
+template <typename F>
+VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
+{
+  return { { f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3]) } };
+}
+VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
+{
+  return EachLane(a, a, [](double x, double) { return std::sqrt(x); });
+}
+VOLUME_HAPTICS_INLINE Double4 Larger(const Double4& a, const Double4& b)
+{
+  return EachLane(a, b, [](double x, double y) { return x > y ? x : y; });
+}
+VOLUME_HAPTICS_INLINE Double4 Smaller(const Double4& a, const Double4& b)
+{
+  return EachLane(a, b, [](double x, double y) { return x < y ? x : y; });
+}
+VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
+{
+  return EachLane(a, a, [](double x, double) { return Floor(x); });
+}
+///@}
+
+/** A bit for each lane, the first one the lowest; 0 for NaN. */
+VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
+{
+  std::uint64_t bits = 0;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    bits |= static_cast<std::uint64_t>(a[lane] >= 0.0 ? 1 : 0) << lane;
+  }
+  return bits;
 }
 
 /** Four samples of any type. */

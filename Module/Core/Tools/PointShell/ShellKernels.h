@@ -221,14 +221,14 @@ VOLUME_HAPTICS_INLINE void ComputeFeet(
 {
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
   const Double4 magnitude = Root(DotOf(gradient, gradient));
-  const FourVectors normal = Scaled(Over(Spread(reading.Sign), magnitude), gradient);
+  const FourVectors normal = Scaled(Spread(reading.Sign) / magnitude, gradient);
   // Differences over two samples are less steep than the edge of a mask: by the slope of the cell
   // a step along the normal comes to the level.
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
   const Double4 beyond =
-    Over(reading.Sign * (LoadDouble4(batch.Value + i) - Spread(reading.Level)), steepest);
+    reading.Sign * (LoadDouble4(batch.Value + i) - Spread(reading.Level)) / steepest;
   const Double4 step = Larger(Smaller(beyond, Spread(frame.Voxel)), Spread(-frame.Voxel));
   const Double4 depth = step + DotOf(LoadVectors(batch.Offset, i), normal);
   const FourVectors along = Times(frame.DeviceToIndex, normal);

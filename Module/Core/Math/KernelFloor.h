@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Rounding down, for the sampling kernels: see FieldKernels.h for their rules.
+ */
+#ifndef KernelFloor_h
+#define KernelFloor_h
+
+#include "Core/Math/KernelInline.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The largest whole number below a position that is not negative. */
+VOLUME_HAPTICS_INLINE double Floor(double position)
+{
+#if defined(__SSE4_1__)
+  return __builtin_floor(position); // one instruction there, a call elsewhere
+#else
+  return static_cast<double>(static_cast<std::int64_t>(position));
+#endif
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The lowest bit that is set; see KernelInline.h.
+ */
+#ifndef LowestBit_h
+#define LowestBit_h
+
+#include "Core/Math/KernelInline.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The number of the lowest bit that is set; there has to be one. */
+VOLUME_HAPTICS_INLINE int LowestBit(std::uint64_t bits)
+{
+#if defined(__GNUC__)
+  return __builtin_ctzll(bits);
+#else
+  int bit = 0;
+  while (((bits >> bit) & 1U) == 0)
+  {
+    ++bit;
+  }
+  return bit;
+#endif
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif
