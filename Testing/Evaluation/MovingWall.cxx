@@ -156,18 +156,19 @@ private:
   static constexpr double SplineVariance = 1.0 / 3.0; ///< of a cubic B-spline, square voxels
   static constexpr double LinearVariance = 1.0 / 6.0; ///< of linear interpolation
 
-  /** Of the Gaussian kernel's window (Core/Field/GradientKernel.h). */
+  /** Of the Gaussian's window that has its own derivative (Core/Field/GradientKernel.h). */
   static double FindGaussianVariance()
   {
-    constexpr double scale = 0.53 * WallRadius;
+    constexpr double scale = 0.56 * WallRadius;
     constexpr double cut = WallRadius + 1.0;
     constexpr double step = 1e-3;
+    constexpr double last = 0.5 * cut * cut / (scale * scale);
     double sum = 0.0;
     double second = 0.0;
     for (double t = 0.5 * step; t < cut; t += step)
     {
-      const double w =
-        std::exp(-0.5 * t * t / (scale * scale)) - std::exp(-0.5 * cut * cut / (scale * scale));
+      const double u = 0.5 * t * t / (scale * scale);
+      const double w = std::exp(-u) - std::exp(-last) * (1.0 + last - u);
       sum += w;
       second += w * t * t;
     }

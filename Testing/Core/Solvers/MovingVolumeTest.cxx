@@ -80,7 +80,7 @@ void ExpectFramesAlike(HapticModelDescription description, int frames, int ticks
 
 /// V1 to V3 hold within 1 % of the largest force, with the kernel radius of 2 voxels, for the cubic
 /// B-spline, and for the Gaussian, which is the default, where edges are three voxels wide or more.
-/// On edges of 1.5 voxels the Gaussian is off by up to 0.033 voxel, 16 mN (see evaluation.md).
+/// On edges of 1.5 voxels the Gaussian is off by up to 0.033 voxel, 16 mN (MovingEdgeTest.cxx).
 class RestingHands : public testing::TestWithParam<Reading>
 {
 };
