@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/CarvedPicture.h"
 
-#include "vtkSmartVolumeMapper.h"
+#include "VTK/Scene/SmartMapperParts.h"
 
 #include <utility>
 
@@ -10,19 +10,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-/** Names what vtkSmartVolumeMapper lets derived classes use. */
-struct SmartMapperParts : vtkSmartVolumeMapper
-{
-  static vtkGPUVolumeRayCastMapper* FindGPUMapper(vtkSmartVolumeMapper* mapper)
-  {
-    return mapper->*(&SmartMapperParts::GPUMapper);
-  }
-  static bool DrawsFewerVoxels(vtkSmartVolumeMapper* mapper)
-  {
-    return mapper->*(&SmartMapperParts::LowResGPUNecessary) != 0;
-  }
-};
 
 /** Whether a mapper has begun to draw in a way that shows no texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)

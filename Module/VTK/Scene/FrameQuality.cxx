@@ -3,7 +3,9 @@
 #include "VTK/Scene/FrameQuality.h"
 
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Scene/KeptRays.h"
 #include "VTK/Scene/PendingInput.h"
+#include "VTK/Scene/SmartMapperParts.h"
 #include "VTK/Scene/SoftwareOpenGL.h"
 
 #include "vtkCallbackCommand.h"
@@ -43,7 +45,7 @@ double AutomaticDistance(vtkImageData* image)
 }
 
 template <typename Visit>
-void ForEachMapper(vtkRenderWindow* window, Visit&& visit)
+void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
 {
   vtkRendererCollection* const renderers = window->GetRenderers();
   vtkCollectionSimpleIterator at;
@@ -56,7 +58,7 @@ void ForEachMapper(vtkRenderWindow* window, Visit&& visit)
       auto* const volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
       if (volume && volume->GetVisibility() && volume->GetMapper())
       {
-        visit(volume->GetMapper());
+        visit(renderer, volume);
       }
     }
   }
@@ -150,9 +152,10 @@ double FrameQuality::Pace::Next(double longest)
 
 //------------------------------------------------------------------------------
 template <typename Mapper>
-void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
+void FrameQuality::Adjust(Mapper* mapper, const Shown& shown, bool armed)
 {
-  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  const bool moves = this->Moves;
+  auto* const image = vtkImageData::SafeDownCast(shown.Volume->GetMapper()->GetDataSetInput());
   if (!image)
   {
     return;
@@ -163,7 +166,7 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
   auto caster = std::find_if(this->Casters.begin(), this->Casters.end(), isMapper);
   if (caster == this->Casters.end())
   {
-    caster = this->Casters.insert(caster, { mapper, now, now });
+    caster = this->Casters.insert(caster, { mapper, now, now, nullptr, 0 });
     // VTK's interrupted mapper tells its progress more often than the window asks.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
@@ -176,7 +179,12 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
   own.AutoAdjust = now.AutoAdjust == caster->Set.AutoAdjust ? own.AutoAdjust : now.AutoAdjust;
 
   const double voxel = SmallestSpacing(image);
-  const bool isInterruptible = mapper->IsA("vtkFixedPointVolumeRayCastMapper") != 0;
+  auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
+  const bool isInterruptible = cpu != nullptr;
+  if (cpu)
+  {
+    this->FollowRays(*caster, cpu, shown);
+  }
   const double finely =
     own.AutoAdjust && !isInterruptible ? AutomaticDistance(image) : own.SampleDistance;
   Settings next = own;
@@ -202,10 +210,74 @@ void FrameQuality::Adjust(Mapper* mapper, bool moves, bool armed)
                                   : this->AtRest.Next(isInterruptible ? LongestRest : LongestWait);
     next.ImageDistance = std::max(own.ImageDistance, distance);
   }
+  const KeptRays* const rays = caster->Rays.get();
+  if (moves && this->TrustsRays && rays && rays->GetImageDistance() < next.ImageDistance &&
+    rays->GetImageDistance() >= own.ImageDistance &&
+    rays->GetSampleDistance() >= own.SampleDistance && rays->IsCurrent())
+  {
+    next.ImageDistance = rays->GetImageDistance();
+    next.SampleDistance = rays->GetSampleDistance();
+    caster->Rays->Expect();
+  }
   mapper->SetAutoAdjustSampleDistances(next.AutoAdjust);
   mapper->SetImageSampleDistance(static_cast<float>(next.ImageDistance));
   mapper->SetSampleDistance(static_cast<float>(next.SampleDistance));
   caster->Set = { mapper->GetImageSampleDistance(), mapper->GetSampleDistance(), next.AutoAdjust };
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::FollowRays(
+  Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown)
+{
+  const bool isShared = std::exchange(caster.Frame, this->Frame) == this->Frame;
+  if (isShared)
+  {
+    caster.Rays.reset();
+  }
+  else if (!caster.Rays || !caster.Rays->Follows(shown.Renderer, shown.Volume))
+  {
+    caster.Rays = std::make_shared<KeptRays>(shown.Renderer, shown.Volume, mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown, bool armed)
+{
+  const auto smart = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(),
+    [mapper](const Smart& known) { return known.Mapper == mapper; });
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  if (smart == this->SmartMappers.end() || !image)
+  {
+    return;
+  }
+  // VTK would leave frames at rest as coarse as the last one in motion.
+  vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::FindCPUMapper(mapper);
+  const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
+  if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))
+  {
+    cpu->AutoAdjustSampleDistancesOff();
+    cpu->SetImageSampleDistance(1.0F);
+    cpu->SetSampleDistance(static_cast<float>(AutomaticDistance(image)));
+  }
+  this->Adjust(cpu, shown, armed);
+  cpu->SetLockSampleDistanceToInputSpacing(!this->Moves);
+  mapper->SetInteractiveAdjustSampleDistances(false);
+  mapper->SetAutoAdjustSampleDistances(false);
+  mapper->SetSampleDistance(
+    this->Moves ? cpu->GetSampleDistance() : static_cast<float>(smart->SampleDistance));
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::GiveBack(const Smart& smart)
+{
+  if (vtkSmartVolumeMapper* const mapper = smart.Mapper)
+  {
+    mapper->SetRequestedRenderMode(smart.Mode);
+    mapper->SetInteractiveAdjustSampleDistances(smart.IsInteractive);
+    mapper->SetAutoAdjustSampleDistances(smart.AutoAdjust);
+    mapper->SetSampleDistance(static_cast<float>(smart.SampleDistance));
+    SmartMapperParts::FindCPUMapper(mapper)->LockSampleDistanceToInputSpacingOn();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -215,7 +287,7 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
   const auto known = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(), isMapper);
   if (!touched && known != this->SmartMappers.end())
   {
-    mapper->SetRequestedRenderMode(known->Own);
+    GiveBack(*known);
     this->SmartMappers.erase(known);
   }
   const int mode = mapper->GetRequestedRenderMode();
@@ -226,7 +298,9 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
     mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
     values->GetNumberOfComponents() == 1 && this->IsOnProcessor())
   {
-    this->SmartMappers.push_back({ mapper, mode });
+    this->SmartMappers.push_back(
+      { mapper, mode, mapper->GetSampleDistance(), mapper->GetAutoAdjustSampleDistances() != 0,
+        mapper->GetInteractiveAdjustSampleDistances() != 0 });
     mapper->SetRequestedRenderModeToRayCast();
   }
 }
@@ -250,23 +324,27 @@ void FrameQuality::Begin()
   }
   const Touch touch = this->AskTouch();
   this->Moves = this->Window->GetDesiredUpdateRate() > SlowestMotion;
-  ForEachMapper(this->Window,
-    [&](vtkAbstractVolumeMapper* mapper)
+  ++this->Frame;
+  ForEachVolume(this->Window,
+    [&](vtkRenderer* renderer, vtkVolume* volume)
     {
+      vtkAbstractVolumeMapper* const mapper = volume->GetMapper();
+      const Shown shown{ renderer, volume };
       auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
       auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
       auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
       if (gpu)
       {
-        this->Adjust(gpu, this->Moves, touch == Touch::Armed);
+        this->Adjust(gpu, shown, touch == Touch::Armed);
       }
       else if (cpu)
       {
-        this->Adjust(cpu, this->Moves, touch == Touch::Armed);
+        this->Adjust(cpu, shown, touch == Touch::Armed);
       }
       else if (smart)
       {
         this->ChooseProcessor(smart, touch != Touch::Off);
+        this->AdjustProcessor(smart, shown, touch == Touch::Armed);
       }
     });
   this->Start = std::chrono::steady_clock::now();
@@ -282,12 +360,30 @@ void FrameQuality::End()
   if (this->Window->GetAbortRender())
   {
     this->IsInterrupted = true;
+    this->TrustsRays = this->TrustsRays && !this->Moves;
     return;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Start;
   Pace& pace = this->Moves ? this->InMotion : this->AtRest;
-  pace.Time = time.count();
-  pace.IsKnown = true;
+  // Only frames that cast all rays tell how long these take.
+  bool castsAll = false;
+  bool keepsRays = false;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.Rays && caster.Frame == this->Frame)
+    {
+      castsAll = caster.Rays->TakeWhole() || castsAll;
+      keepsRays = true;
+    }
+  }
+  if (castsAll || !keepsRays)
+  {
+    pace.Time = time.count();
+    pace.IsKnown = true;
+  }
+  const bool isSlow =
+    this->Moves && !castsAll && time.count() > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
+  this->TrustsRays = !isSlow && (this->TrustsRays || !this->Moves);
 }
 
 //------------------------------------------------------------------------------
@@ -323,10 +419,7 @@ void FrameQuality::Restore()
   }
   for (const Smart& smart : this->SmartMappers)
   {
-    if (smart.Mapper)
-    {
-      smart.Mapper->SetRequestedRenderMode(smart.Own);
-    }
+    GiveBack(smart);
   }
   this->Casters.clear();
   this->SmartMappers.clear();

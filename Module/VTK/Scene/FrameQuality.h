@@ -12,17 +12,23 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 class vtkCallbackCommand;
+class vtkFixedPointVolumeRayCastMapper;
 class vtkObject;
 class vtkRenderWindow;
+class vtkRenderer;
 class vtkSmartVolumeMapper;
+class vtkVolume;
 class vtkVolumeMapper;
 
 namespace VolumeHaptics
 {
+
+class KeptRays;
 
 /**
  * Follows the frames of one window:
@@ -31,6 +37,9 @@ namespace VolumeHaptics
  *   frames a second allow, one for each pixel at best. VTK's GPU mapper by itself would save
  *   samples along each ray, which lets rays miss thin surfaces: dark speckles. So a sample is taken
  *   in each voxel at least.
+ * - A mapper that runs on the processor keeps its image while camera and volume rest, and casts
+ *   only the rays that the hand's stylus and arrows have changed (KeptRays). Once it has drawn a
+ *   frame at rest, those in motion are as fine.
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
  *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
@@ -79,11 +88,22 @@ private:
     vtkWeakPointer<vtkVolumeMapper> Mapper;
     Settings Own;
     Settings Set;
+    std::shared_ptr<KeptRays> Rays; ///< of one that runs on the processor, in a single renderer
+    unsigned long Frame = 0;        ///< that it was adjusted for
   };
   struct Smart
   {
     vtkWeakPointer<vtkSmartVolumeMapper> Mapper;
-    int Own;
+    int Mode;
+    double SampleDistance;
+    bool AutoAdjust;
+    bool IsInteractive;
+  };
+  /** What a mapper draws, and where. */
+  struct Shown
+  {
+    vtkRenderer* Renderer;
+    vtkVolume* Volume;
   };
 
   /**
@@ -104,8 +124,13 @@ private:
   void Interrupt();
   void Restore();
   template <typename Mapper>
-  void Adjust(Mapper* mapper, bool moves, bool armed);
+  void Adjust(Mapper* mapper, const Shown& shown, bool armed);
+  /** Its own ray caster on the processor, as if it were the volume's mapper. */
+  void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown, bool armed);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
+  static void GiveBack(const Smart& smart);
+  /** Makes or drops what keeps the rays of this mapper's image. */
+  void FollowRays(Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
   /** Whether OpenGL runs on the processor. Asks the window once, because its answer takes long. */
   bool IsOnProcessor();
 
@@ -122,7 +147,9 @@ private:
   std::optional<bool> OnProcessor; ///< empty: not known yet
   Pace InMotion;
   Pace AtRest;
+  unsigned long Frame = 0;
   bool Moves = false;
+  bool TrustsRays = true; ///< frames in motion with kept rays have been quick since the last rest
   bool IsInterrupted = false;
 };
 

@@ -192,6 +192,59 @@ TEST_F(StyleQualityTest, AFrameThatCanBeInterruptedDoesNotCostAnArmedHandItsForc
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "there is time for all rays";
 }
 
+TEST_F(StyleQualityTest, MotionIsAsFineAsTheFrameAtRestWhoseRaysItKeeps)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(0.25f);
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
+  this->Slowness = 0;
+  this->Draw(AtRest, 1);
+  this->Draw(InMotion, 3);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  EXPECT_EQ(mapper->GetSampleDistance(), 0.25f);
+  this->Slowness = 100;
+  this->Renderer->GetActiveCamera()->Azimuth(10.0);
+  this->Draw(InMotion, 2);
+  EXPECT_EQ(this->Window->GetAbortRender(), 0);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f) << "all rays are cast";
+}
+
+TEST_F(StyleQualityTest, FramesThatAreSlowThoughTheyKeepRaysAreCoarseAgain)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  this->Draw(AtRest, 1);
+  this->Slowness = 1000;
+  this->Draw(InMotion, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  this->Draw(InMotion, 1);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
+}
+
+TEST_F(StyleQualityTest, AMapperOfTwoRenderersKeepsNoRays)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  vtkNew<vtkRenderer> second;
+  this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddVolume(this->Volume);
+  this->Window->AddRenderer(second);
+  this->Slowness = 100;
+  this->Draw(InMotion, 4);
+  this->Draw(AtRest, 1);
+  this->Draw(InMotion, 1);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
+}
+
 TEST_F(StyleQualityTest, InputInterruptsAFrameAtRest)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
@@ -238,6 +291,43 @@ TEST_F(StyleQualityTest, SmartMapperCastsRaysOnTheProcessorWhereOpenGLRunsThere)
   this->Style->AutoAdjustVolumeQualityOff();
   this->Style->UpdateHaptics();
   EXPECT_EQ(mapper->GetRequestedRenderMode(), vtkSmartVolumeMapper::DefaultRenderMode);
+}
+
+TEST_F(StyleQualityTest, SmartMapperCastsAllRaysAgainAtRest)
+{
+  struct Parts : vtkSmartVolumeMapper
+  {
+    static vtkFixedPointVolumeRayCastMapper* Find(vtkSmartVolumeMapper* mapper)
+    {
+      return mapper->*(&Parts::RayCastMapper);
+    }
+  };
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  this->Show(mapper.GetPointer());
+  this->Draw(AtRest, 1);
+  if (std::string(this->Window->ReportCapabilities()).find("llvmpipe") == std::string::npos)
+  {
+    GTEST_SKIP() << "OpenGL runs on a graphics card";
+  }
+  const float sample = mapper->GetSampleDistance();
+  this->Arm();
+  this->Slowness = 100;
+  this->Draw(InMotion, 5);
+  ASSERT_EQ(mapper->GetLastUsedRenderMode(), vtkSmartVolumeMapper::RayCastRenderMode);
+  EXPECT_GT(Parts::Find(mapper)->GetImageSampleDistance(), 2.0f);
+  EXPECT_LE(Parts::Find(mapper)->GetSampleDistance(), 1.0f) << "rays miss what is thinner";
+  this->Draw(AtRest, 8); // finer, as far as there is time
+  EXPECT_EQ(Parts::Find(mapper)->GetImageSampleDistance(), 1.0f);
+  const float atRest = Parts::Find(mapper)->GetSampleDistance();
+  this->Slowness = 0;
+  this->Draw(InMotion, 1);
+  EXPECT_EQ(Parts::Find(mapper)->GetImageSampleDistance(), 1.0f) << "the rays are kept";
+  EXPECT_EQ(Parts::Find(mapper)->GetSampleDistance(), atRest);
+  this->Style->AutoAdjustVolumeQualityOff();
+  this->Style->UpdateHaptics();
+  EXPECT_EQ(mapper->GetSampleDistance(), sample);
+  EXPECT_NE(mapper->GetInteractiveAdjustSampleDistances(), 0);
+  EXPECT_NE(mapper->GetAutoAdjustSampleDistances(), 0);
 }
 
 TEST_F(StyleQualityTest, AVolumeThatPlaysIsDrawnAsOneThatIsTouched)

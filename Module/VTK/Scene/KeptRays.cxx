@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/KeptRays.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkFixedPointRayCastImage.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int ShortestGap = 16; // rays; to cast fewer costs less than another pass
+constexpr std::size_t MostPasses = 4;
+
+/** Collects values that are compared to the bit. */
+struct WordWriter
+{
+  std::vector<std::uint64_t> Words;
+
+  void Add(std::uint64_t word) { this->Words.push_back(word); }
+  void AddAddress(const void* address)
+  {
+    this->Add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(address)));
+  }
+  void Add(const double* values, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      std::uint64_t word;
+      std::memcpy(&word, values + i, sizeof word);
+      this->Add(word);
+    }
+  }
+  void Add(const int* values, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->Add(static_cast<std::uint64_t>(values[i]));
+    }
+  }
+};
+
+void AddCamera(WordWriter& to, vtkRenderer* renderer)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  to.Add(&camera->GetViewTransformMatrix()->Element[0][0], 16);
+  to.Add(
+    &camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), 0.0, 1.0)->Element[0][0],
+    16);
+  to.Add(camera->GetPosition(), 3); // the headlight's, and of shades
+  to.Add(camera->GetFocalPoint(), 3);
+  to.Add(renderer->GetViewport(), 4);
+  to.Add(renderer->GetRenderWindow()->GetSize(), 2);
+  int tile[4];
+  renderer->GetTiledSizeAndOrigin(tile, tile + 1, tile + 2, tile + 3);
+  to.Add(tile, 4);
+}
+
+void AddLights(WordWriter& to, vtkRenderer* renderer)
+{
+  to.Add(static_cast<std::uint64_t>(renderer->GetTwoSidedLighting()));
+  vtkLightCollection* const lights = renderer->GetLights();
+  vtkCollectionSimpleIterator at;
+  lights->InitTraversal(at);
+  while (vtkLight* const light = lights->GetNextLight(at))
+  {
+    double place[6];
+    light->GetTransformedPosition(place);
+    light->GetTransformedFocalPoint(place + 3);
+    const double intensity = light->GetSwitch() ? light->GetIntensity() : 0.0;
+    to.Add(&intensity, 1);
+    to.Add(place, 6);
+    to.Add(light->GetAmbientColor(), 3);
+    to.Add(light->GetDiffuseColor(), 3);
+    to.Add(light->GetSpecularColor(), 3);
+  }
+}
+
+void AddCuts(WordWriter& to, vtkVolumeMapper* mapper)
+{
+  to.Add(static_cast<std::uint64_t>(mapper->GetBlendMode()));
+  to.Add(static_cast<std::uint64_t>(mapper->GetCropping()));
+  to.Add(static_cast<std::uint64_t>(mapper->GetCroppingRegionFlags()));
+  to.Add(mapper->GetCroppingRegionPlanes(), 6);
+  vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    double plane[6];
+    planes->GetItem(i)->GetOrigin(plane);
+    planes->GetItem(i)->GetNormal(plane + 3);
+    to.Add(plane, 6);
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+KeptRays::KeptRays(
+  vtkRenderer* renderer, vtkVolume* volume, vtkFixedPointVolumeRayCastMapper* mapper)
+  : Renderer(renderer)
+  , Volume(volume)
+  , Mapper(mapper)
+  , Observer(vtkSmartPointer<vtkCallbackCommand>::New())
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject*, unsigned long event, void* self, void*)
+    {
+      auto* const rays = static_cast<KeptRays*>(self);
+      event == vtkCommand::VolumeMapperRenderStartEvent ? rays->Begin() : rays->End();
+    });
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this->Observer);
+}
+
+//------------------------------------------------------------------------------
+KeptRays::~KeptRays()
+{
+  if (this->Mapper)
+  {
+    this->Mapper->RemoveObserver(this->Observer);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool KeptRays::CanKeep() const
+{
+  if (!this->Renderer || !this->Volume || !this->Mapper)
+  {
+    return false;
+  }
+  vtkRenderWindow* const window = this->Renderer->GetRenderWindow();
+  // A final window and level are written into the image itself.
+  return window && !window->GetStereoRender() && this->Mapper->GetFinalColorWindow() == 1.0F &&
+    this->Mapper->GetFinalColorLevel() == 0.5F && this->Mapper->GetInput();
+}
+
+//------------------------------------------------------------------------------
+bool KeptRays::IsCurrent() const
+{
+  return !this->Look.empty() && this->CanKeep() && this->Look == this->DescribeLook();
+}
+
+//------------------------------------------------------------------------------
+bool KeptRays::TakeWhole()
+{
+  return std::exchange(this->IsWhole, false);
+}
+
+//------------------------------------------------------------------------------
+KeptRays::Words KeptRays::DescribeLook() const
+{
+  WordWriter to;
+  AddCamera(to, this->Renderer);
+  AddLights(to, this->Renderer);
+  AddCuts(to, this->Mapper);
+  this->Volume->ComputeMatrix();
+  to.Add(&this->Volume->GetMatrix()->Element[0][0], 16);
+  vtkVolumeProperty* const property = this->Volume->GetProperty();
+  to.AddAddress(property);
+  to.Add(property->GetMTime());
+  // vtkSmartVolumeMapper gives its ray caster a copy, which becomes newer than what it shows.
+  auto* const outer = vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper());
+  vtkDataObject* const input = outer ? outer->GetDataObjectInput() : nullptr;
+  to.AddAddress(input);
+  to.Add(input ? input->GetMTime() : 0);
+  to.Add(static_cast<std::uint64_t>(this->Mapper->GetScalarMode()));
+  to.Add(static_cast<std::uint64_t>(this->Mapper->GetArrayId()));
+  for (const char* name = this->Mapper->GetArrayName(); name && *name; ++name)
+  {
+    to.Add(static_cast<std::uint64_t>(static_cast<unsigned char>(*name)));
+  }
+  return std::move(to.Words);
+}
+
+//------------------------------------------------------------------------------
+KeptRays::Words KeptRays::DescribeImage() const
+{
+  vtkFixedPointRayCastImage* const image = this->Mapper->GetRayCastImage();
+  WordWriter to;
+  to.AddAddress(image->GetImage());
+  to.Add(image->GetImageViewportSize(), 2);
+  to.Add(image->GetImageMemorySize(), 2);
+  to.Add(image->GetImageInUseSize(), 2);
+  to.Add(image->GetImageOrigin(), 2);
+  const double distances[] = { this->Mapper->GetImageSampleDistance(),
+    this->Mapper->GetSampleDistance() };
+  to.Add(distances, 2);
+  to.AddAddress(this->Mapper->GetInput());
+  to.Add(this->Mapper->GetInput()->GetMTime());
+  to.AddAddress(this->Mapper->GetCurrentScalars());
+  return std::move(to.Words);
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::ReadDepths(std::vector<float>& depths) const
+{
+  vtkFixedPointRayCastImage* const image = this->Mapper->GetRayCastImage();
+  const int* const size = image->GetImageInUseSize();
+  depths.resize(static_cast<std::size_t>(size[0]) * size[1]);
+  if (!image->GetUseZBuffer())
+  {
+    std::fill(depths.begin(), depths.end(), 1.0F);
+    return;
+  }
+  // As vtkFixedPointRayCastImage::GetZBufferValue, without a call for each ray.
+  const int* const pixels = image->GetZBufferSize();
+  const float distance = image->GetImageSampleDistance();
+  const auto pixelOf = [distance](int ray, int count)
+  { return std::min(static_cast<int>(static_cast<float>(ray) * distance), count - 1); };
+  std::vector<int> columns(size[0]);
+  for (int i = 0; i < size[0]; ++i)
+  {
+    columns[i] = pixelOf(i, pixels[0]);
+  }
+  float* to = depths.data();
+  for (int j = 0; j < size[1]; ++j)
+  {
+    const float* const row =
+      image->GetZBuffer() + static_cast<std::ptrdiff_t>(pixelOf(j, pixels[1])) * pixels[0];
+    to =
+      std::transform(columns.begin(), columns.end(), to, [row](int column) { return row[column]; });
+  }
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::FindChanges(const std::vector<float>& depths)
+{
+  const int* const size = this->Mapper->GetRayCastImage()->GetImageInUseSize();
+  this->Rows.assign(size[1], {});
+  this->Passes = 0;
+  for (int j = 0; j < size[1]; ++j)
+  {
+    std::vector<Run>& runs = this->Rows[j];
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(j) * size[0];
+    for (int i = this->OwnBounds[2 * j]; i <= this->OwnBounds[2 * j + 1]; ++i)
+    {
+      if (depths[row + i] == this->Depths[row + i])
+      {
+        continue;
+      }
+      if (!runs.empty() && (i - runs.back().Last <= ShortestGap || runs.size() == MostPasses))
+      {
+        runs.back().Last = i;
+      }
+      else
+      {
+        runs.push_back({ i, i });
+      }
+    }
+    this->Passes = std::max(this->Passes, runs.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::SetPass(std::size_t pass)
+{
+  int* bounds = this->Mapper->GetRowBounds();
+  for (const std::vector<Run>& runs : this->Rows)
+  {
+    const Run run = pass < runs.size() ? runs[pass] : Run{ 0, -1 };
+    *bounds++ = run.First;
+    *bounds++ = run.Last;
+  }
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::Begin()
+{
+  if (this->IsCasting)
+  {
+    return;
+  }
+  const bool isExpected = std::exchange(this->IsExpected, false);
+  this->Passes = 0;
+  this->OwnBounds.clear();
+  vtkRenderWindow* const window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
+  if (!this->CanKeep() || this->Mapper->GetRenderWindow() != window ||
+    this->Mapper->GetVolume() != this->Volume)
+  {
+    this->Look.clear();
+    this->IsWhole = true;
+    return;
+  }
+  const int rows = this->Mapper->GetRayCastImage()->GetImageInUseSize()[1];
+  const int* const bounds = this->Mapper->GetRowBounds();
+  this->OwnBounds.assign(bounds, bounds + 2 * static_cast<std::ptrdiff_t>(rows));
+  Words look = this->DescribeLook();
+  Words image = this->DescribeImage();
+  this->ReadDepths(this->NewDepths);
+  const bool isKept = look == this->Look && image == this->Image;
+  if (isKept)
+  {
+    this->FindChanges(this->NewDepths);
+    this->SetPass(0);
+  }
+  else if (isExpected)
+  {
+    this->Rows.assign(rows, {});
+    this->SetPass(0);
+    window->SetAbortRender(1);
+  }
+  this->IsWhole = !isKept;
+  this->Look = std::move(look);
+  this->Image = std::move(image);
+  this->Depths.swap(this->NewDepths);
+  this->ImageDistance = this->Mapper->GetImageSampleDistance();
+  this->SampleDistance = this->Mapper->GetSampleDistance();
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::End()
+{
+  if (this->IsCasting || !this->Mapper || this->OwnBounds.empty())
+  {
+    return;
+  }
+  vtkRenderWindow* const window = this->Mapper->GetRenderWindow();
+  this->IsCasting = true;
+  for (std::size_t pass = 1; pass < this->Passes && !window->GetAbortRender(); ++pass)
+  {
+    this->SetPass(pass);
+    this->Mapper->RenderSubVolume();
+  }
+  this->IsCasting = false;
+  // By these, the mapper clears what is left of this frame's image in the next one.
+  std::copy(this->OwnBounds.begin(), this->OwnBounds.end(), this->Mapper->GetRowBounds());
+  if (window->GetAbortRender())
+  {
+    this->Look.clear();
+  }
+}
+
+} // namespace VolumeHaptics

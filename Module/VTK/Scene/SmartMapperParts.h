@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The mappers within a vtkSmartVolumeMapper.
+ */
+#ifndef SmartMapperParts_h
+#define SmartMapperParts_h
+
+#include "vtkSmartVolumeMapper.h"
+
+class vtkFixedPointVolumeRayCastMapper;
+class vtkGPUVolumeRayCastMapper;
+
+namespace VolumeHaptics
+{
+
+/** Names what vtkSmartVolumeMapper lets derived classes use. */
+struct SmartMapperParts : vtkSmartVolumeMapper
+{
+  static vtkFixedPointVolumeRayCastMapper* FindCPUMapper(vtkSmartVolumeMapper* mapper)
+  {
+    return mapper->*(&SmartMapperParts::RayCastMapper);
+  }
+  static vtkGPUVolumeRayCastMapper* FindGPUMapper(vtkSmartVolumeMapper* mapper)
+  {
+    return mapper->*(&SmartMapperParts::GPUMapper);
+  }
+  static bool DrawsFewerVoxels(vtkSmartVolumeMapper* mapper)
+  {
+    return mapper->*(&SmartMapperParts::LowResGPUNecessary) != 0;
+  }
+};
+
+} // namespace VolumeHaptics
+
+#endif
