@@ -9,6 +9,11 @@ namespace
 
 constexpr Matrix3 ZeroMatrix = { { {}, {}, {} } };
 
+double SumOfSquares(const Matrix3& m) noexcept
+{
+  return Dot(m.Row[0], m.Row[0]) + Dot(m.Row[1], m.Row[1]) + Dot(m.Row[2], m.Row[2]);
+}
+
 /** The matrix of the unit vectors along the index axes. */
 Matrix3 DirectionOf(const Affine3& indexToWorld) noexcept
 {
@@ -22,8 +27,10 @@ Matrix3 DirectionOf(const Affine3& indexToWorld) noexcept
 VectorField::VectorField(
   const VectorView& view, const Affine3& indexToWorld, VectorAxes axes, InstructionSet instructions)
   : Sampler(view, instructions)
-  , ToWorld(axes == VectorAxes::Image ? DirectionOf(indexToWorld) : Matrix3{})
+  , IsOfImage(axes == VectorAxes::Image)
+  , ToWorld(this->IsOfImage ? DirectionOf(indexToWorld) : Matrix3{})
   , WorldToIndex(Inverse(indexToWorld.Linear))
+  , SquaredVoxel(SumOfSquares(indexToWorld.Linear))
 {
 }
 
@@ -36,7 +43,11 @@ bool VectorField::Read(const Vector3& index, Vector3& vector) const noexcept
   {
     return false;
   }
-  vector = this->ToWorld * Vector3{ sample.Value[0], sample.Value[1], sample.Value[2] };
+  vector = { sample.Value[0], sample.Value[1], sample.Value[2] };
+  if (this->IsOfImage)
+  {
+    vector = this->ToWorld * vector;
+  }
   return true;
 }
 
@@ -49,9 +60,14 @@ bool VectorField::Read(const Vector3& index, Vector3& vector, Matrix3& jacobian)
   {
     return false;
   }
-  vector = this->ToWorld * Vector3{ sample.Value[0], sample.Value[1], sample.Value[2] };
+  vector = { sample.Value[0], sample.Value[1], sample.Value[2] };
   const Matrix3 slopes = { { sample.Gradient[0], sample.Gradient[1], sample.Gradient[2] } };
-  jacobian = this->ToWorld * (slopes * this->WorldToIndex);
+  jacobian = slopes * this->WorldToIndex;
+  if (this->IsOfImage)
+  {
+    vector = this->ToWorld * vector;
+    jacobian = this->ToWorld * jacobian;
+  }
   return true;
 }
 

@@ -57,10 +57,15 @@ public:
 
   const VectorSampler& GetSampler() const noexcept { return this->Sampler; }
 
+  /** The sum of the squares of a voxel's edges (world): no displacement by a voxel is longer. */
+  double GetSquaredVoxel() const noexcept { return this->SquaredVoxel; }
+
 private:
   VectorSampler Sampler;
-  Matrix3 ToWorld;      ///< of the components
-  Matrix3 WorldToIndex; ///< of displacements
+  bool IsOfImage = false; ///< the components are along the axes of the image
+  Matrix3 ToWorld;        ///< of the components
+  Matrix3 WorldToIndex;   ///< of displacements
+  double SquaredVoxel = 0.0;
 };
 
 } // namespace VolumeHaptics

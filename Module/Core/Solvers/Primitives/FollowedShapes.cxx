@@ -117,7 +117,7 @@ const Primitive* FollowedShapes::FindPrimitive(PrimitiveKind kind, double streng
 
 bool FollowedShapes::FindStart(int mode, Vector3& place)
 {
-  constexpr int most = 64;
+  constexpr int most = 256;
   const ModeKind kind = this->KindOf(mode);
   for (int i = 0; i < most; ++i)
   {

@@ -7,6 +7,7 @@
 #include "Core/Solvers/Primitives/MaterialPrimitives.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace VolumeHaptics
 {
@@ -100,7 +101,14 @@ private:
   double FindCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
-    if (!IsFinite(axis))
+    // Newton's step is no shorter than the vector across the axis by the norm of the Jacobian.
+    constexpr double far = ModeField::CoreSight * ModeField::CoreSight;
+    const double along = Dot(v, axis);
+    const double slopes =
+      Dot(j.Row[0], j.Row[0]) + Dot(j.Row[1], j.Row[1]) + Dot(j.Row[2], j.Row[2]);
+    const double reach = far * this->Mode.Field.GetSquaredVoxel() * slopes;
+    // Also false for NaN.
+    if (!(std::abs(Dot(v, v) - along * along) <= reach))
     {
       return 0.0;
     }

@@ -62,6 +62,8 @@ public:
   static constexpr double FadeDistance = 2.0;
   /** Voxels from the core of a vortex. */
   static constexpr double CoreReach = 0.1;
+  /** Voxels. A core that is farther away than this is not looked for. */
+  static constexpr double CoreSight = 4.0;
 
   /**
    * For a device that is placed in the world: a similarity, world units per metre. Without ridges

@@ -53,7 +53,10 @@ public:
   /** One step; the rate that it has met. */
   double Step(double rate, double longest) noexcept
   {
-    return this->Length < PrimitiveFollower::ShortShare * rate * longest
+    const double across = this->FindRateAcross();
+    this->Shown = {};
+    return across > 0.0 ? this->StepAcross(across)
+      : this->Length < PrimitiveFollower::ShortShare * rate * longest
       ? this->StepShortly(rate)
       : this->StepFar(rate, longest);
   }
@@ -78,8 +81,8 @@ private:
     const Vector3 late =
       this->FindRest(from + (0.75 * length) * second, 1.5 * second - 0.5 * first);
     const Vector3 third = Along(late, second);
-    const double share =
-      std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), longest / length);
+    const double most = longest / length;
+    const double share = std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), most);
     // Where the quadratic through the stages points at the end of the step; and its integrals.
     const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
     const double square = share * share;
@@ -88,7 +91,44 @@ private:
     const double ofThird = square * (16.0 / 9.0 * share - 4.0 / 3.0);
     this->Arrive(from + length * (ofFirst * first + ofSecond * second + ofThird * third), last);
     this->Memory.Towards = last;
+    if (share < most)
+    {
+      this->Shown = before * (1.0 + share * (8.0 / 3.0 * share - 10.0 / 3.0)) * first +
+        share * (6.0 - 8.0 * share) * middle + share * (16.0 / 3.0 * share - 8.0 / 3.0) * late;
+      this->EndRate = before / (share * length);
+    }
     return Rate((before - Dot(this->Rest, third)) / (share * length));
+  }
+
+  /**
+   * The rate at which what a long step has left ends, across its way, as the stages show it; 0 if
+   * they do not. With m that rate beside the way's, the weights of the stages leave the share
+   * (1 - m) (1 - 5/3 m + 4/3 m^2) of what was across, and the quadratic through the stages shows
+   * (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both tells m.
+   */
+  double FindRateAcross() const noexcept
+  {
+    const double shown = Dot(this->Shown, this->Shown);
+    const double ratio = Dot(this->Rest, this->Shown) / shown;
+    const Vector3 other = this->Rest - ratio * this->Shown;
+    // Also false for NaN.
+    if (!(ratio < -0.5 && ratio > -1.0) || Dot(other, other) > 0.01 * this->Length * this->Length)
+    {
+      return 0.0;
+    }
+    const double half = 5.0 / 6.0 - ratio;
+    const double root = half * half - 4.0 / 3.0 * (1.0 - ratio);
+    return root > 0.0 ? this->EndRate * 0.75 * (half - std::sqrt(root)) : 0.0;
+  }
+
+  /** To the end of what a step has left, or a little before: a hold would keep what is beyond. */
+  double StepAcross(double rate) noexcept
+  {
+    const double before = this->Length;
+    const Vector3 first = (1.0 / before) * this->Rest;
+    const double length = 0.98 * before / rate;
+    this->Arrive(this->Place + length * first, first);
+    return Rate((before - Dot(this->Rest, first)) / length);
   }
 
   /** By the midpoint method, to where D ends by what the middle has met. */
@@ -161,6 +201,8 @@ private:
   PrimitiveMemory& Memory;
   Vector3 Place;
   Vector3 Rest;
+  Vector3 Shown; ///< of the rest, by the stages of a long step that ended the way; else 0
+  double EndRate = 0.0;
   double Length = 0.0;
   int SweepsLeft = PrimitiveSolver::MostSweeps; ///< of the tick
   PrimitiveBalance Balance;

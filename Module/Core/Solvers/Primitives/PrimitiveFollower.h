@@ -20,10 +20,12 @@
  * lines bend around the tip, or strengths change. r is learned from step to step; a step that the
  * middle shows to be too long begins again, since a strength that rises would hold the proxy where
  * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
- * that one step a tick is mostly enough. Corrections after that are short, and take the midpoint
- * method, no farther than that either. Steps end when D is less than FinishedShare of a step.
- * After MostSteps, or if the sweeps of a tick are spent, the next tick goes on; the force is then
- * that of the balance at the place that is reached, so it is never more than the strengths.
+ * that one step a tick is mostly enough. What such a step leaves across the way, where primitives
+ * yield, it leaves in a known way, which tells its rate: one evaluation more ends it. Corrections
+ * else are short, and take the midpoint method, no farther than that either. Steps end when D is
+ * less than FinishedShare of a step. After MostSteps, or if the sweeps of a tick are spent, the
+ * next tick goes on; the force is then that of the balance at the place that is reached, so it is
+ * never more than the strengths.
  */
 #ifndef PrimitiveFollower_h
 #define PrimitiveFollower_h
