@@ -29,7 +29,7 @@ constexpr double SingleStep = 0.1;
 ///@}
 /** The share of the last step's time in which the next one is felt: so it ends before another. */
 constexpr double StepShare = 0.9;
-/** How much longer (s) a servo may take for a step before it is no longer waited for. */
+/** How long (s of the servo) it may stand still on its way before it is no longer waited for. */
 constexpr double Patience = 0.5;
 /** The time (s) in which the servo gets to the first image. */
 constexpr double BeginTime = 0.005;
@@ -127,7 +127,7 @@ void HapticFrameLink::Send()
 void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
 {
   this->SentAt = vtkTimerLog::GetUniversalTime();
-  this->Duration = seconds;
+  this->SeenAt = 0.0;
   const double rate = (this->ToTime - this->FromTime) / seconds;
   device->SetPlaybackSpeed(rate / this->Filter->GetTimeUnitsPerSecond());
 }
@@ -139,10 +139,16 @@ void HapticFrameLink::Clear()
   this->From = this->To = nullptr;
 }
 
-bool HapticFrameLink::IsThere(vtkHapticDevice* device) const
+bool HapticFrameLink::IsThere(vtkHapticDevice* device)
 {
-  return !device->IsRunning() || device->GetDataTime() == this->ToTime ||
-    vtkTimerLog::GetUniversalTime() - this->SentAt > this->Duration + Patience;
+  // By the servo's states: of a user interface that was busy, the clock tells nothing.
+  if (device->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
+  {
+    this->SeenTime = device->GetDataTime();
+    this->SeenAt = device->GetTime();
+  }
+  return !device->IsRunning() || this->SeenTime == this->ToTime ||
+    device->GetTime() - this->SeenAt > Patience;
 }
 
 } // namespace VolumeHapticsLive

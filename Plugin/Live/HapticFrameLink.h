@@ -50,7 +50,7 @@ public:
   /** Whether the last image is the first one. */
   bool IsFirst() const { return this->IsBeginning; }
   /** Whether the servo is at the last image, so that it can go on from there. */
-  bool IsThere(vtkHapticDevice* device) const;
+  bool IsThere(vtkHapticDevice* device);
   /** The last image, and its time; and the time before. */
   vtkImageData* GetImage() const { return this->To; }
   double GetTime() const { return this->ToTime; }
@@ -66,8 +66,9 @@ private:
   vtkSmartPointer<vtkImageData> To;
   double FromTime = 0.0; // of the data
   double ToTime = 0.0;
-  double SentAt = 0.0; // s, of this computer
-  double Duration = 0.0;
+  double SentAt = 0.0;   // s, of this computer
+  double SeenTime = 0.0; // of the data, in the servo's latest states
+  double SeenAt = 0.0;   // s, of the servo, since when; 0: not seen since the last step
   bool IsBeginning = false;
 };
 

@@ -22,7 +22,8 @@
  *
  * A model may have a window of the series only (FrameSeries.h). If the next frame has not come when
  * it is needed, time holds at the end of the window and goes on from there: it never jumps. So does
- * it if the frames at another Place have not come. On the way there, the model may have one frame
+ * it if the frames at another Place have not come, and, in ServoLoop, while what is in memory of a
+ * region is too little for a tick. On the way there, the model may have one frame
  * only, where time holds, too. Nothing is carried from the old place to that frame, nor from there
  * to Place.
  */

@@ -13,6 +13,7 @@ namespace VolumeHaptics
 void ResidentServo::Rest(double period, ForceGate& gate) noexcept
 {
   this->IsOut = false;
+  this->Lacks = false;
   this->Awaits = false;
   gate.NoteData(1.0, period);
 }
@@ -29,6 +30,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
     this->Force = isFelt ? record.Force : Vector3{};
     this->Lag = isFelt ? record.Proxy - record.Tip : Vector3{};
   }
+  this->Lacks = this->IsOut;
   gate.NoteData(this->IsOut ? 0.0 : there, period);
   const double opening = gate.GetOpening();
   // An opening that rises after a fade or a hold does not wait for data.
@@ -46,6 +48,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
     record = TickRecord{};
   }
   record.Tip = tip;
+  record.DataTime = state.DataTime;
   record.Proxy = tip + this->Lag;
   record.Force = this->Force;
   record.IsRenewed = record.IsUnfinished = record.IsServed = false;

@@ -43,9 +43,12 @@ public:
 
   /** Whether missing data reduced the last tick's force. */
   bool IsAwaiting() const noexcept { return this->Awaits; }
+  /** Whether they were so few that the last tick was not computed. */
+  bool LacksData() const noexcept { return this->Lacks; }
 
 private:
   bool Awaits = false;
+  bool Lacks = false;
   bool IsOut = false; ///< the old force has to end before a new one begins
   Vector3 Force;      ///< while IsOut: the last one
   Vector3 Lag;        ///< while IsOut: proxy minus tip

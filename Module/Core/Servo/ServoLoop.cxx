@@ -204,8 +204,10 @@ void ServoLoop::FollowDataClock(double period) noexcept
   const HapticModel* const model = this->Current->Model.get();
   if (model && model->Baked->IsMoving())
   {
-    const DataClock::Leap leap =
-      this->Clock.Follow(*model->Baked, this->ClockOrders.Read(), period, this->State);
+    DataClockOrders orders = this->ClockOrders.Read();
+    // A surface must not go past a hand that can't feel it.
+    orders.Plays = orders.Plays && !this->Servo.LacksData();
+    const DataClock::Leap leap = this->Clock.Follow(*model->Baked, orders, period, this->State);
     this->IsModelNew = this->IsModelNew || leap != DataClock::Leap::None;
     this->IsContactNew = this->IsContactNew || leap == DataClock::Leap::Away;
   }

@@ -9,6 +9,7 @@
 #include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Session/HapticChangeTime.h"
+#include "VTK/Session/StreamedWindow.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -218,7 +219,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   this->Meshless.clear();
   this->Mesher.End();
   ReadFrames window = this->Preparation.Take(filter, this->FindPlace(filter));
-  this->Steps = std::move(window.Steps);
+  const TimeSteps before = std::exchange(this->Steps, std::move(window.Steps));
   this->First = window.First;
   if (!window.AreRead)
   {
@@ -235,6 +236,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
                       : nullptr;
   if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
+    this->GoOnFrom(*last, before.Times);
     this->WarnOfFastMotion(filter);
     return std::make_shared<const HapticModel>(this->Window, placement, caps);
   }
@@ -250,6 +252,24 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   return model;
 }
 
+/** If frames of a stream were left out, the volume goes on from those that it had. */
+void DataPlayback::GoOnFrom(const BakedVolume& last, const std::vector<double>& times)
+{
+  const bool isFelt = this->Session.IsRunning() && this->HasTime;
+  auto joined = isFelt && !GoesOnWith(times, this->Steps.Times, this->Time)
+    ? JoinWindows(last, *this->Window, this->Time)
+    : nullptr;
+  if (joined)
+  {
+    this->Window = std::move(joined);
+    this->Steps.Times.clear();
+    for (std::size_t i = 0; i + 1 < this->Window->Frames.size(); ++i)
+    {
+      this->Steps.Times.push_back(this->Window->Frames[i].Time);
+    }
+  }
+}
+
 void DataPlayback::WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const
 {
   HapticBaker(filter).WarnOfFastMotion(*this->Window, this->Orders.Mode == Playback::Loop);
@@ -258,16 +278,21 @@ void DataPlayback::WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const
 bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent)
 {
   const bool isMade = isCurrent && this->Window && rate == this->Rate;
+  const bool isStreamed = !isMade && this->Window && this->IsStreamed(filter, rate);
+  // The frames of a stream are played to their end before the next ones come.
+  const auto isReady = [&](const std::vector<double>& times)
+  {
+    return !isStreamed || !this->IsOnItsWay() || times.size() < 2 ||
+      GoesOnWith(this->Steps.Times, times, this->Time);
+  };
   if (filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY || isMade)
   {
     this->EndPreparing();
-    return true;
+    return isReady(ReadTimeSteps(filter->GetInputInformation(0, 0)));
   }
-  const bool isStreamed = this->Window && this->IsStreamed(filter, rate);
   const bool isPrepared = this->Preparation.Follow(
     filter, this->FindPlace(filter), isStreamed ? this->Window.get() : nullptr);
-  // The frames of a stream that were late are played to their end before the next ones come.
-  return isPrepared && !(isStreamed && this->IsBehind() && this->IsOnItsWay());
+  return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
 /** Whether time goes to the end of the steps, and is not there yet. */
@@ -275,8 +300,8 @@ bool DataPlayback::IsOnItsWay() const
 {
   const bool isBackward = this->Session.GetState().Clock.IsBackward;
   const double end = isBackward ? this->Steps.Times.front() : this->Steps.Times.back();
-  return this->Orders.Plays && this->Orders.Rate != 0.0 && this->Orders.Mode == Playback::Once &&
-    this->Time != end;
+  return this->Session.IsRunning() && this->Orders.Plays && this->Orders.Rate != 0.0 &&
+    this->Orders.Mode == Playback::Once && this->Time != end;
 }
 
 /** Whether the frames may be further ones of the volume that was baked last. */
@@ -304,15 +329,7 @@ std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count
     const std::size_t step = (first + i) % this->Steps.Times.size();
     const std::size_t offset =
       (step + this->Steps.Times.size() - this->First) % this->Steps.Times.size();
-    const FieldFrame& frame = this->Window->Frames[offset];
-    frames.push_back({ frame.Time, frame.Field.GetView(), frame.Samples });
-    // That of a frame alone goes nowhere.
-    frames.back().Mesh = this->Window->Frames.size() > 1 ? frame.Mesh : nullptr;
-    if (frame.Motion)
-    {
-      frames.back().Displacements = frame.Motion->GetView();
-      frames.back().DisplacementSamples = frame.DisplacementSamples;
-    }
+    frames.push_back(KeepFrame(*this->Window, offset));
   }
   return frames;
 }

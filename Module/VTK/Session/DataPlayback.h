@@ -17,7 +17,8 @@
  * first one, too, unless they are small.
  *
  * The steps of a vtkHapticFrameSource that is streamed are whole series, too, each of which goes on
- * where the last one was.
+ * where the last one was: it waits until time has come to the end of that, or to a frame of both.
+ * If frames were left out, the last one is joined to the next ones (StreamedWindow.h).
  */
 #ifndef DataPlayback_h
 #define DataPlayback_h
@@ -117,6 +118,7 @@ private:
   bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
   std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
   bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
+  void GoOnFrom(const BakedVolume& last, const std::vector<double>& times);
   std::shared_ptr<const HapticModel> ShowMeshed(
     vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
   void WarnOfFastMotion(vtkVolumeHapticsFilter* filter) const;

@@ -28,8 +28,11 @@ vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* fi
   return filter ? filter->GetRegionSource() : nullptr;
 }
 
-/** What Prepare() returns while the meshes of frames are made. */
+///@{
+/** What Prepare() returns while frames have to wait for their meshes, or for those before them. */
 constexpr char FrameMeshingWork[] = "the surfaces of the frames are meshed";
+constexpr char FrameFeelingWork[] = "the frames before the new ones are felt to their end";
+///@}
 
 } // namespace
 
@@ -171,7 +174,8 @@ const char* ModelSource::Prepare(double rate)
   }
   else if (!this->Playback.Prepare(filter, rate, this->IsUpToDate()) && !this->Awaited)
   {
-    this->Awaited = FrameMeshingWork;
+    const bool hasMeshes = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY;
+    this->Awaited = hasMeshes ? FrameMeshingWork : FrameFeelingWork;
   }
   if (this->Awaited != MeshingWork)
   {

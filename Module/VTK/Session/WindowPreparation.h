@@ -53,6 +53,11 @@ public:
   bool Follow(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* last);
   /** Whether Follow() has read frames that Take() has not taken. */
   bool IsBegun() const { return this->Window.has_value(); }
+  /** The data times of the steps whose frames it has read; none before that. */
+  std::vector<double> GetTimes() const
+  {
+    return this->IsBegun() ? this->Window->Steps.Times : std::vector<double>();
+  }
   /** How long it takes to make what the frames lack, approximately (s). */
   double GetTimeOfRest() const { return this->IsBegun() ? this->TimeOfRest : 0.0; }
 

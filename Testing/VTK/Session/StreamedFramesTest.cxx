@@ -12,7 +12,9 @@
 #include <vtkHapticFrameSource.h>
 #include <vtkHapticRegionFilter.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace devicetest;
 
@@ -59,33 +61,55 @@ protected:
     this->Source->AddFrame(this->MakeFrame(from, region), from);
     this->Source->AddFrame(this->MakeFrame(to, region), to);
   }
-  void Begin()
+  void Begin(double end = 1.0)
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
     this->Device->SetVirtualTip(StreamedTip, 19.0, 19.0);
     this->Device->SetPlaybackSpeed(20.0);
     this->Device->Play();
     ASSERT_TRUE(this->Device->Start());
-    this->GoTo(1.0);
+    this->GoTo(end);
+  }
+  /// The force is that of where the wall is, as long as a state comes.
+  void Feel()
+  {
+    const double now = this->Device->GetDataTime();
+    if (this->Device->GetTickRate() > 0.0)
+    {
+      EXPECT_NEAR(this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now, this->Radius),
+        this->Tolerance)
+        << "at " << now;
+      // The servo's time, and not this one's.
+      const double elapsed = this->Device->GetTime() - this->FeltAt;
+      if (this->FeltAt > 0.0)
+      {
+        EXPECT_LE(std::abs(now - this->Felt), this->Speed * elapsed + 0.02) << "a leap at " << now;
+      }
+      this->Felt = now;
+      this->FeltAt = this->Device->GetTime();
+    }
   }
   void GoTo(double time)
   {
     ASSERT_TRUE(this->Wait(
       [&]
       {
-        const double now = this->Device->GetDataTime();
-        if (this->Device->GetTickRate() > 0.0)
-        {
-          EXPECT_NEAR(
-            this->Device->GetComputedForce()[0], ForceOfTheStreamedWall(now, this->Radius), 0.02)
-            << "at " << now;
-        }
-        return now == time;
+        this->Feel();
+        return this->Device->GetDataTime() == time;
       }))
-      << time;
+      << time << ", but " << this->Device->GetDataTime();
+  }
+  void SetSpeed(double speed)
+  {
+    this->Speed = std::max(this->Speed, std::abs(speed)); // the last one may be that still
+    this->Device->SetPlaybackSpeed(speed);
   }
   vtkNew<vtkHapticFrameSource> Source;
   double Radius = 0.0;
+  double Tolerance = 0.02; ///< N
+  double Speed = 20.0;     ///< data time in a second, at most
+  double Felt = 0.0;       ///< data time of the last state that was looked at
+  double FeltAt = 0.0;     ///< and its time
 };
 } // namespace
 
@@ -100,6 +124,7 @@ TEST_F(StreamedFrames, ThatAreTooFastForABlendAreToldOnce)
   EXPECT_TRUE(this->FilterLog.Warnings.empty());
   for (const double time : { 1.0, 7.0, 13.0 })
   {
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() == time; })) << time;
     this->Give(time, time + 6.0);
     ASSERT_TRUE(this->Device->Publish());
     ASSERT_EQ(this->FilterLog.Warnings.size(), 1U) << "at " << time;
@@ -125,6 +150,123 @@ TEST_F(StreamedFrames, PushAHandThatRestsAndComeBack)
     this->GoTo(i - 1.0);
   }
   EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// As from a source that is now slow and now quick, while the servo goes on at its own pace: those
+/// that come early wait, and where they are late, time does. The contact is never lost.
+TEST_F(StreamedFrames, ThatAreEarlyOrLateAreFeltOneAfterTheOther)
+{
+  const int region[] = { 0, 35, 3, 37, 4, 39 };
+  const int other[] = { 0, 38, 0, 34, 2, 36 };
+  std::mt19937 random(3);
+  this->Give(0.0, 1.0, region);
+  this->Begin();
+  this->SetSpeed(10.0); // 100 ms a frame
+  double at = 1.0;
+  int waited = 0;
+  for (int i = 0; i < 24; ++i)
+  {
+    // To 6 mm and back.
+    const double next = at + (i / 5 % 2 == 0 ? 1.0 : -1.0);
+    this->Give(at, next, random() % 2 ? region : other);
+    ASSERT_TRUE(this->Device->Publish());
+    const bool isEarly = !this->Device->IsPublished();
+    const std::string text = this->Device->GetStatusText();
+    EXPECT_EQ(text.find("felt to their end") != std::string::npos, isEarly) << text;
+    waited += isEarly ? 1 : 0;
+    ASSERT_TRUE(this->Wait(
+      [this]
+      {
+        this->Feel();
+        return this->Device->IsPublished();
+      }));
+    this->SetSpeed(next < at ? -10.0 : 10.0);
+    if (random() % 2)
+    {
+      this->GoTo(next);
+      ASSERT_TRUE(this->WaitTicks(random() % 100));
+    }
+    else
+    {
+      ASSERT_TRUE(this->WaitTicks(random() % 60));
+    }
+    at = next;
+  }
+  this->GoTo(at);
+  EXPECT_GT(waited, 4);
+  EXPECT_GT(ForceOfTheStreamedWall(at, 0.0), 0.4);
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// The last one that was felt is joined to the next ones, so that the wall goes over what is
+/// missing.
+TEST_F(StreamedFrames, ThatWereLeftOutAreGoneOver)
+{
+  this->Tolerance = 0.03;
+  this->Give(2.0, 3.0);
+  this->Begin(3.0);
+  this->SetSpeed(2.0);
+  this->Give(3.0, 3.8);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 3.1; }));
+  // Too late for the first of these; and then for what is between.
+  this->Give(3.8, 4.2);
+  ASSERT_TRUE(this->Device->Publish());
+  this->Give(4.2, 5.0);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_LT(this->Device->GetDataTime(), 3.8);
+  this->GoTo(5.0);
+  this->Give(5.6, 6.4);
+  ASSERT_TRUE(this->Device->Publish());
+  this->GoTo(6.4);
+  EXPECT_GT(this->Device->GetComputedForce()[0], 1.65);
+  // Backwards, and while time holds between two frames.
+  this->Give(4.6, 5.4);
+  ASSERT_TRUE(this->Device->Publish());
+  this->SetSpeed(-2.0);
+  this->GoTo(4.6);
+  this->SetSpeed(2.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 4.8; }));
+  this->Device->Hold();
+  ASSERT_TRUE(this->WaitTicks(20));
+  const double held = this->Device->GetDataTime();
+  this->Give(5.8, 6.4);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(50));
+  EXPECT_EQ(this->Device->GetDataTime(), held);
+  this->Feel();
+  this->Device->Play();
+  this->GoTo(6.4);
+  EXPECT_TRUE(this->FilterLog.Errors.empty());
+}
+
+/// Where the hand has left the region that is in memory, the wall waits for it.
+TEST_F(StreamedFrames, HoldTimeWhileARegionIsLate)
+{
+  const int region[] = { 0, 35, 3, 37, 4, 39 };
+  const int other[] = { 0, 35, 0, 37, 0, 25 };
+  this->Give(2.0, 3.0, region);
+  this->Begin(3.0);
+  this->SetSpeed(0.5);
+  this->Give(3.0, 4.0, region);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() > 3.1; }));
+  this->Device->SetVirtualTip(StreamedTip, 19.0, 1.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 0.0; }));
+  ASSERT_TRUE(this->WaitTicks(5));
+  const double held = this->Device->GetDataTime();
+  EXPECT_GT(held, 3.1);
+  EXPECT_LT(held, 4.0);
+  ASSERT_TRUE(this->WaitTicks(300));
+  EXPECT_EQ(this->Device->GetDataTime(), held) << "the wall goes past a hand that can't feel it";
+  this->Give(3.0, 4.0, other);
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetResidency() == 1.0; }));
+  const double before = this->Device->GetDataTime();
+  EXPECT_LT(before, 4.0);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->GetDataTime() == 4.0; }));
+  // It begins at the tip, as after any gap; from there the wall pushes as it comes.
+  EXPECT_GT(this->Device->GetComputedForce()[0], 0.001 * StreamedStiffness * 0.5 * (4.0 - before));
 }
 
 /// The servo goes on with another region, as if it had the whole.
