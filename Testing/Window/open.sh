@@ -4,13 +4,13 @@
 
 # Another file is opened in the explorer's window, with real key events on a screen of its own: by the list of key F2,
 # by dropping it on the window, and a broken one, after which the window shows what it showed before. Then the window
-# shows a label map as labels.
+# shows a label map as labels, and one series of a DICOM folder after the other.
 #
 # usage: open.sh [--picture FOLDER] EXPLORER VOLUME DROP_FILE PYTHON
 #
 #   --picture FOLDER   pictures of the lists; takes imagemagick
 #   DROP_FILE          the program of DropFile.cxx
-#   PYTHON             one that has VTK; it writes the label map
+#   PYTHON             one that has VTK; it writes the label map and DICOM files
 #
 # Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
 set -euo pipefail
@@ -66,6 +66,42 @@ writer.SetInputData(image)
 writer.Write()
 END
 
+# A folder with two DICOM series, written as parts 5 and 10 of the standard say: a ball, and a box with fewer slices.
+mkdir scan
+"$python" - << 'END'
+import struct
+
+
+def part(group, element, kind, value):
+    value += b"" if len(value) % 2 == 0 else b"\0" if kind == b"UI" else b" "
+    length = struct.pack("<xxI" if kind == b"OW" else "<H", len(value))
+    return struct.pack("<HH", group, element) + kind + length + value
+
+
+def number(element, value):
+    return part(0x0028, element, b"US", struct.pack("<H", value))
+
+
+SIDE, CT, EXPLICIT = 40, b"1.2.840.10008.5.1.4.1.1.2", b"1.2.840.10008.1.2.1"
+for series, (name, slices, is_inside) in enumerate((
+        (b"Ball", 40, lambda i, j, k: (i - 20) ** 2 + (j - 20) ** 2 + (k - 20) ** 2 < 225),
+        (b"Box", 30, lambda i, j, k: max(abs(i - 20), abs(j - 20), abs(k - 15)) < 12)), 1):
+    for k in range(slices):
+        pixels = b"".join(struct.pack("<H", 1064 if is_inside(i, j, k) else 24)
+                          for j in range(SIDE) for i in range(SIDE))
+        meta = part(2, 2, b"UI", CT) + part(2, 0x10, b"UI", EXPLICIT)
+        with open(f"scan/{series}-{k}.dcm", "wb") as file:
+            file.write(bytes(128) + b"DICM" + part(2, 0, b"UL", struct.pack("<I", len(meta))) + meta
+                       + part(8, 0x16, b"UI", CT) + part(8, 0x18, b"UI", b"1.2.%d.%d" % (series, k))
+                       + part(8, 0x60, b"CS", b"CT") + part(8, 0x103E, b"LO", name)
+                       + part(0x20, 0x0E, b"UI", b"1.2.%d" % series) + part(0x20, 0x11, b"IS", b"%d" % series)
+                       + part(0x20, 0x32, b"DS", b"0\\0\\%d" % k) + part(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0")
+                       + number(2, 1) + part(0x28, 4, b"CS", b"MONOCHROME2") + number(0x10, SIDE) + number(0x11, SIDE)
+                       + part(0x28, 0x30, b"DS", b"1\\1") + number(0x100, 16) + number(0x101, 16) + number(0x102, 15)
+                       + number(0x103, 0) + part(0x28, 0x1052, b"DS", b"-1024") + part(0x28, 0x1053, b"DS", b"1")
+                       + part(0x7FE0, 0x10, b"OW", pixels))
+END
+
 start_window_manager
 "$explorer" data/first.vti --size 300 > program.log 2>&1 &
 child=$!
@@ -102,8 +138,21 @@ wait_for_window "VTK Volume Haptics"
 take_picture labels
 grep -q "its values are taken as labels: 2" program.log || fail "the labels are not counted"
 
+# The largest series is shown first; key F3 lists both.
+"$drop" "$window" "$folder/scan" || fail "the window takes no folder that is dropped"
+wait_for "the ball" has_read scan 1
+wait_for_window "VTK Volume Haptics"
+grep -q "series 1.*Ball.*, of 2 series" program.log || fail "the ball's series is not shown"
+sleep 0.5
+xdotool key F3
+take_picture series
+xdotool key Down Return
+wait_for "the box" has_read scan 2
+wait_for_window "VTK Volume Haptics"
+grep -q "series 2.*Box.*, of 2 series" program.log || fail "the box's series is not shown"
+
 # Escape only closes the list.
 xdotool key F2 Escape
 xdotool key q
 expect_end
-echo "opened by a list, by a drop and as labels"
+echo "opened by a list, by a drop, as labels, and as series"

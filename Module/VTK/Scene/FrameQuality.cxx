@@ -35,6 +35,7 @@ constexpr double LeastRate = 20.0;    // Hz, in motion
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
+constexpr double LongestTry = 1.0;   // s, until such a frame is given up
 constexpr double MostSteps = 6.0;    // of a factor of the square root of two between rays
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
@@ -152,7 +153,7 @@ double FrameQuality::Pace::Next(double longest)
 
 //------------------------------------------------------------------------------
 template <typename Mapper>
-void FrameQuality::Adjust(Mapper* mapper, const Shown& shown, bool armed)
+void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
 {
   const bool moves = this->Moves;
   auto* const image = vtkImageData::SafeDownCast(shown.Volume->GetMapper()->GetDataSetInput());
@@ -193,7 +194,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown, bool armed)
     next.AutoAdjust = false;
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
-  const bool isLimited = moves || armed;
+  const bool isLimited = moves || this->IsArmed;
   if (!moves && !this->AtRest.IsKnown)
   {
     // By the rays of frames in motion, which take half of the samples.
@@ -241,7 +242,7 @@ void FrameQuality::FollowRays(
 }
 
 //------------------------------------------------------------------------------
-void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown, bool armed)
+void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown)
 {
   const auto smart = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(),
     [mapper](const Smart& known) { return known.Mapper == mapper; });
@@ -259,7 +260,7 @@ void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& sh
     cpu->SetImageSampleDistance(1.0F);
     cpu->SetSampleDistance(static_cast<float>(AutomaticDistance(image)));
   }
-  this->Adjust(cpu, shown, armed);
+  this->Adjust(cpu, shown);
   cpu->SetLockSampleDistanceToInputSpacing(!this->Moves);
   mapper->SetInteractiveAdjustSampleDistances(false);
   mapper->SetAutoAdjustSampleDistances(false);
@@ -324,6 +325,7 @@ void FrameQuality::Begin()
   }
   const Touch touch = this->AskTouch();
   this->Moves = this->Window->GetDesiredUpdateRate() > SlowestMotion;
+  this->IsArmed = touch == Touch::Armed;
   ++this->Frame;
   ForEachVolume(this->Window,
     [&](vtkRenderer* renderer, vtkVolume* volume)
@@ -335,19 +337,25 @@ void FrameQuality::Begin()
       auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
       if (gpu)
       {
-        this->Adjust(gpu, shown, touch == Touch::Armed);
+        this->Adjust(gpu, shown);
       }
       else if (cpu)
       {
-        this->Adjust(cpu, shown, touch == Touch::Armed);
+        this->Adjust(cpu, shown);
       }
       else if (smart)
       {
         this->ChooseProcessor(smart, touch != Touch::Off);
-        this->AdjustProcessor(smart, shown, touch == Touch::Armed);
+        this->AdjustProcessor(smart, shown);
       }
     });
   this->Start = std::chrono::steady_clock::now();
+}
+
+//------------------------------------------------------------------------------
+double FrameQuality::GetElapsed() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
 }
 
 //------------------------------------------------------------------------------
@@ -357,13 +365,17 @@ void FrameQuality::End()
   {
     return;
   }
+  const double time = this->GetElapsed();
   if (this->Window->GetAbortRender())
   {
     this->IsInterrupted = true;
     this->TrustsRays = this->TrustsRays && !this->Moves;
+    if (!this->Moves && this->IsArmed && time > LongestTry)
+    {
+      this->AtRest.Time = time;
+    }
     return;
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - this->Start;
   Pace& pace = this->Moves ? this->InMotion : this->AtRest;
   // Only frames that cast all rays tell how long these take.
   bool castsAll = false;
@@ -378,11 +390,11 @@ void FrameQuality::End()
   }
   if (castsAll || !keepsRays)
   {
-    pace.Time = time.count();
+    pace.Time = time;
     pace.IsKnown = true;
   }
   const bool isSlow =
-    this->Moves && !castsAll && time.count() > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
+    this->Moves && !castsAll && time > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
   this->TrustsRays = !isSlow && (this->TrustsRays || !this->Moves);
 }
 
@@ -390,7 +402,7 @@ void FrameQuality::End()
 void FrameQuality::Interrupt()
 {
   if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus() &&
-    HasPendingInput(this->Window))
+    (HasPendingInput(this->Window) || (this->IsArmed && this->GetElapsed() > LongestTry)))
   {
     this->Window->SetAbortRender(1);
   }

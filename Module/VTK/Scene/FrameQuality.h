@@ -43,7 +43,8 @@ class KeptRays;
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
  *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
- *   meanwhile nobody reads the device, and its force fades after AttentionTime.
+ *   meanwhile nobody reads the device, and its force fades after AttentionTime. If that takes 1 s
+ *   even so, because the processor is busy, the frame is given up and drawn again more coarsely.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
@@ -122,11 +123,13 @@ private:
   void Begin();
   void End();
   void Interrupt();
+  /** Since the beginning of the frame, s. */
+  double GetElapsed() const;
   void Restore();
   template <typename Mapper>
-  void Adjust(Mapper* mapper, const Shown& shown, bool armed);
+  void Adjust(Mapper* mapper, const Shown& shown);
   /** Its own ray caster on the processor, as if it were the volume's mapper. */
-  void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown, bool armed);
+  void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
   static void GiveBack(const Smart& smart);
   /** Makes or drops what keeps the rays of this mapper's image. */
@@ -149,6 +152,7 @@ private:
   Pace AtRest;
   unsigned long Frame = 0;
   bool Moves = false;
+  bool IsArmed = false;
   bool TrustsRays = true; ///< frames in motion with kept rays have been quick since the last rest
   bool IsInterrupted = false;
 };

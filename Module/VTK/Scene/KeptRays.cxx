@@ -5,21 +5,25 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkFiniteDifferenceGradientEstimator.h"
 #include "vtkFixedPointRayCastImage.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSphericalDirectionEncoder.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <utility>
 
 namespace VolumeHaptics
@@ -110,6 +114,49 @@ void AddCuts(WordWriter& to, vtkVolumeMapper* mapper)
   }
 }
 
+/**
+ * The mapper's encoder of directions. vtkFixedPointVolumeRayCastMapper computes a shade for each of
+ * its 65536 directions before each frame, and asks it for them. If the shades would be the same, it
+ * has none.
+ */
+class ShadedDirections : public vtkSphericalDirectionEncoder
+{
+public:
+  static ShadedDirections* New() { VTK_STANDARD_NEW_BODY(ShadedDirections); }
+  vtkTypeMacro(ShadedDirections, vtkSphericalDirectionEncoder);
+  int GetNumberOfEncodedDirections() override
+  {
+    return this->KeepsShades ? 0 : this->Superclass::GetNumberOfEncodedDirections();
+  }
+  /** Asked for once before the shades of each light. */
+  float* GetDecodedGradientTable() override
+  {
+    this->KeepsShades = this->AreKept && this->AreKept();
+    return this->Superclass::GetDecodedGradientTable();
+  }
+
+  std::function<bool()> AreKept;
+
+private:
+  bool KeepsShades = false;
+};
+
+/** Names what vtkFixedPointVolumeRayCastMapper lets derived classes use. */
+struct RayCasterParts : vtkFixedPointVolumeRayCastMapper
+{
+  static vtkDirectionEncoder*& FindDirections(vtkFixedPointVolumeRayCastMapper* mapper)
+  {
+    return mapper->*(&RayCasterParts::DirectionEncoder);
+  }
+  static void SetDirections(
+    vtkFixedPointVolumeRayCastMapper* mapper, vtkDirectionEncoder* directions)
+  {
+    (mapper->*(&RayCasterParts::GradientEstimator))->SetDirectionEncoder(directions);
+    directions->Register(mapper);
+    std::exchange(FindDirections(mapper), directions)->UnRegister(mapper);
+  }
+};
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -129,6 +176,15 @@ KeptRays::KeptRays(
     });
   mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
   mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this->Observer);
+
+  this->OwnDirections = RayCasterParts::FindDirections(mapper);
+  if (this->OwnDirections->IsA("vtkSphericalDirectionEncoder"))
+  {
+    vtkNew<ShadedDirections> directions;
+    directions->AreKept = [this]
+    { return this->IsDrawn() && !this->Shades.empty() && this->Shades == this->DescribeShades(); };
+    RayCasterParts::SetDirections(mapper, directions);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +193,16 @@ KeptRays::~KeptRays()
   if (this->Mapper)
   {
     this->Mapper->RemoveObserver(this->Observer);
+    RayCasterParts::SetDirections(this->Mapper, this->OwnDirections);
   }
+}
+
+//------------------------------------------------------------------------------
+bool KeptRays::IsDrawn() const
+{
+  return this->Renderer && this->Volume && this->Mapper &&
+    this->Mapper->GetVolume() == this->Volume &&
+    this->Mapper->GetRenderWindow() == this->Renderer->GetRenderWindow();
 }
 
 //------------------------------------------------------------------------------
@@ -188,6 +253,22 @@ KeptRays::Words KeptRays::DescribeLook() const
   {
     to.Add(static_cast<std::uint64_t>(static_cast<unsigned char>(*name)));
   }
+  return std::move(to.Words);
+}
+
+//------------------------------------------------------------------------------
+KeptRays::Words KeptRays::DescribeShades() const
+{
+  WordWriter to;
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  to.Add(camera->GetPosition(), 3);
+  to.Add(camera->GetFocalPoint(), 3);
+  AddLights(to, this->Renderer);
+  this->Volume->ComputeMatrix();
+  to.Add(&this->Volume->GetMatrix()->Element[0][0], 16);
+  to.AddAddress(this->Volume->GetProperty());
+  to.Add(this->Volume->GetProperty()->GetMTime());
+  to.AddAddress(this->Mapper->GetCurrentScalars()); // a table for each component
   return std::move(to.Words);
 }
 
@@ -292,14 +373,14 @@ void KeptRays::Begin()
   const bool isExpected = std::exchange(this->IsExpected, false);
   this->Passes = 0;
   this->OwnBounds.clear();
-  vtkRenderWindow* const window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
-  if (!this->CanKeep() || this->Mapper->GetRenderWindow() != window ||
-    this->Mapper->GetVolume() != this->Volume)
+  this->Shades = this->IsDrawn() ? this->DescribeShades() : Words();
+  if (!this->CanKeep() || !this->IsDrawn())
   {
     this->Look.clear();
     this->IsWhole = true;
     return;
   }
+  vtkRenderWindow* const window = this->Renderer->GetRenderWindow();
   const int rows = this->Mapper->GetRayCastImage()->GetImageInUseSize()[1];
   const int* const bounds = this->Mapper->GetRowBounds();
   this->OwnBounds.assign(bounds, bounds + 2 * static_cast<std::ptrdiff_t>(rows));

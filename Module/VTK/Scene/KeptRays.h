@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkCallbackCommand;
+class vtkDirectionEncoder;
 
 namespace VolumeHaptics
 {
@@ -28,6 +29,9 @@ namespace VolumeHaptics
  * each frame, and each ray depends on nothing but the view, the volume's look, and the depth of the
  * opaque geometry at which it ends. This keeps the mapper's image from one frame to the next, and
  * has it cast again only the rays whose depth has changed. Frames are the same to the bit.
+ *
+ * The mapper also makes a table of shades anew for each frame. It is kept while lights, camera and
+ * the volume's look are the same.
  *
  * The mapper draws its volume in one renderer only, which the owner of this knows.
  */
@@ -73,6 +77,10 @@ private:
   Words DescribeLook() const;
   /** How the rays are spread. */
   Words DescribeImage() const;
+  /** What the mapper's table of shades depends on. */
+  Words DescribeShades() const;
+  /** Whether the mapper draws this volume in this window now. */
+  bool IsDrawn() const;
   /** Whether frames may be kept at all. */
   bool CanKeep() const;
   /** Depth at which each ray of the image in use ends, row by row. */
@@ -86,7 +94,9 @@ private:
   vtkWeakPointer<vtkVolume> Volume;
   vtkWeakPointer<vtkFixedPointVolumeRayCastMapper> Mapper;
   vtkSmartPointer<vtkCallbackCommand> Observer;
-  Words Look; ///< of the image; empty: there is none
+  vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< the mapper's own
+  Words Shades; ///< that the mapper's table is for; empty: for others
+  Words Look;   ///< of the image; empty: there is none
   Words Image;
   float ImageDistance = 0.0F;
   float SampleDistance = 0.0F;

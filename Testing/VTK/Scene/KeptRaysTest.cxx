@@ -11,6 +11,7 @@
 
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
+#include <vtkDirectionEncoder.h>
 #include <vtkFixedPointRayCastImage.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkLight.h>
@@ -227,6 +228,48 @@ TEST_F(KeptRaysTest, WhateverElseChangesCastsAllRays)
     [](Drawn& d) { d.Mapper->SetBlendModeToMaximumIntensity(); }, "maximum intensity");
   this->ExpectAnew([](Drawn& d) { d.Scene.Window->SetSize(Side + 20, Side - 10); }, "size");
   this->ExpectAnew([](Drawn& d) { d.Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0); }, "viewport");
+}
+
+TEST_F(KeptRaysTest, ShadesAreComputedIfTheyWouldBeOthers)
+{
+  struct Parts : vtkFixedPointVolumeRayCastMapper
+  {
+    static vtkDirectionEncoder* Find(vtkFixedPointVolumeRayCastMapper* mapper)
+    {
+      return mapper->*(&Parts::DirectionEncoder);
+    }
+  };
+  const auto count = [this]
+  { return Parts::Find(this->Kept.Mapper)->GetNumberOfEncodedDirections(); };
+  const int all = Parts::Find(this->Whole.Mapper)->GetNumberOfEncodedDirections();
+  this->Compare([](Drawn&) {}, "the first frame");
+  EXPECT_EQ(count(), all);
+  this->Compare([](Drawn& d) { d.Move({ 25.0, 11.0, 60.0 }, { 38.0, 0.0, 45.0 }); }, "moved");
+  EXPECT_EQ(count(), 0);
+  // Only the cut is another one, so that all rays need the shades of the frames before.
+  this->ExpectAnew(
+    [](Drawn& d)
+    {
+      d.Mapper->SetCroppingRegionPlanes(15.0, 35.0, -2.0, 25.0, 10.0, 35.0);
+      d.Mapper->CroppingOn();
+    },
+    "cropping");
+  EXPECT_EQ(count(), 0);
+  this->ExpectAnew([](Drawn& d) { d.Volume->GetProperty()->SetDiffuse(0.3); }, "diffuse light");
+  EXPECT_EQ(count(), all);
+  this->Compare([](Drawn&) {}, "again");
+  EXPECT_EQ(count(), 0);
+  vtkNew<vtkVolume> other;
+  Shown(other, this->Kept.Mapper, 1, 0.0, 250.0).Draw();
+  EXPECT_EQ(count(), all) << "for another window";
+  this->Compare([](Drawn&) {}, "after another window");
+  EXPECT_EQ(count(), all);
+  {
+    const KeptRays second(this->Whole.Scene.Renderer, this->Whole.Volume, this->Whole.Mapper);
+    this->Compare([](Drawn&) {}, "both");
+  }
+  EXPECT_FALSE(Parts::Find(this->Whole.Mapper)->IsA("ShadedDirections")) << "its own again";
+  this->ExpectAnew([](Drawn& d) { d.Volume->GetProperty()->SetDiffuse(0.9); }, "by itself");
 }
 
 TEST_F(KeptRaysTest, AWindowAndLevelOfTheImageAreNotAppliedTwice)

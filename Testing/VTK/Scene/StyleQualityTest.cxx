@@ -192,6 +192,31 @@ TEST_F(StyleQualityTest, AFrameThatCanBeInterruptedDoesNotCostAnArmedHandItsForc
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << "there is time for all rays";
 }
 
+TEST_F(StyleQualityTest, AFrameThatTakesTooLongIsGivenUpWhileADeviceIsArmed)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  vtkNew<vtkCallbackCommand> sleep;
+  sleep->SetCallback([](vtkObject*, unsigned long, void*, void*)
+    { std::this_thread::sleep_for(std::chrono::milliseconds(300)); });
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(this->Window->GetAbortRender(), 0) << "nobody holds a device";
+  mapper->RemoveObserver(sleep);
+  this->Arm();
+  this->Draw(AtRest, 8);
+  ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, sleep, 1.0f);
+  this->Renderer->GetActiveCamera()->Azimuth(10.0); // so that all rays are cast
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(this->Window->GetAbortRender(), 1);
+  mapper->RemoveObserver(sleep);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(this->Window->GetAbortRender(), 0);
+  EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
+}
+
 TEST_F(StyleQualityTest, MotionIsAsFineAsTheFrameAtRestWhoseRaysItKeeps)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
