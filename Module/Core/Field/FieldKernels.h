@@ -97,29 +97,61 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
   return SumRemembered<4>(view, foot, fill, memory, sample);
 }
 
-/** First tap and weights of the Gaussian along one axis, from the kernel's table. */
-VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
-  const FieldView& view, int axis, double position, int taps, double* weights)
+/** Four weights of the Gaussian at a fraction t of an interval; `count` numbers have a power. */
+VOLUME_HAPTICS_INLINE Double4 FindWeights(const double* coefficients, int count, double t)
+{
+  const double t2 = t * t;
+  const auto term = [&](int power) { return LoadDouble4(coefficients + power * count); };
+  const Double4 low = term(0) + t * term(1);
+  const Double4 middle = term(2) + t * term(3);
+  const Double4 high = term(4) + t * term(5);
+  return low + t2 * (middle + t2 * high);
+}
+
+/** The place of the Gaussian's weights in its table, along one axis, and its first tap. */
+struct GaussianPlace
+{
+  const double* Coefficients;
+  double Fraction; ///< of the interval
+  std::int64_t First;
+};
+
+VOLUME_HAPTICS_INLINE GaussianPlace LocateInTable(
+  const FieldView& view, int axis, double position, int taps)
 {
   constexpr int intervals = GradientKernel::Intervals;
   const KernelView& kernel = view.Kernel;
   const Axis place =
     Locate(position * intervals, view.First[axis] * intervals, view.Last[axis] * intervals);
   const auto interval = static_cast<std::uint64_t>(place.Cell);
-  const double t = place.Fraction;
-  const double t2 = t * t;
-  const int count = 2 * taps;
-  const double* const c =
-    kernel.Table + (interval % intervals) * GradientKernel::Coefficients * count;
-  for (int i = 0; i < count; i += 4)
+  return { kernel.Table + (interval % intervals) * (2 * GradientKernel::Coefficients * taps),
+    place.Fraction, static_cast<std::int64_t>(interval / intervals) - kernel.Radius };
+}
+
+/** First tap and weights of the Gaussian along one axis, from the kernel's table. */
+VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
+  const FieldView& view, int axis, double position, int taps, double* weights)
+{
+  const GaussianPlace place = LocateInTable(view, axis, position, taps);
+  for (int i = 0; i < 2 * taps; i += 4)
   {
-    const auto term = [&](int power) { return LoadDouble4(c + power * count + i); };
-    const Double4 low = term(0) + t * term(1);
-    const Double4 middle = term(2) + t * term(3);
-    const Double4 high = term(4) + t * term(5);
-    StoreDouble4(low + t2 * (middle + t2 * high), weights + i);
+    StoreDouble4(FindWeights(place.Coefficients + i, 2 * taps, place.Fraction), weights + i);
   }
-  return static_cast<std::int64_t>(interval / intervals) - kernel.Radius;
+  return place.First;
+}
+
+template <int N>
+VOLUME_HAPTICS_INLINE void LocateGaussian(
+  const FieldView& view, int axis, double position, Footprint<N>& foot)
+{
+  const GaussianPlace place = LocateInTable(view, axis, position, N);
+#pragma GCC unroll 4
+  for (int i = 0; i < 2 * N; i += 4)
+  {
+    StoreDouble4(
+      FindWeights(place.Coefficients + i, 2 * N, place.Fraction), foot.Weights[axis] + i);
+  }
+  foot.First[axis] = place.First;
 }
 
 template <int N>
@@ -127,9 +159,9 @@ VOLUME_HAPTICS_INLINE void LocateGaussian(
   const FieldView& view, double x, double y, double z, Footprint<N>& foot)
 {
   // In the order in which the sum needs them.
-  foot.First[1] = LocateGaussian(view, 1, y, N, foot.Weights[1]);
-  foot.First[2] = LocateGaussian(view, 2, z, N, foot.Weights[2]);
-  foot.First[0] = LocateGaussian(view, 0, x, N, foot.Weights[0]);
+  LocateGaussian<N>(view, 1, y, foot);
+  LocateGaussian<N>(view, 2, z, foot);
+  LocateGaussian<N>(view, 0, x, foot);
 }
 
 template <typename T, int N>

@@ -34,6 +34,8 @@
 #ifndef GradientKernel_h
 #define GradientKernel_h
 
+#include "Core/Math/CacheLines.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -85,7 +87,7 @@ struct GradientKernel
    * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
    * constant coefficients of all of them, then the linear ones, and so on.
    */
-  std::vector<double> Table;
+  std::vector<double, CacheLines<double>> Table;
 
   GradientKernel() = default;
   /** A scale (voxels) of 0 is the default one of OwnDerivative. */

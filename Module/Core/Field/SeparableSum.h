@@ -146,6 +146,20 @@ VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weigh
   return products;
 }
 
+/** Value and gradient from the sums over y and z: those of the values, and of their slopes. */
+template <int N>
+VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& sumY,
+  const RowSum<N>& sumZ, const double* weights, Vector3* gradient)
+{
+  double sums[4];
+  AddLanes(WeighRow<N>(sum, weights), WeighRow<N>(sum, weights + N), WeighRow<N>(sumY, weights),
+    WeighRow<N>(sumZ, weights), sums);
+  gradient->X = sums[1];
+  gradient->Y = sums[2];
+  gradient->Z = sums[3];
+  return sums[0];
+}
+
 /**
  * The sum over N^3 taps and, with WithGradient, the gradient's. `load` gives the rows j and j + 1
  * of plane k. Rows lie along x: they are combined over y and z first, in fours, and weighted along
@@ -180,19 +194,11 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
       AddScaled<N>(smooth, foot.Weights[2] + N + k, sumZ);
     }
   }
-  const double* const weights = foot.Weights[0];
-  const Double4 value = WeighRow<N>(sum, weights);
   if constexpr (WithGradient)
   {
-    double sums[4];
-    AddLanes(value, WeighRow<N>(sum, weights + N), WeighRow<N>(sumY, weights),
-      WeighRow<N>(sumZ, weights), sums);
-    gradient->X = sums[1];
-    gradient->Y = sums[2];
-    gradient->Z = sums[3];
-    return sums[0];
+    return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
   }
-  return AddLanes(value);
+  return AddLanes(WeighRow<N>(sum, foot.Weights[0]));
 }
 
 /** The sum over the N^3 taps behind `corner`. */
@@ -365,14 +371,79 @@ VOLUME_HAPTICS_INLINE bool KeepTaps(
   return true;
 }
 
-/** The sum over the taps of a memory, and the gradient's. */
+/** Weights of the N rows of a plane, spread for RowPair's fours. */
+template <int N>
+struct PlaneWeights
+{
+  Double4 Even[N / 2];
+  Double4 Odd[N / 2];
+  Double4 Each[N / 2]; ///< of the rest
+};
+
+template <int N>
+VOLUME_HAPTICS_INLINE void SpreadWeights(const double* from, PlaneWeights<N>& weights)
+{
+#pragma GCC unroll 4
+  for (int pair = 0; pair < N / 2; ++pair)
+  {
+    weights.Even[pair] = Spread(from + 2 * pair);
+    weights.Odd[pair] = Spread(from + 2 * pair + 1);
+    if constexpr (RowPair<N>::HasRest)
+    {
+      weights.Each[pair] = JoinHalves(weights.Even[pair], weights.Odd[pair]);
+    }
+  }
+}
+
+/** The weighted rows of a plane of a memory: as AddRows adds them, to the bit. */
+template <int N>
+VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const double* plane, const PlaneWeights<N>& weights)
+{
+  RowSum<N> sum;
+#pragma GCC unroll 4
+  for (int pair = 0; pair < N / 2; ++pair)
+  {
+    RowPair<N> rows;
+    LoadStoredRows<N>(plane + 2 * N * pair, rows);
+    for (int p = 0; p < RowPair<N>::Whole; ++p)
+    {
+      const Double4 both = weights.Even[pair] * rows.Even[p] + weights.Odd[pair] * rows.Odd[p];
+      sum.Whole[p] = pair == 0 ? both : sum.Whole[p] + both;
+    }
+    if constexpr (RowPair<N>::HasRest)
+    {
+      const Double4 each = weights.Each[pair] * rows.Rest;
+      sum.Rest = pair == 0 ? each : sum.Rest + each;
+    }
+  }
+  return sum;
+}
+
+/**
+ * The sum over the taps of a memory, and the gradient's: as SumPlanes gives them, to the bit. The
+ * rows are read twice, so that the weights of all of them stay in registers.
+ */
 template <int N>
 VOLUME_HAPTICS_INLINE double SumTaps(
   const double* taps, const Footprint<N>& foot, Vector3* gradient)
 {
-  const auto load = [=](int k, int j, RowPair<N>& rows)
-  { LoadStoredRows<N>(taps + (k * N + j) * N, rows); };
-  return SumPlanes<N, true>(load, foot, gradient);
+  RowSum<N> sum;
+  RowSum<N> sumY;
+  RowSum<N> sumZ;
+  PlaneWeights<N> weights;
+  SpreadWeights<N>(foot.Weights[1], weights);
+  for (int k = 0; k < N; ++k)
+  {
+    const RowSum<N> smooth = SumRows<N>(taps + k * N * N, weights);
+    AddScaled<N>(smooth, foot.Weights[2] + k, sum);
+    AddScaled<N>(smooth, foot.Weights[2] + N + k, sumZ);
+  }
+  SpreadWeights<N>(foot.Weights[1] + N, weights);
+  for (int k = 0; k < N; ++k)
+  {
+    AddScaled<N>(SumRows<N>(taps + k * N * N, weights), foot.Weights[2] + k, sumY);
+  }
+  return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
 }
 
 } // namespace
