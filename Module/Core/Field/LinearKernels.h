@@ -39,8 +39,12 @@ VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last
 {
   const double inside = position > first ? (position < last ? position : last) : first;
   const double whole = Floor(inside);
-  const double cell = whole < last ? whole : last - 1.0;
-  return { static_cast<std::int64_t>(cell), inside - cell };
+  if (whole < last)
+  {
+    // As in Locate.
+    return { static_cast<std::int64_t>(inside), inside - whole };
+  }
+  return { static_cast<std::int64_t>(last - 1.0), inside - (last - 1.0) };
 }
 
 /** A cell of the samples, and a position in it. */
@@ -128,34 +132,67 @@ VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 }
 ///@}
 
-/** Of samples, or of a blend. */
-template <typename T, typename Cell>
-VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
+/** The four lines of a cell along x, at the height of a position: their ends, line by line. */
+template <typename Cell>
+VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& place)
+{
+  const Double4 near = LoadPlane(cell, 0);
+  return near + place.Z.Fraction * (LoadPlane(cell, 1) - near);
+}
+
+/** A sample that is not a number but has no weight does not count. */
+template <typename Cell>
+VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
 {
   const auto& [ax, ay, az] = place;
-  const Double4 near = LoadPlane(cell, 0);
-  const Double4 lines = near + az.Fraction * (LoadPlane(cell, 1) - near);
-  const double a = lines[0] + ay.Fraction * (lines[2] - lines[0]);
-  const double b = lines[1] + ay.Fraction * (lines[3] - lines[1]);
-  const double value = a + ax.Fraction * (b - a);
+  const double wx[2] = { 1.0 - ax.Fraction, ax.Fraction };
+  const double wy[2] = { 1.0 - ay.Fraction, ay.Fraction };
+  const double wz[2] = { 1.0 - az.Fraction, az.Fraction };
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double weight = wx[i & 1] * wy[(i >> 1) & 1] * wz[i >> 2];
+    sum += weight == 0.0 ? 0.0 : weight * LoadSample(cell, i);
+  }
+  return sum;
+}
+
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const CellPlace& place)
+{
   if constexpr (std::is_floating_point_v<T>)
   {
     if (!IsNumber(value))
     {
-      // A sample that is not a number but has no weight does not count.
-      const double wx[2] = { 1.0 - ax.Fraction, ax.Fraction };
-      const double wy[2] = { 1.0 - ay.Fraction, ay.Fraction };
-      const double wz[2] = { 1.0 - az.Fraction, az.Fraction };
-      double sum = 0.0;
-      for (int i = 0; i < 8; ++i)
-      {
-        const double weight = wx[i & 1] * wy[(i >> 1) & 1] * wz[i >> 2];
-        sum += weight == 0.0 ? 0.0 : weight * LoadSample(cell, i);
-      }
-      return sum;
+      return SumNumbers(cell, place);
     }
   }
   return value;
+}
+
+/** Of samples, or of a blend. */
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
+{
+  const Double4 lines = BlendPlanes(cell, place);
+  const double a = lines[0] + place.Y.Fraction * (lines[2] - lines[0]);
+  const double b = lines[1] + place.Y.Fraction * (lines[3] - lines[1]);
+  return CheckNumber<T>(a + place.X.Fraction * (b - a), cell, place);
+}
+
+/** Two at once: the same, to the bit. */
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE ValuePair Interpolate(
+  const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
+{
+  const Double4 a = BlendPlanes(ahead, there);
+  const Double4 b = BlendPlanes(behind, here);
+  const Double4 first = JoinLow(a, b);
+  const Double4 y{ there.Y.Fraction, there.Y.Fraction, here.Y.Fraction, here.Y.Fraction };
+  const Double4 ends = first + y * (JoinHigh(a, b) - first);
+  const double va = ends[0] + there.X.Fraction * (ends[1] - ends[0]);
+  const double vb = ends[2] + here.X.Fraction * (ends[3] - ends[2]);
+  return { CheckNumber<T>(va, ahead, there), CheckNumber<T>(vb, behind, here) };
 }
 
 template <typename T>
@@ -172,6 +209,18 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FrameBlend& blend, double x, double
   return Interpolate<T>(FindSamples<T>(blend, place), place);
 }
 
+///@{
+/** The view whose cells are those of all. */
+VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
+{
+  return view;
+}
+VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FrameBlend& blend)
+{
+  return blend.First;
+}
+///@}
+
 /** Of a field, or of a blend of two. */
 template <typename T, typename Source>
 double TrilinearValue(const Source& from, double x, double y, double z) noexcept
@@ -183,7 +232,10 @@ template <typename T, typename Source>
 ValuePair TrilinearPair(
   const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept
 {
-  return { Trilinear<T>(from, x + dx, y + dy, z + dz), Trilinear<T>(from, x - dx, y - dy, z - dz) };
+  const FieldView& view = GetGeometry(from);
+  const CellPlace ahead = LocateCell(view, x + dx, y + dy, z + dz);
+  const CellPlace behind = LocateCell(view, x - dx, y - dy, z - dz);
+  return Interpolate<T>(FindSamples<T>(from, ahead), ahead, FindSamples<T>(from, behind), behind);
 }
 
 template <typename T, typename Source>

@@ -141,6 +141,16 @@ VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high
 {
   return _mm256_blend_pd(low, high, 0b1100);
 }
+/** The first two lanes of both. */
+VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
+{
+  return _mm256_permute2f128_pd(a, b, 0x20);
+}
+/** The last two lanes of both. */
+VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
+{
+  return _mm256_permute2f128_pd(a, b, 0x31);
+}
 
 ///@{
 /** The sum of the lanes of each: first those two apart, then both of these sums. */

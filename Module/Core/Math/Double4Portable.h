@@ -121,6 +121,16 @@ VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high
 {
   return { { low[0], low[1], high[2], high[3] } };
 }
+/** The first two lanes of both. */
+VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
+{
+  return { { a[0], a[1], b[0], b[1] } };
+}
+/** The last two lanes of both. */
+VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
+{
+  return { { a[2], a[3], b[2], b[3] } };
+}
 
 ///@{
 /** The sum of the lanes of each: first those two apart, then both of these sums. */
