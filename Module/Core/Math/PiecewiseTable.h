@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace VolumeHaptics
@@ -72,13 +73,7 @@ public:
     {
       ++found;
     }
-    const Segment& segment = *found;
-    Values values;
-    for (int c = 0; c < Channels; ++c)
-    {
-      values[c] = segment.Value[c] + segment.Slope[c] * (x - segment.Begin);
-    }
-    return values;
+    return Evaluate(*found, x, std::make_index_sequence<Channels>());
   }
 
   /** The smallest and the largest value of a channel. */
@@ -99,6 +94,12 @@ private:
     Values Slope;
   };
 
+  /** Without a loop, so that the values stay in registers. */
+  template <std::size_t... Channel>
+  static Values Evaluate(const Segment& segment, double x, std::index_sequence<Channel...>) noexcept
+  {
+    return { { segment.Value[Channel] + segment.Slope[Channel] * (x - segment.Begin)... } };
+  }
   /** The segment that holds x; for tables with many break points in a bin. */
   const Segment* Bisect(double x, int bin) const noexcept;
 

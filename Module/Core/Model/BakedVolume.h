@@ -105,6 +105,11 @@ struct BakedVolume
     return this->HasTool(ToolKind::Shell) || this->HasTool(ToolKind::Burr);
   }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
+  /** Whether it stands still, with surfaces and materials of its scalars alone. */
+  bool IsPlain() const noexcept
+  {
+    return !this->IsMoving() && !this->HasOtherSurfaces && !this->Labels;
+  }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. The
    * memory is that of the last gradients.

@@ -86,24 +86,45 @@ inline Surface MakeNoSurface(const HapticModel& model) noexcept
   return surface;
 }
 
+/** The direction in which the scalars rise. */
+struct Slope
+{
+  Vector3 Normal;   ///< unit
+  Vector3 Reach;    ///< as Surface::Reach
+  double Magnitude; ///< as MaterialPoint::GradientMagnitude
+};
+
+/** False if there is no gradient. */
+inline bool FindSlope(const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
+{
+  const double floor = RelativeGradientEpsilon * sample.Value;
+  const Vector3 gradient = model.GradientToDevice * sample.Gradient;
+  const double square = Dot(gradient, gradient);
+  // False for NaN, too: no surface if a sample is not finite.
+  if (!(Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
+        std::isfinite(square)))
+  {
+    return false;
+  }
+  // Root and reciprocal do not wait for each other.
+  slope.Magnitude = std::sqrt(square);
+  const double inverse = (1.0 / square) * slope.Magnitude;
+  slope.Normal = inverse * gradient;
+  slope.Reach = inverse * (model.GradientToReach * sample.Gradient);
+  return true;
+}
+
 /** The scalars' surface through an index at which they have this gradient. */
 inline Surface MakeFieldSurface(
   const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
 {
   Surface surface = MakeNoSurface(model);
-  const double floor = RelativeGradientEpsilon * sample.Value;
-  const Vector3 gradient = model.GradientToDevice * sample.Gradient;
-  const double square = Dot(gradient, gradient);
-  // False for NaN, too: no surface if a sample is not finite.
-  if (Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
-    std::isfinite(square))
+  Slope slope;
+  if (FindSlope(model, sample, slope))
   {
-    // Root and reciprocal do not wait for each other.
-    const double magnitude = std::sqrt(square);
-    const double inverse = (1.0 / square) * magnitude;
-    surface.Normal = inverse * gradient;
-    surface.Reach = inverse * (model.GradientToReach * sample.Gradient);
-    surface.GradientMagnitude = magnitude;
+    surface.Normal = slope.Normal;
+    surface.Reach = slope.Reach;
+    surface.GradientMagnitude = slope.Magnitude;
     surface.Value = sample.Value;
     surface.Fade = model.BorderFade(index);
   }
@@ -198,6 +219,20 @@ inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
   return { push, tangent, Norm(tangent) };
 }
 
+/** The material of a surface with these values and materials inside and outside (eq. 13). */
+inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
+  const MaterialTable::Values& inside, const MaterialTable::Values& outside,
+  const DistinctnessTable::Values& distinct, double fade, double dragShare,
+  MaterialPoint& point) noexcept
+{
+  point.SurfaceValue = values.Ahead;
+  point.MediumValue = values.Behind;
+  point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
+  point.Friction = inside[1];
+  point.SurfaceStrength = inside[2] * (distinct[0] * fade) * (inside[4] * distinct[1]);
+  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * dragShare;
+}
+
 /**
  * The material of the surface through an index, with these values inside and outside, and with the
  * labels at x_s and x_v (eq. 13, section 3.3).
@@ -216,12 +251,7 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
   }
   point.Normal = surface.Normal;
   point.GradientMagnitude = surface.GradientMagnitude;
-  point.SurfaceValue = values.Ahead;
-  point.MediumValue = values.Behind;
-  point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
-  point.Friction = inside[1];
-  point.SurfaceStrength = inside[2] * (distinct[0] * surface.Fade) * (inside[4] * distinct[1]);
-  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * surface.DragShare;
+  JoinMaterials(model, values, inside, outside, distinct, surface.Fade, surface.DragShare, point);
   if (surface.IsForbidden)
   {
     point.Stiffness = Capped(std::max(inside[0], ForbiddenStiffness), model.Caps.Stiffness);

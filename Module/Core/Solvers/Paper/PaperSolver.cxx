@@ -11,6 +11,8 @@ namespace VolumeHaptics
 namespace
 {
 
+/** The motion of the proxy by the law, and the forces. With a cut, the proxy stops at its faces. */
+template <bool MayHaveCut>
 Vector3 Advance(
   const HapticModel& model, const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
 {
@@ -26,7 +28,8 @@ Vector3 Advance(
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
-  const Vector3 proxy = Law::StopAtCut(model, start, Law::Move(record, k, lag, balance, start));
+  const Vector3 moved = Law::Move(record, k, lag, balance, start);
+  const Vector3 proxy = MayHaveCut ? Law::StopAtCut(model, start, moved) : moved;
   record.NormalForce = balance.Normal;
   record.FrictionForce = balance.Friction;
   record.DragForce = std::min(record.Viscosity, balance.Excess);
@@ -53,7 +56,42 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   // Before the materials, so that the processor has it by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
-  record.Proxy = state.Enabled ? Advance(model, position, split, record) : tip;
+  record.Proxy = state.Enabled ? Advance<true>(model, position, split, record) : tip;
+}
+
+/**
+ * A tick in a plain volume (BakedVolume::IsPlain), with an enabled state. As Step, to the bit, but
+ * without a Surface and a FieldAtTime: they lie in memory, where numbers wait for one another.
+ */
+void StepPlain(
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+{
+  const BakedVolume& baked = *model.Baked;
+  const FieldSampler& field = baked.Field;
+  const Vector3 position = state.Proxy;
+  const Vector3 lag = record.Tip - position;
+  const Vector3 index = model.DeviceToIndex(position);
+  Law::Slope slope;
+  if (!field.IsInside(index) ||
+    !Law::FindSlope(model, field.Gradient(index, memory ? &memory->Of(0) : nullptr), slope))
+  {
+    const Surface none = Law::MakeNoSurface(model);
+    Step(model, state, record, FieldAtTime(field, memory), &none);
+    return;
+  }
+  if (Law::IsDescending(model, lag, slope.Normal))
+  {
+    slope.Normal = -slope.Normal;
+    slope.Reach = -slope.Reach;
+  }
+  const SplitLag split = Law::Split(lag, slope.Normal);
+  const DistinctnessTable::Values distinct = baked.Distinctness(slope.Magnitude);
+  const ValuePair values = field.Values(index, slope.Reach);
+  record.Normal = slope.Normal;
+  record.GradientMagnitude = slope.Magnitude;
+  Law::JoinMaterials(model, values, baked.Materials(values.Ahead), baked.Materials(values.Behind),
+    distinct, model.BorderFade(index), 1.0, record);
+  record.Proxy = Advance<false>(model, position, split, record);
 }
 
 } // namespace
@@ -61,6 +99,11 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
 void StepPaper(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
+  if (state.Enabled && model.Baked->IsPlain())
+  {
+    StepPlain(model, state, record, memory);
+    return;
+  }
   const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
