@@ -167,6 +167,11 @@ bool ReadToolOptions(
       options.HasScale = true;
       continue;
     }
+    if (name == "--help" || name == "-h")
+    {
+      options.What = Command::Help;
+      return true;
+    }
     if (names.find(" " + name + " ") == std::string::npos)
     {
       error = "There is no option \"" + name + "\". Try --help.";

@@ -59,6 +59,18 @@ TEST(ToolOptions, OfACalibrationAreRead)
   EXPECT_TRUE(options.IsAxisNegative);
 }
 
+TEST(ToolOptions, HelpIsGivenWhereverItIsAskedFor)
+{
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{ { "--help" },
+         { "confirm", "--help" }, { "monitor", "falcon", "-h" }, { "calibrate", "--help" } })
+  {
+    ToolOptions options;
+    std::string error;
+    EXPECT_TRUE(ReadToolOptions(words, options, error)) << error;
+    EXPECT_EQ(options.What, ToolOptions::Command::Help) << words.front();
+  }
+}
+
 TEST(ToolOptions, AreRefusedWithWhatIsRight)
 {
   const std::vector<std::pair<std::vector<std::string>, const char*>> wrong = {
