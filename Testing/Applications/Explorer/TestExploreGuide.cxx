@@ -4,6 +4,7 @@
 // was measured; and what is said of files that can't guide.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/ModeChoice.h"
+#include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Expectations.h"
 #include "HeadExploration.h"

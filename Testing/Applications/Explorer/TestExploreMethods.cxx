@@ -3,6 +3,7 @@
 // Every method feels the same path over the same head, with forces that a hand can bear, and the
 // output says which it was.
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/HelpText.h"
 #include "Applications/Explorer/Options.h"
 #include "Applications/Explorer/Report/TraceSummary.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
