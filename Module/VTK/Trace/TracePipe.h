@@ -46,6 +46,10 @@ public:
     {
       this->PassOn();
     }
+    else if (this->Filling->Count + 1 < BlockSize)
+    {
+      FetchToWrite(this->Filling->Records[this->Filling->Count + 1]);
+    }
   }
   /** Waits until all is in the trace. More may follow. */
   void Finish();
@@ -60,6 +64,24 @@ private:
   /** One is filled, one is written, and one lies between, so that neither waits for a jitter. */
   static constexpr std::size_t Blocks = 3;
 
+  /**
+   * The other thread has read the record, so that its lines are in the cache of another processor:
+   * they come while the tick before it is computed, and no write waits for them.
+   */
+  static void FetchToWrite(const TickRecord& record)
+  {
+#if defined(__GNUC__) && defined(__x86_64__)
+    constexpr std::size_t line = 64; // bytes
+    const auto* const begin = reinterpret_cast<const char*>(&record);
+    for (std::size_t at = 0; at < sizeof(record); at += line)
+    {
+      // Not __builtin_prefetch, which by default asks for a line to read.
+      __asm__ volatile("prefetchw %0" : : "m"(begin[at]));
+    }
+#else
+    static_cast<void>(record);
+#endif
+  }
   /** Hands the block over, and waits for an empty one. */
   void PassOn();
   /** The other thread. */
