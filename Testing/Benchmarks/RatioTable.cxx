@@ -200,6 +200,9 @@ void PrintRatios(const Medians& medians)
       PrintLine(nameOf(arrays) + " less " + computed.substr(1), whole.Median - bare.Median,
         whole.Least - bare.Least, TraceTarget);
       PrintRatio(medians, nameOf(arrays), nameOf("_bare"), NoTarget);
+      // The least that a tick has to do: to read what its gradient sums.
+      PrintRatio(medians, nameOf(arrays),
+        NameOf("gather", GetEstimators()[2].Name, "slide", "256^3"), NoTarget);
     }
   }
   for (const char* const measure : { "", "/p50" })
