@@ -9,10 +9,19 @@
 #include "Rigs/RecordingRig.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkHapticGuideMode.h>
+#include <vtkHapticRidgeMode.h>
+#include <vtkHapticShearMode.h>
 #include <vtkHapticSurfaceMode.h>
+#include <vtkHapticTensorFollowMode.h>
 #include <vtkHapticVectorFollowMode.h>
 #include <vtkHapticVectorFrontMode.h>
+#include <vtkHapticVortexMode.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkTable.h>
+
+#include <vector>
 
 using namespace devicetest;
 
@@ -66,6 +75,55 @@ TEST_F(ModeRecording, ReplaysToTheBit)
   this->Turn(30.0, 1.0);
   this->Wander(20);
   this->ExpectSame();
+}
+
+TEST_F(ModeRecording, OtherModesReplayToTheBit)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(3.0, 6.0, 5.0);
+  points->InsertNextPoint(8.0, 8.0, 7.0);
+  points->InsertNextPoint(11.0, 7.0, 6.0);
+  vtkNew<vtkPolyData> path;
+  path->SetPoints(points);
+  vtkNew<vtkDoubleArray> tensor;
+  tensor->SetName("tensor");
+  tensor->SetNumberOfComponents(6);
+  for (vtkIdType i = 0; i < this->Image->GetNumberOfPoints(); ++i)
+  {
+    const double lean = 0.05 * this->Image->GetPoint(i)[0];
+    const double fibre[6] = { 1.0, 0.3 + lean * lean, 0.3, lean, 0.0, 0.1 };
+    tensor->InsertNextTuple(fibre);
+  }
+  this->Image->GetPointData()->AddArray(tensor);
+  vtkNew<vtkHapticVortexMode> vortex;
+  vortex->SetArrayName("flow");
+  SetConstant(vortex->GetStrength(), 0.4);
+  vtkNew<vtkHapticRidgeMode> ridge;
+  SetConstant(ridge->GetStrength(), 0.3);
+  vtkNew<vtkHapticGuideMode> guide;
+  guide->SetPath(path);
+  SetConstant(guide->GetStrength(), 0.5);
+  vtkNew<vtkHapticShearMode> shear;
+  shear->SetArrayName("flow");
+  SetConstant(shear->GetStrength(), 0.8);
+  vtkNew<vtkHapticTensorFollowMode> fibres;
+  fibres->SetArrayName("tensor");
+  SetConstant(fibres->GetStrength(), 1.5);
+  const std::vector<vtkHapticMode*> sets[] = { { vortex, ridge, guide }, { shear, fibres } };
+  for (const auto& modes : sets)
+  {
+    this->Filter->RemoveAllModes();
+    for (vtkHapticMode* const mode : modes)
+    {
+      this->Filter->AddMode(mode);
+    }
+    this->Begin();
+    this->Wander(10);
+    this->StartRecording();
+    this->Wander(30);
+    this->ExpectSame();
+    this->Device->Close();
+  }
 }
 
 TEST_F(ModeRecording, AModeThatComesUnderTheHandComesSoftly)
