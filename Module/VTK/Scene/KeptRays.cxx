@@ -33,6 +33,7 @@ namespace
 
 constexpr int ShortestGap = 16; // rays; to cast fewer costs less than another pass
 constexpr std::size_t MostPasses = 4;
+constexpr int MostCoarseRays = 1 << 16; // a copy of their image takes no time
 
 /** Collects values that are compared to the bit. */
 struct WordWriter
@@ -221,7 +222,7 @@ bool KeptRays::CanKeep() const
 //------------------------------------------------------------------------------
 bool KeptRays::IsCurrent() const
 {
-  return !this->Look.empty() && this->CanKeep() && this->Look == this->DescribeLook();
+  return !this->Now.Look.empty() && this->CanKeep() && this->Now.Look == this->DescribeLook();
 }
 
 //------------------------------------------------------------------------------
@@ -277,9 +278,7 @@ KeptRays::Words KeptRays::DescribeImage() const
 {
   vtkFixedPointRayCastImage* const image = this->Mapper->GetRayCastImage();
   WordWriter to;
-  to.AddAddress(image->GetImage());
   to.Add(image->GetImageViewportSize(), 2);
-  to.Add(image->GetImageMemorySize(), 2);
   to.Add(image->GetImageInUseSize(), 2);
   to.Add(image->GetImageOrigin(), 2);
   const double distances[] = { this->Mapper->GetImageSampleDistance(),
@@ -289,6 +288,56 @@ KeptRays::Words KeptRays::DescribeImage() const
   to.Add(this->Mapper->GetInput()->GetMTime());
   to.AddAddress(this->Mapper->GetCurrentScalars());
   return std::move(to.Words);
+}
+
+//------------------------------------------------------------------------------
+KeptRays::Words KeptRays::DescribeStorage() const
+{
+  vtkFixedPointRayCastImage* const image = this->Mapper->GetRayCastImage();
+  WordWriter to;
+  to.AddAddress(image->GetImage());
+  to.Add(image->GetImageMemorySize(), 2);
+  return std::move(to.Words);
+}
+
+//------------------------------------------------------------------------------
+void KeptRays::StoreCoarse()
+{
+  vtkFixedPointRayCastImage* const image = this->Mapper->GetRayCastImage();
+  const int* const size = image->GetImageInUseSize();
+  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(size[0]);
+  const std::ptrdiff_t step = 4 * static_cast<std::ptrdiff_t>(image->GetImageMemorySize()[0]);
+  if (size[0] * size[1] > MostCoarseRays)
+  {
+    return;
+  }
+  this->Coarse.Look = this->Now.Look;
+  this->Coarse.Image = this->Now.Image;
+  this->Coarse.Depths = this->Now.Depths;
+  this->Coarse.Pixels.resize(row * size[1]);
+  for (int j = 0; j < size[1]; ++j)
+  {
+    std::copy_n(image->GetImage() + j * step, row, this->Coarse.Pixels.data() + j * row);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool KeptRays::TakeCoarse(const Words& look, const Words& image)
+{
+  if (look != this->Coarse.Look || image != this->Coarse.Image)
+  {
+    return false;
+  }
+  vtkFixedPointRayCastImage* const to = this->Mapper->GetRayCastImage();
+  const int* const size = to->GetImageInUseSize();
+  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(size[0]);
+  const std::ptrdiff_t step = 4 * static_cast<std::ptrdiff_t>(to->GetImageMemorySize()[0]);
+  for (int j = 0; j < size[1]; ++j)
+  {
+    std::copy_n(this->Coarse.Pixels.data() + j * row, row, to->GetImage() + j * step);
+  }
+  this->Now.Depths = this->Coarse.Depths;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +383,7 @@ void KeptRays::FindChanges(const std::vector<float>& depths)
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(j) * size[0];
     for (int i = this->OwnBounds[2 * j]; i <= this->OwnBounds[2 * j + 1]; ++i)
     {
-      if (depths[row + i] == this->Depths[row + i])
+      if (depths[row + i] == this->Now.Depths[row + i])
       {
         continue;
       }
@@ -376,7 +425,7 @@ void KeptRays::Begin()
   this->Shades = this->IsDrawn() ? this->DescribeShades() : Words();
   if (!this->CanKeep() || !this->IsDrawn())
   {
-    this->Look.clear();
+    this->Now.Look.clear();
     this->IsWhole = true;
     return;
   }
@@ -386,8 +435,11 @@ void KeptRays::Begin()
   this->OwnBounds.assign(bounds, bounds + 2 * static_cast<std::ptrdiff_t>(rows));
   Words look = this->DescribeLook();
   Words image = this->DescribeImage();
+  Words storage = this->DescribeStorage();
   this->ReadDepths(this->NewDepths);
-  const bool isKept = look == this->Look && image == this->Image;
+  const bool isKept =
+    (look == this->Now.Look && image == this->Now.Image && storage == this->Storage) ||
+    this->TakeCoarse(look, image);
   if (isKept)
   {
     this->FindChanges(this->NewDepths);
@@ -400,9 +452,10 @@ void KeptRays::Begin()
     window->SetAbortRender(1);
   }
   this->IsWhole = !isKept;
-  this->Look = std::move(look);
-  this->Image = std::move(image);
-  this->Depths.swap(this->NewDepths);
+  this->Now.Look = std::move(look);
+  this->Now.Image = std::move(image);
+  this->Storage = std::move(storage);
+  this->Now.Depths.swap(this->NewDepths);
   this->ImageDistance = this->Mapper->GetImageSampleDistance();
   this->SampleDistance = this->Mapper->GetSampleDistance();
 }
@@ -426,7 +479,11 @@ void KeptRays::End()
   std::copy(this->OwnBounds.begin(), this->OwnBounds.end(), this->Mapper->GetRowBounds());
   if (window->GetAbortRender())
   {
-    this->Look.clear();
+    this->Now.Look.clear();
+  }
+  else
+  {
+    this->StoreCoarse();
   }
 }
 

@@ -33,6 +33,9 @@ namespace VolumeHaptics
  * The mapper also makes a table of shades anew for each frame. It is kept while lights, camera and
  * the volume's look are the same.
  *
+ * A frame at rest, which input may interrupt, casts more rays. So the last coarse image is kept
+ * beside it, and the motion goes on with that.
+ *
  * The mapper draws its volume in one renderer only, which the owner of this knows.
  */
 class KeptRays
@@ -64,6 +67,15 @@ public:
 private:
   using Words = std::vector<std::uint64_t>;
 
+  /** An image, and what it is for. */
+  struct Picture
+  {
+    Words Look;                ///< empty: there is none
+    Words Image;               ///< how its rays are spread
+    std::vector<float> Depths; ///< at which they end, row by row
+    std::vector<unsigned short> Pixels;
+  };
+
   /** A part of a row whose rays are cast: its first and last one. */
   struct Run
   {
@@ -77,6 +89,12 @@ private:
   Words DescribeLook() const;
   /** How the rays are spread. */
   Words DescribeImage() const;
+  /** The memory of the mapper's image. */
+  Words DescribeStorage() const;
+  /** Copies the mapper's image to the coarse one, if it is coarse. */
+  void StoreCoarse();
+  /** Copies the coarse image to the mapper's, if it is what the mapper is to draw. */
+  bool TakeCoarse(const Words& look, const Words& image);
   /** What the mapper's table of shades depends on. */
   Words DescribeShades() const;
   /** Whether the mapper draws this volume in this window now. */
@@ -96,11 +114,11 @@ private:
   vtkSmartPointer<vtkCallbackCommand> Observer;
   vtkSmartPointer<vtkDirectionEncoder> OwnDirections; ///< the mapper's own
   Words Shades; ///< that the mapper's table is for; empty: for others
-  Words Look;   ///< of the image; empty: there is none
-  Words Image;
-  float ImageDistance = 0.0F;
+  Picture Now;  ///< of the mapper, which has the pixels itself
+  Words Storage;
+  Picture Coarse;
+  float ImageDistance = 0.0F; ///< of Now
   float SampleDistance = 0.0F;
-  std::vector<float> Depths; ///< at which the rays of the image end
   std::vector<float> NewDepths;
   std::vector<std::vector<Run>> Rows; ///< to be cast in this frame
   std::vector<int> OwnBounds;         ///< the mapper's own bounds of its rows

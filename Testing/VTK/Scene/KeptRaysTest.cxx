@@ -111,6 +111,20 @@ protected:
     this->Before = whole;
     return { this->Kept.Rays, this->Whole.Rays };
   }
+  /// The frame after a change is interrupted.
+  void Interrupt(const Change& change)
+  {
+    change(this->Kept);
+    change(this->Whole);
+    vtkNew<vtkCallbackCommand> interrupt;
+    interrupt->SetClientData(this->Kept.Scene.Window);
+    interrupt->SetCallback([](vtkObject*, unsigned long, void* window, void*)
+      { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
+    this->Kept.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, interrupt);
+    this->Kept.Draw();
+    this->Kept.Mapper->RemoveObserver(interrupt);
+    EXPECT_NE(this->Kept.Scene.Window->GetAbortRender(), 0);
+  }
   /// All rays are cast, and the picture is another one.
   void ExpectAnew(const Change& change, const std::string& what)
   {
@@ -290,7 +304,9 @@ TEST_F(KeptRaysTest, AWindowAndLevelOfTheImageAreNotAppliedTwice)
 
 TEST_F(KeptRaysTest, AMapperThatHasDrawnElsewhereBeginsAnew)
 {
-  this->Compare([](Drawn&) {}, "before");
+  const auto fine = [](Drawn& d) { d.Mapper->SetImageSampleDistance(0.25F); };
+  this->Compare([](Drawn&) {}, "coarsely");
+  this->Compare(fine, "finely");
   for (Drawn* const drawn : { &this->Kept, &this->Whole })
   {
     Shown other(vtkNew<vtkVolume>(), drawn->Mapper, 1, 0.0, 250.0);
@@ -299,6 +315,9 @@ TEST_F(KeptRaysTest, AMapperThatHasDrawnElsewhereBeginsAnew)
   EXPECT_FALSE(this->Rays.IsCurrent());
   const auto [rays, all] = this->Compare([](Drawn&) {}, "after");
   EXPECT_EQ(rays, all);
+  // Its own copy of the coarse image is left.
+  const auto coarse = [](Drawn& d) { d.Mapper->SetImageSampleDistance(1.0F); };
+  EXPECT_EQ(this->Compare(coarse, "coarsely again").first, 0);
 }
 
 TEST_F(KeptRaysTest, AFrameThatWasToBeQuickIsGivenUp)
@@ -321,17 +340,43 @@ TEST_F(KeptRaysTest, AFrameThatWasToBeQuickIsGivenUp)
 TEST_F(KeptRaysTest, AnInterruptedFrameIsNotKept)
 {
   this->Compare([](Drawn&) {}, "before");
-  const auto change = [](Drawn& d) { d.Volume->GetProperty()->SetSpecular(0.9); };
-  change(this->Kept);
-  change(this->Whole);
-  vtkNew<vtkCallbackCommand> interrupt;
-  interrupt->SetClientData(this->Kept.Scene.Window);
-  interrupt->SetCallback([](vtkObject*, unsigned long, void* window, void*)
-    { static_cast<vtkRenderWindow*>(window)->SetAbortRender(1); });
-  this->Kept.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, interrupt);
-  this->Kept.Draw();
-  this->Kept.Mapper->RemoveObserver(interrupt);
+  this->Interrupt([](Drawn& d) { d.Volume->GetProperty()->SetSpecular(0.9); });
   EXPECT_FALSE(this->Rays.IsCurrent());
   const auto [rays, all] = this->Compare([](Drawn&) {}, "after");
   EXPECT_EQ(rays, all);
+}
+
+TEST_F(KeptRaysTest, MotionGoesOnAfterAnInterruptedFrameAtRest)
+{
+  const auto coarse = [](Drawn& d) { d.Mapper->SetImageSampleDistance(4.0F); };
+  const auto fine = [](Drawn& d) { d.Mapper->SetImageSampleDistance(0.25F); };
+  this->Compare(coarse, "in motion");
+  for (const double x : { 30.0, 26.0 })
+  {
+    this->Interrupt(fine);
+    const auto move = [&](Drawn& d)
+    {
+      coarse(d);
+      d.Move({ x, 11.0, 60.0 }, { x, 2.0, 45.0 });
+    };
+    const auto [rays, all] = this->Compare(move, "the motion goes on");
+    EXPECT_LT(rays, all / 2);
+    EXPECT_GT(rays, 0);
+  }
+  // Another look in the meantime.
+  this->Interrupt(
+    [&](Drawn& d)
+    {
+      fine(d);
+      d.Volume->GetProperty()->SetSpecular(0.9);
+    });
+  const auto [rays, all] = this->Compare(coarse, "another look");
+  EXPECT_EQ(rays, all);
+  // Another window.
+  this->Interrupt(fine);
+  for (Drawn* const drawn : { &this->Kept, &this->Whole })
+  {
+    drawn->Scene.Window->SetSize(Side + 8, Side + 8);
+  }
+  EXPECT_EQ(this->Compare(coarse, "another size").first, this->Whole.Rays);
 }
