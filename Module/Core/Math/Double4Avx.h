@@ -48,6 +48,15 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 }
 ///@}
 
+/** Whole numbers of less than 2^51. */
+VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
+{
+  // There is no instruction for it: the lowest bits of a sum with this are those of the number.
+  const Double4 shift = _mm256_set1_pd(0x1.8p52);
+  const __m256i whole =
+    _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), whole);
+}
 /** A bit for each lane, the first one the lowest; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {

@@ -76,6 +76,14 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 }
 ///@}
 
+/** Whole numbers of less than 2^51. */
+VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
+{
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    to[lane] = static_cast<std::int64_t>(from[lane]);
+  }
+}
 /** A bit for each lane, the first one the lowest; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {

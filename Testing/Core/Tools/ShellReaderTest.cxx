@@ -144,17 +144,17 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
     const ShellReader reader(volume.View, 20.0, false, set);
     std::vector<double> all(places.size());
     reader.ReadValues(numbers.data(), places.size(), all.data());
-    for (std::size_t i = 0; i < places.size(); i += 100)
+    for (std::size_t i = 0; i < places.size(); i += 50)
     {
-      const ShellBatch batch = ReadFeet(reader, places.data() + i, 100);
+      const ShellBatch batch = ReadFeet(reader, places.data() + i, 50);
       const auto* const read = reinterpret_cast<const double*>(batch.Value);
       const auto* const end = reinterpret_cast<const double*>(&batch + 1);
       std::copy_if(read, end, std::back_inserter(all), [](double x) { return !std::isnan(x); });
       ShellPushes forces{};
-      forces.Count = 100;
-      for (std::size_t n = 0; n < 100; ++n)
+      forces.Count = 52;
+      for (std::size_t n = 0; n < 52; ++n)
       {
-        const Vector3& at = places[i + n];
+        const Vector3& at = places[(i + n) % places.size()];
         forces.Normal[0][n] = 0.1 * at.X;
         forces.Normal[1][n] = 0.2 * at.Y;
         forces.Normal[2][n] = 0.1 * at.Z;
@@ -174,6 +174,13 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
     {
       marks.push_back(reader.Mark({ x.data() + i, y.data() + i, z.data() + i, 50 }, turned));
       marks.push_back(reader.MayBeSolid(places[i], { 1.5, 1.0, 0.2 }) ? 1 : 0);
+      double slopes[3] = {};
+      marks.push_back(reader.FindSlopes(places[i], { 1.5, 1.0, 0.2 }, slopes) ? 1 : 0);
+      all.insert(all.end(), slopes, slopes + 3);
+      std::vector<double> until(64, -1.0);
+      marks.push_back(reader.MarkWhole({ x.data() + i, y.data() + i, z.data() + i, 50 }, turned,
+        { 0, until.data(), 0.0, 0.0, 1.0, 0.01 }));
+      all.insert(all.end(), until.begin(), until.begin() + 50);
     }
     return std::make_pair(all, marks);
   };
@@ -188,7 +195,7 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
 /// A point has the same bits alone and among others, at borders and beside samples that are NaN.
 TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
 {
-  constexpr std::size_t count = 125;
+  constexpr std::size_t count = 61;
   for (const std::int64_t step : { 1, 3 })
   {
     TestVolume volume(this->GetParam(), { 14, 14, 14 }, step);

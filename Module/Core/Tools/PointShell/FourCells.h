@@ -104,13 +104,14 @@ VOLUME_HAPTICS_INLINE FourCells<T> FindCells(
   FourCells<T> at{ LocateCells(x, view.First[0], view.Last[0]),
     LocateCells(y, view.First[1], view.Last[1]), LocateCells(z, view.First[2], view.Last[2]),
     stride[0], {} };
-  // Exact: no volume has 2^53 samples.
+  // Exact: no volume has 2^51 samples.
   const Double4 number = static_cast<double>(stride[0]) * at.X.Cell +
     static_cast<double>(stride[1]) * at.Y.Cell + static_cast<double>(stride[2]) * at.Z.Cell;
+  std::int64_t numbers[4];
+  StoreWhole(number, numbers);
   for (int lane = 0; lane < 4; ++lane)
   {
-    at.First[lane] =
-      static_cast<const T*>(view.Volume.Data) + static_cast<std::int64_t>(number[lane]);
+    at.First[lane] = static_cast<const T*>(view.Volume.Data) + numbers[lane];
   }
   return at;
 }

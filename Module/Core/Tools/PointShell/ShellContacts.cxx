@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tools/PointShell/ShellContacts.h"
 
+#include "Core/Math/LowestBit.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,11 @@ namespace
  * the point is, is no work of the hand then.
  */
 constexpr double FarthestFollowed = 0.75;
+
+/** Voxels: what sums of ways, and the map to indices, may lose to rounding. */
+constexpr double LeastClearance = 1e-4;
+/** Voxels: where a look is farther from the tool, its marks would not hold for long. */
+constexpr double MostWayOfMarks = 0.2;
 
 /** The law of a contact: stiffness and strength of a unit of area. */
 struct ContactLaw
@@ -60,7 +67,8 @@ ShellFrame MakeFrame(const HapticModel& model, double voxel) noexcept
   return frame;
 }
 
-void Set(double (*numbers)[ShellBatch::Most], std::size_t i, const Vector3& to) noexcept
+template <std::size_t Most>
+void Set(double (*numbers)[Most], std::size_t i, const Vector3& to) noexcept
 {
   numbers[0][i] = to.X;
   numbers[1][i] = to.Y;
@@ -79,7 +87,6 @@ struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
   std::uint32_t Point[ShellBatch::Most];
-  double Arm[3][ShellBatch::Most]; ///< m, from the origin of the tool, on the device's axes
   const ShellContact* Before[ShellBatch::Most]; ///< null for a new one
   bool IsSolid[ShellBatch::Most];
   double Share = 1.0; ///< of the energy of Before
@@ -91,6 +98,7 @@ struct ShellContactFinder::Candidates
   double Values[ShellBatch::Most];
   ///@}
   ShellPushes Forces;
+  std::size_t Pushing = 0; ///< of how many points Forces has those that press
 };
 
 ShellContactFinder::ShellContactFinder(
@@ -104,6 +112,14 @@ ShellContactFinder::ShellContactFinder(
   , Scale(settings.Scale)
   , Frame(MakeFrame(model, this->Voxel))
 {
+  const Vector3* const rows = model.DeviceToIndex.Linear.Row;
+  const double square = this->Voxel * this->Voxel;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int b = (a + 1) % 3;
+    this->Steepness[a] = square * Dot(rows[a], rows[a]);
+    this->Steepness[3 + a] = 2.0 * square * std::abs(Dot(rows[a], rows[b]));
+  }
 }
 
 double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) const noexcept
@@ -115,25 +131,70 @@ double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) c
     this->Voxel;
 }
 
-bool ShellContactFinder::IsClear(std::size_t block, const Affine3& toolToIndex, double way,
+double ShellContactFinder::FindPerValue(const Vector3& centre, const Vector3& half) const noexcept
+{
+  double slopes[3];
+  if (!this->Reader.FindSlopes(centre, half, slopes))
+  {
+    return 0.0;
+  }
+  // |sum of g_a r_a|, of slopes up to these, r_a the rows of the map to indices.
+  double square = 0.0;
+  for (int a = 0; a < 3; ++a)
+  {
+    square +=
+      slopes[a] * (this->Steepness[a] * slopes[a] + this->Steepness[3 + a] * slopes[(a + 1) % 3]);
+  }
+  constexpr double flattest = 1e-300;
+  return 1.0 / std::max(std::sqrt(square), flattest);
+}
+
+/** Finds again what the clearance has of a block, if the tool has moved too far since. */
+void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, double way,
   ShellClearance& clearance) const noexcept
 {
   if (clearance.Travelled + way < clearance.Until[block])
   {
-    return clearance.IsClear[block] != 0;
+    return;
+  }
+  if (clearance.Until[block] < 0.0)
+  {
+    double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
+    std::fill(until, until + ShellBlock::Size, -1.0);
   }
   // One voxel, and what rounding may take.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;
   const double radius = this->Scale * at.Radius;
-  const bool isClear = !this->Reader.MayBeSolid(toolToIndex(at.Centre),
-    { radius * voxels.X + margin, radius * voxels.Y + margin, radius * voxels.Z + margin });
+  const Vector3 centre = toolToIndex(at.Centre);
+  const Vector3 half{ radius * voxels.X + margin, radius * voxels.Y + margin,
+    radius * voxels.Z + margin };
+  const bool isClear = !this->Reader.MayBeSolid(centre, half);
+  const double perValue = isClear || way > MostWayOfMarks ? 0.0 : this->FindPerValue(centre, half);
   clearance.IsClear[block] = isClear ? 1 : 0;
-  // This pose may not be taken: then the next one is as far on the other side of the last one.
+  clearance.PerValue[block] = perValue;
   // What is not clear may be so soon.
-  clearance.Until[block] = clearance.Travelled - way + (isClear ? 1.0 : 0.5);
-  return isClear;
+  clearance.Until[block] = clearance.Travelled + way + (isClear || perValue > 0.0 ? 1.0 : 0.5);
+}
+
+std::uint64_t ShellContactFinder::Mark(
+  std::size_t block, const double* map, double way, ShellClearance& clearance) const noexcept
+{
+  if (clearance.IsClear[block] != 0)
+  {
+    return 0;
+  }
+  const PointShell& shell = this->Shell;
+  const std::size_t begin = block * ShellBlock::Size;
+  const ShellNumbers points{ shell.GetX() + begin, shell.GetY() + begin, shell.GetZ() + begin,
+    std::min(ShellBlock::Size, shell.GetSize() - begin) };
+  std::uint64_t& marks = clearance.Marks[block];
+  marks = this->Reader.MarkWhole(points, map,
+    { marks, clearance.MarksUntil.data() + begin, clearance.Travelled + way,
+      clearance.Travelled + way - LeastClearance, clearance.Until[block],
+      clearance.PerValue[block] });
+  return this->Reader.Unmark(points, map, marks);
 }
 
 void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
@@ -145,60 +206,55 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
   to.Share = 1.0;
   const Affine3 toolToDevice{ this->Scale * ToMatrix(pose.Orientation), pose.Position };
   const Affine3 toolToIndex = Compose(this->Model.DeviceToIndex, toolToDevice);
-  const Vector3* const rows = toolToIndex.Linear.Row;
-  const Vector3& offset = toolToIndex.Offset;
-  const double map[12] = { rows[0].X, rows[0].Y, rows[0].Z, rows[1].X, rows[1].Y, rows[1].Z,
-    rows[2].X, rows[2].Y, rows[2].Z, offset.X, offset.Y, offset.Z };
-  const PointShell& shell = this->Shell;
-  const Matrix3& toIndex = this->Model.DeviceToIndex.Linear;
+  ShellPlacement placement;
+  SetRows(toolToIndex.Linear, placement.ToolToIndex);
+  placement.ToolToIndex[9] = toolToIndex.Offset.X;
+  placement.ToolToIndex[10] = toolToIndex.Offset.Y;
+  placement.ToolToIndex[11] = toolToIndex.Offset.Z;
+  SetRows(toolToDevice.Linear, placement.ToolToDevice);
   Candidates candidates;
   candidates.Share = from.Share;
   const ShellContact* before = from.List.data();
   for (std::size_t block = 0; block < to.Marks.size(); ++block)
   {
+    this->Survey(block, toolToIndex, way, clearance);
     const std::size_t begin = block * ShellBlock::Size;
-    const std::size_t count = std::min(ShellBlock::Size, shell.GetSize() - begin);
-    const std::uint64_t solid = this->IsClear(block, toolToIndex, way, clearance)
-      ? 0
-      : this->Reader.Mark(
-          { shell.GetX() + begin, shell.GetY() + begin, shell.GetZ() + begin, count }, map);
+    const std::uint64_t solid = this->Mark(block, placement.ToolToIndex, way, clearance);
     const std::uint64_t held = from.Count > 0 ? from.Marks[block] : 0;
     to.Marks[block] = 0;
-    std::size_t bit = 0;
-    for (std::uint64_t rest = solid | held; rest != 0; rest >>= 1, ++bit)
+    for (std::uint64_t rest = solid | held; rest != 0; rest &= rest - 1)
     {
-      if ((rest & 1) == 0)
-      {
-        continue;
-      }
-      const std::size_t point = begin + bit;
+      const int bit = LowestBit(rest);
+      const std::size_t point = begin + static_cast<std::size_t>(bit);
       ShellBatch& batch = candidates.Batch;
       const std::size_t n = batch.Count++;
-      const Vector3 position = shell.GetPosition(point);
-      const Vector3 index = toolToIndex(position);
       const ShellContact* const last = (held >> bit & 1) != 0 ? before++ : nullptr;
       candidates.Point[n] = static_cast<std::uint32_t>(point);
       candidates.IsSolid[n] = (solid >> bit & 1) != 0;
       candidates.Before[n] = last;
-      Set(candidates.Arm, n, toolToDevice.Linear * position);
-      Set(batch.Index, n, index);
+      Set(batch.Position, n, this->Shell.GetPosition(point));
       Set(batch.Offset, n, last ? last->Offset : Vector3{});
-      Set(batch.Place, n, last ? index - toIndex * last->Offset : index);
       if (batch.Count == ShellBatch::Most)
       {
-        this->Append(candidates, isStart, to, sum);
+        this->Append(candidates, placement, isStart, to, sum);
+        if (candidates.Pushing == ShellPushes::Most)
+        {
+          this->AddForces(candidates, sum);
+        }
       }
     }
   }
-  this->Append(candidates, isStart, to, sum);
+  this->Append(candidates, placement, isStart, to, sum);
+  this->AddForces(candidates, sum);
 }
 
-void ShellContactFinder::Append(
-  Candidates& candidates, bool isStart, ShellContacts& to, ShellSum& sum) const noexcept
+void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& placement,
+  bool isStart, ShellContacts& to, ShellSum& sum) const noexcept
 {
   const HapticModel& model = this->Model;
   const BakedVolume& baked = *model.Baked;
   ShellBatch& batch = candidates.Batch;
+  this->Reader.Place(this->Frame, placement, batch);
   this->Reader.FindFeet(this->Frame, batch);
   std::size_t count = 0;
   for (std::size_t i = 0; i < batch.Count; ++i)
@@ -224,14 +280,14 @@ void ShellContactFinder::Append(
   const double* const areas = this->Shell.GetAreas();
   const double squareMeter = this->Scale * this->Scale;
   ShellPushes& forces = candidates.Forces;
-  forces.Count = 0;
+  const BakedLabels* const labels = baked.Labels.get();
   for (std::size_t n = 0; n < count; ++n)
   {
     const std::size_t i = candidates.Chosen[n];
     const ShellContact* const before = candidates.Before[i];
     const DistinctnessTable::Values distinct = baked.Distinctness(batch.Magnitude[i]);
     MaterialTable::Values material = baked.Materials(candidates.Values[n]);
-    if (const BakedLabels* const labels = baked.Labels.get())
+    if (labels)
     {
       labels->Mix(
         model.IndexToLabel(Get(batch.Behind, i)), baked.Number, candidates.Labels, material);
@@ -286,11 +342,18 @@ void ShellContactFinder::Append(
       ++sum.Contacts;
       const std::size_t f = forces.Count++;
       Set(forces.Normal, f, normal);
-      Set(forces.Arm, f, Get(candidates.Arm, i));
+      Set(forces.Arm, f, Get(batch.Arm, i));
       forces.Force[f] = area * law.Pressure(stretch);
       forces.Stiffness[f] = yields ? 0.0 : area * law.Stiffness;
     }
   }
+  candidates.Pushing += batch.Count;
+  batch.Count = 0;
+}
+
+void ShellContactFinder::AddForces(Candidates& candidates, ShellSum& sum) const noexcept
+{
+  ShellPushes& forces = candidates.Forces;
   for (std::size_t f = forces.Count; f % 4 != 0; ++f)
   {
     Set(forces.Normal, f, {});
@@ -298,7 +361,7 @@ void ShellContactFinder::Append(
     forces.Force[f] = forces.Stiffness[f] = 0.0;
   }
   this->Reader.Add(forces, sum.Gradient, sum.Curvature);
-  batch.Count = 0;
+  forces.Count = candidates.Pushing = 0;
 }
 
 } // namespace VolumeHaptics

@@ -51,14 +51,21 @@ struct ShellContact
 };
 
 /**
- * Blocks of points of which none can be solid before the tool has moved on. They only save time: a
- * block is clear if no sample around it is solid, up to a voxel beyond its points.
+ * What is known of points before they are read: it only saves time, and changes no bit of a result.
+ *
+ * A block of points is clear if no sample around it is solid, up to a voxel beyond its points. Of
+ * other points it is known how far they are from where they may come to the level of contact: the
+ * distance of their values from it, over the largest slope of the values around their block. They
+ * are read anew when they may have come so far.
  */
 struct ShellClearance
 {
   explicit ShellClearance(std::size_t blocks)
     : Until(blocks, -1.0)
     , IsClear(blocks)
+    , PerValue(blocks)
+    , Marks(blocks)
+    , MarksUntil(blocks * ShellBlock::Size)
   {
   }
   void Reset() noexcept
@@ -70,9 +77,15 @@ struct ShellClearance
     }
   }
 
-  double Travelled = 0.0;    ///< voxels that any point has moved at most, up to the last pose
-  std::vector<double> Until; ///< how far a block is as IsClear says
+  double Travelled = 0.0;    ///< voxels that any point has moved at most, from look to look
+  std::vector<double> Until; ///< how far a block is as IsClear and PerValue say; -1: unknown
   std::vector<char> IsClear;
+  ///@{
+  /** Without what was removed: see ShellMarking. */
+  std::vector<double> PerValue;
+  std::vector<std::uint64_t> Marks;
+  std::vector<double> MarksUntil;
+  ///@}
 };
 
 /** The contacts at a pose, by ascending number of the point. Its memory never grows. */
@@ -102,18 +115,23 @@ public:
   /** Voxels that any point moves at most from one pose to another. */
   double FindWay(const ShellPose& from, const ShellPose& to) const noexcept;
   /**
-   * With isStart, no contact has energy, whatever its depth is. `way` is that from the last pose to
-   * which the clearance belongs.
+   * With isStart, no contact has energy, whatever its depth is. `way` is that from the pose to
+   * which ShellClearance::Travelled belongs.
    */
   void Find(const ShellPose& pose, double way, bool isStart, const ShellContacts& from,
     ShellContacts& to, ShellClearance& clearance, ShellSum& sum) const noexcept;
 
 private:
   struct Candidates;
-  bool IsClear(std::size_t block, const Affine3& toolToIndex, double way,
+  void Survey(std::size_t block, const Affine3& toolToIndex, double way,
     ShellClearance& clearance) const noexcept;
-  void Append(
-    Candidates& candidates, bool isStart, ShellContacts& to, ShellSum& sum) const noexcept;
+  /** Voxels that a value takes at least to change by 1, around a block; 0 if that is unknown. */
+  double FindPerValue(const Vector3& centre, const Vector3& half) const noexcept;
+  std::uint64_t Mark(
+    std::size_t block, const double* map, double way, ShellClearance& clearance) const noexcept;
+  void Append(Candidates& candidates, const ShellPlacement& placement, bool isStart,
+    ShellContacts& to, ShellSum& sum) const noexcept;
+  void AddForces(Candidates& candidates, ShellSum& sum) const noexcept;
 
   const HapticModel& Model;
   const PointShell& Shell;
@@ -122,6 +140,7 @@ private:
   const double Voxel; ///< m, the smallest spacing
   const double Scale; ///< m, of the shell's unit of length
   const ShellFrame Frame;
+  double Steepness[6]; ///< of slopes along the axes, to that per voxel: xx, yy, zz, xy, yz, zx
 };
 
 } // namespace VolumeHaptics

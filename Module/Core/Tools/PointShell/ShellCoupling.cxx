@@ -227,10 +227,22 @@ private:
   void Look(const ShellPose& pose, bool isStart) noexcept
   {
     ShellMemory& memory = this->Memory;
+    this->GoBack();
     this->Way = this->Finder.FindWay(this->State.Tool, pose);
     this->Finder.Find(
       pose, this->Way, isStart, memory.GetCurrent(), memory.GetNext(), memory.Clearance, this->Sum);
+    memory.Clearance.Travelled += this->Way;
+    this->IsAway = true;
     ++this->Looks;
+  }
+  /** From a pose that was looked at and not taken. */
+  void GoBack() noexcept
+  {
+    if (this->IsAway)
+    {
+      this->Memory.Clearance.Travelled += this->Way;
+      this->IsAway = false;
+    }
   }
 
   bool IsTooMuch(double before, const Coupling::Pull& pull) const noexcept
@@ -270,6 +282,7 @@ private:
     {
       if (!(room >= 0.0))
       {
+        this->GoBack();
         return false;
       }
       const double share = room / this->Sum.Energy;
@@ -286,7 +299,7 @@ private:
       }
     }
     this->Memory.Swap();
-    this->Memory.Clearance.Travelled += this->Way;
+    this->IsAway = false;
     s.Tool = next;
     s.Sum = this->Sum;
     const double stored = pull.Energy + s.Sum.Energy;
@@ -310,8 +323,9 @@ private:
   const std::size_t Most;
   ShellState& State;
   ShellMemory& Memory;
-  ShellSum Sum;     ///< of the last look
-  double Way = 0.0; ///< voxels, from the tool to the last look
+  ShellSum Sum;        ///< of the last look
+  double Way = 0.0;    ///< voxels, from the tool to the last look
+  bool IsAway = false; ///< the last look was not taken
   std::uint32_t Looks = 0;
   bool IsUnfinished = false;
 };
@@ -372,6 +386,9 @@ void ShellMemory::AppendTables(std::vector<HapticModel::MemoryRange>& tables) co
   };
   append(this->Clearance.Until);
   append(this->Clearance.IsClear);
+  append(this->Clearance.PerValue);
+  append(this->Clearance.Marks);
+  append(this->Clearance.MarksUntil);
   for (const ShellContacts* const contacts :
     { &this->Contacts[0], &this->Contacts[1], &this->Kept })
   {

@@ -31,6 +31,24 @@ ShellFunctions SelectShellFunctions(ScalarType type, InstructionSet instructions
   return SelectBaselineShellFunctions(type);
 }
 
+/** The samples of all cells that a box around an index reaches. */
+struct SampleBox
+{
+  SampleBox(const Vector3& centre, const Vector3& half) noexcept
+  {
+    const double middle[3] = { centre.X, centre.Y, centre.Z };
+    const double sizes[3] = { half.X, half.Y, half.Z };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->From[axis] = std::floor(middle[axis] - sizes[axis]);
+      this->To[axis] = std::floor(middle[axis] + sizes[axis]) + 1.0;
+    }
+  }
+
+  double From[3];
+  double To[3];
+};
+
 } // namespace
 
 ShellReader::ShellReader(const VolumeView& view, double level, bool isBelow,
@@ -177,28 +195,55 @@ void ShellReader::ReadCarved(const double* positions, std::size_t count, double*
 bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept
 {
   constexpr double mostSamples = 4096.0;
-  const double middle[3] = { centre.X, centre.Y, centre.Z };
-  const double sizes[3] = { half.X, half.Y, half.Z };
+  const SampleBox box(centre, half);
+  const FieldView& view = this->Reading.View;
   std::int64_t low[3];
   std::int64_t high[3];
   double samples = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double first = this->Reading.View.First[axis];
-    const double last = this->Reading.View.Last[axis];
-    // Beyond the samples that are here, values are those of the nearest ones.
-    const double from = std::floor(middle[axis] - sizes[axis]);
-    const double to = std::floor(middle[axis] + sizes[axis]) + 1.0;
     // Also false for NaN.
-    if (!(to - from < mostSamples))
+    if (!(box.To[axis] - box.From[axis] < mostSamples))
     {
       return true;
     }
-    low[axis] = static_cast<std::int64_t>(std::min(std::max(from, first), last));
-    high[axis] = static_cast<std::int64_t>(std::min(std::max(to, first), last));
+    // Beyond the samples that are here, values are those of the nearest ones.
+    const double first = view.First[axis];
+    const double last = view.Last[axis];
+    low[axis] = static_cast<std::int64_t>(std::min(std::max(box.From[axis], first), last));
+    high[axis] = static_cast<std::int64_t>(std::min(std::max(box.To[axis], first), last));
     samples *= static_cast<double>(high[axis] - low[axis] + 1);
   }
   return samples > mostSamples || this->Functions.Box(this->Reading, low, high);
+}
+
+bool ShellReader::FindSlopes(
+  const Vector3& centre, const Vector3& half, double* slopes) const noexcept
+{
+  // More take longer than the points of a block, which would be read less often.
+  constexpr double mostSamples = 512.0;
+  const SampleBox box(centre, half);
+  const FieldView& view = this->Reading.View;
+  std::int64_t low[3];
+  std::int64_t high[3];
+  double samples = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Also false for NaN.
+    if (!(box.From[axis] >= view.First[axis] && box.To[axis] <= view.Last[axis]))
+    {
+      return false;
+    }
+    low[axis] = static_cast<std::int64_t>(box.From[axis]);
+    high[axis] = static_cast<std::int64_t>(box.To[axis]);
+    samples *= box.To[axis] - box.From[axis] + 1.0;
+  }
+  if (samples > mostSamples)
+  {
+    return false;
+  }
+  this->Functions.Slope(this->Reading, low, high, slopes);
+  return slopes[0] < HUGE_VAL && slopes[1] < HUGE_VAL && slopes[2] < HUGE_VAL;
 }
 
 } // namespace VolumeHaptics

@@ -42,9 +42,32 @@ struct ShellNumbers
  */
 using MarkFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map) noexcept;
+/**
+ * The marks of 1 to 64 points as they were found before, while the tool was near. Only those of
+ * points are found anew that may have come to the level since. Lengths are those that any point has
+ * travelled at most, in voxels.
+ */
+struct ShellMarking
+{
+  std::uint64_t Marks; ///< as they were found
+  double* Until;       ///< for each of 64 points: up to where its mark stays
+  double Now;          ///< where the tool is
+  double From;         ///< with what is found now, lengths count from here
+  double End;          ///< PerValue holds up to here
+  double PerValue;     ///< voxels that a value takes at least to change by 1; 0 if that is unknown
+};
+/** As MarkFunction. Writes to ShellMarking::Until. */
+using MarkingFunction = std::uint64_t (*)(
+  const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
 /** Whether any sample in a box of indices is solid; NaN is not. */
 using BoxFunction = bool (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
+/**
+ * The largest differences between neighbours in a box of indices, along each axis; not finite if a
+ * sample is not.
+ */
+using SlopeFunction = void (*)(
+  const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
 /** From a gradient per index step, and a position in it, to the device. */
 struct ShellFrame
 {
@@ -55,15 +78,27 @@ struct ShellFrame
   double KernelLength; ///< m
 };
 
+/** Where a tool is. */
+struct ShellPlacement
+{
+  double ToolToIndex[12]; ///< a matrix by rows, and an offset
+  double ToolToDevice[9]; ///< by rows, of displacements
+};
+
 /** Points that may be in contact, number by number, so that several are computed at a time. */
 struct ShellBatch
 {
-  static constexpr std::size_t Most = 128;
+  static constexpr std::size_t Most = 64; ///< with all that is found, it stays in the first cache
 
   std::size_t Count = 0;
-  double Place[3][Most];  ///< the index of the foot as it is known
-  double Index[3][Most];  ///< of the point
-  double Offset[3][Most]; ///< m, from the foot to the point; 0 for a new one
+  double Position[3][Most]; ///< in the frame of the tool
+  double Offset[3][Most];   ///< m, from the foot to the point; 0 for a new one
+  ///@{
+  /** By the placement of the tool. */
+  double Place[3][Most]; ///< the index of the foot as it is known
+  double Index[3][Most]; ///< of the point
+  double Arm[3][Most];   ///< m, from the origin of the tool, on the device's axes
+  ///@}
   ///@{
   /** Found; may be NaN. */
   double Value[Most];       ///< trilinear, at Place
@@ -81,13 +116,18 @@ struct ShellBatch
 /** Forces on points, number by number, up to a multiple of four: the rest is 0. */
 struct ShellPushes
 {
+  /** Of so many points that may be in contact, forces are summed before these sums are. */
+  static constexpr std::size_t Most = 128;
+
   std::size_t Count = 0;
-  double Normal[3][ShellBatch::Most];
-  double Arm[3][ShellBatch::Most];
-  double Force[ShellBatch::Most];
-  double Stiffness[ShellBatch::Most];
+  double Normal[3][Most];
+  double Arm[3][Most];
+  double Force[Most];
+  double Stiffness[Most];
 };
 
+/** From Position and Offset, where the points and their feet are. */
+using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
 /** Value, gradient and derivatives in the cell at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
@@ -108,7 +148,10 @@ using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curva
 struct ShellFunctions
 {
   MarkFunction Mark = nullptr;
+  MarkingFunction Marking = nullptr;
   BoxFunction Box = nullptr;
+  SlopeFunction Slope = nullptr;
+  PlaceFunction Place = nullptr;
   FootFunction Foot = nullptr;
   ReadFunction Read = nullptr;
   FeetFunction Feet = nullptr;
@@ -131,7 +174,19 @@ public:
   /** See MarkFunction. Where tissue was removed, no place is solid that was not so before. */
   std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
   {
-    const std::uint64_t marks = this->Functions.Mark(this->Reading, points, toolToIndex);
+    return this->Unmark(
+      points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
+  }
+  /** The same of points that were marked before: without what was removed. */
+  std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
+    const ShellMarking& before) const noexcept
+  {
+    return this->Functions.Marking(this->Reading, points, toolToIndex, before);
+  }
+  /** Takes away what was removed. */
+  std::uint64_t Unmark(
+    const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept
+  {
     return marks != 0 && this->Carved.HasAny() ? this->Remark(points, toolToIndex, marks) : marks;
   }
   /**
@@ -140,6 +195,17 @@ public:
    * does not count: so no answer changes while tissue is only removed.
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
+  /**
+   * The largest slopes along each axis, per sample, in such a box. False if it has too many samples
+   * for a look, reaches beyond those that are here, or has one that is not finite. Without what was
+   * removed.
+   */
+  bool FindSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
+  void Place(
+    const ShellFrame& frame, const ShellPlacement& placement, ShellBatch& batch) const noexcept
+  {
+    this->Functions.Place(frame, placement, batch);
+  }
   void FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
   {
     this->Functions.Read(this->Reading, batch);

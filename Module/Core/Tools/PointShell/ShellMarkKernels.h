@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which points of a shell are solid, and what a box of samples has, for ShellKernels.h. The rules
+ * of FieldKernels.h hold here too.
+ */
+#ifndef ShellMarkKernels_h
+#define ShellMarkKernels_h
+
+#include "Core/Math/LowestBit.h"
+#include "Core/Tools/PointShell/FourCells.h"
+#include "Core/Tools/PointShell/ShellReader.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The mark of one point from its index and the trilinear value there. */
+VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
+  const ShellReading& reading, double x, double y, double z, double value)
+{
+  const bool isInside = x >= 0.0 && y >= 0.0 && z >= 0.0 && x <= reading.Border[0] &&
+    y <= reading.Border[1] && z <= reading.Border[2];
+  // False for NaN.
+  const bool isBeyond = reading.Sign * (value - reading.Level) >= 0.0;
+  return isInside && isBeyond ? 1 : 0;
+}
+
+/** The marks of four points, and their values. */
+template <typename T>
+VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
+  const ShellReading& reading, const FourVectors& points, const double* map, Double4& values)
+{
+  const auto along = [&](int row)
+  {
+    const double* const m = map + 3 * row;
+    return m[0] * points.X + m[1] * points.Y + m[2] * points.Z + Spread(map[9 + row]);
+  };
+  const Double4 x = along(0);
+  const Double4 y = along(1);
+  const Double4 z = along(2);
+  const FieldView& view = reading.View;
+  const std::int64_t sy = view.Volume.Stride[1];
+  const std::int64_t sz = view.Volume.Stride[2];
+  const FourCells<T> at = FindCells<T>(view, x, y, z);
+  const auto line = [&](std::int64_t i)
+  {
+    Double4 first;
+    Double4 second;
+    LoadFourPairs(at, i, first, second);
+    return first + at.X.Fraction * (second - first);
+  };
+  const auto plane = [&](std::int64_t i)
+  {
+    const Double4 first = line(i);
+    return first + at.Y.Fraction * (line(i + sy) - first);
+  };
+  const Double4 near = plane(0);
+  values = near + at.Z.Fraction * (plane(sz) - near);
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      if (!IsNumber(values[lane]))
+      {
+        // A sample that is not a number but has no weight does not count.
+        values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
+      }
+    }
+  }
+  const auto isWithin = [](const Double4& p, double border)
+  { return NotNegative(p) & NotNegative(Spread(border) - p); };
+  return isWithin(x, reading.Border[0]) & isWithin(y, reading.Border[1]) &
+    isWithin(z, reading.Border[2]) & NotNegative(reading.Sign * (values - Spread(reading.Level)));
+}
+
+template <typename T>
+std::uint64_t MarkPoints(
+  const ShellReading& reading, const ShellNumbers& points, const double* map) noexcept
+{
+  std::uint64_t mark = 0;
+  std::size_t i = 0;
+  for (; i + 4 <= points.Count; i += 4)
+  {
+    Double4 values;
+    const FourVectors four = { LoadDouble4(points.X + i), LoadDouble4(points.Y + i),
+      LoadDouble4(points.Z + i) };
+    mark |= MarkFour<T>(reading, four, map, values) << i;
+  }
+  for (; i < points.Count; ++i)
+  {
+    const double px = points.X[i];
+    const double py = points.Y[i];
+    const double pz = points.Z[i];
+    const double x = map[0] * px + map[1] * py + map[2] * pz + map[9];
+    const double y = map[3] * px + map[4] * py + map[5] * pz + map[10];
+    const double z = map[6] * px + map[7] * py + map[8] * pz + map[11];
+    mark |= MarkOf(reading, x, y, z, Trilinear<T>(reading.View, x, y, z)) << i;
+  }
+  return mark;
+}
+
+template <typename T>
+std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& points,
+  const double* map, const ShellMarking& before) noexcept
+{
+  std::uint64_t late = 0;
+  for (std::size_t i = 0; i < points.Count; i += 4)
+  {
+    late |= NotNegative(Spread(before.Now) - LoadDouble4(before.Until + i)) << i;
+  }
+  late &= ~std::uint64_t{ 0 } >> (64 - points.Count);
+  std::uint64_t marks = before.Marks & ~late;
+  const auto size = [](const Double4& a) { return Larger(a, -1.0 * a); };
+  const Double4 level = Spread(reading.Level);
+  while (late != 0)
+  {
+    // The last ones may be repeated.
+    int at[4];
+    for (int& i : at)
+    {
+      i = LowestBit(late);
+      late &= (late & (late - 1)) != 0 || &i == at + 3 ? late - 1 : late;
+    }
+    const auto load = [&at](const double* from)
+    { return MakeDouble4(from[at[0]], from[at[1]], from[at[2]], from[at[3]]); };
+    Double4 values;
+    const std::uint64_t found =
+      MarkFour<T>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
+    // From the level, with what rounding may have taken.
+    const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
+    double until[4];
+    StoreDouble4(
+      Smaller(Spread(before.From) + before.PerValue * distance, Spread(before.End)), until);
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      marks |= (found >> lane & 1) << at[lane];
+      before.Until[at[lane]] = until[lane];
+    }
+  }
+  return marks;
+}
+
+template <typename T>
+void FindMostSlopes(const ShellReading& reading, const std::int64_t* low, const std::int64_t* high,
+  double* most) noexcept
+{
+  // Differences of small numbers are found as whole ones.
+  using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, std::int32_t, double>;
+  const std::int64_t* const stride = reading.View.Volume.Stride;
+  bool isFinite = true;
+  Wide largest[3] = { 0, 0, 0 };
+  const auto compare = [&](int axis, const T* at, const T* next)
+  {
+    const Wide difference = static_cast<Wide>(*next) - static_cast<Wide>(*at);
+    const Wide size = difference < 0 ? -difference : difference;
+    largest[axis] = size > largest[axis] ? size : largest[axis];
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      isFinite = isFinite && IsNumber(difference);
+    }
+  };
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      const T* at = static_cast<const T*>(reading.View.Volume.Data) + low[0] * stride[0] +
+        j * stride[1] + k * stride[2];
+      // The last ones have no neighbour: they are their own.
+      const std::int64_t sy = j < high[1] ? stride[1] : 0;
+      const std::int64_t sz = k < high[2] ? stride[2] : 0;
+      for (std::int64_t i = low[0]; i <= high[0]; ++i, at += stride[0])
+      {
+        compare(0, at, at + (i < high[0] ? stride[0] : 0));
+        compare(1, at, at + sy);
+        compare(2, at, at + sz);
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    most[axis] = isFinite ? static_cast<double>(largest[axis]) : HUGE_VAL;
+  }
+}
+
+template <typename T>
+bool IsAnySolid(
+  const ShellReading& reading, const std::int64_t* low, const std::int64_t* high) noexcept
+{
+  const std::int64_t* const stride = reading.View.Volume.Stride;
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      const T* const line =
+        static_cast<const T*>(reading.View.Volume.Data) + k * stride[2] + j * stride[1];
+      bool isSolid = false;
+      for (std::int64_t i = low[0]; i <= high[0]; ++i)
+      {
+        const auto value = static_cast<double>(line[i * stride[0]]);
+        isSolid = isSolid || reading.Sign * (value - reading.Level) >= 0.0;
+      }
+      if (isSolid)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * What is remembered of points saves time, and changes no bit: a tool that forgets it before each
+ * tick feels the same.
+ */
+
+#include "Rigs/CarvingRig.h"
+#include "Rigs/ShellRig.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace coretest;
+
+namespace
+{
+struct ClearanceScene
+{
+  ScalarType Type;
+  double Noise;  ///< of a ramp that rises by 100 a voxel
+  bool IsShorn;  ///< axes that are oblique, with three spacings
+  bool IsCarved; ///< some of its tissue was removed
+};
+
+/// A rough wall that bends, of which everything beyond 1000 is solid.
+TestVolume MakeWall(const ClearanceScene& scene)
+{
+  TestVolume volume(scene.Type, { 40, 40, 40 });
+  std::mt19937_64 engine(31);
+  std::uniform_real_distribution<double> noise(-scene.Noise, scene.Noise);
+  const auto value = [&](std::int64_t i, std::int64_t j, std::int64_t k)
+  {
+    const double bend = 3.0 * std::sin(0.3 * static_cast<double>(i));
+    return 1000.0 + 100.0 * (19.0 - static_cast<double>(k) + bend + 0.2 * static_cast<double>(j)) +
+      noise(engine);
+  };
+  WithSampleType(scene.Type,
+    [&](auto sample)
+    {
+      using T = decltype(sample);
+      volume.template Fill<T>([&](std::int64_t i, std::int64_t j, std::int64_t k)
+        { return static_cast<T>(value(i, j, k)); });
+    });
+  return volume;
+}
+
+class ClearanceOfShells : public testing::TestWithParam<ClearanceScene>
+{
+};
+} // namespace
+
+TEST_P(ClearanceOfShells, ChangesNoBit)
+{
+  const ClearanceScene& scene = this->GetParam();
+  const TestVolume volume = MakeWall(scene);
+  HapticModelDescription description = Describe(volume);
+  if (scene.IsShorn)
+  {
+    description.IndexToWorld.Linear =
+      Matrix3{ { { 1.0, 0.3, 0.1 }, { 0.0, 0.7, -0.2 }, { 0.2, 0.0, 1.6 } } };
+  }
+  if (scene.IsCarved)
+  {
+    description.Removal = std::make_shared<TissueRemoval>(200);
+    std::mt19937_64 shares(8);
+    for (int n = 0; n < 400; ++n)
+    {
+      const auto at = [&]() { return static_cast<std::int64_t>(8 + shares() % 24); };
+      const std::int64_t i = at();
+      const std::int64_t j = at();
+      SetShare(description.Removal->Bricks, i, j, at(), static_cast<std::uint8_t>(shares() % 255));
+    }
+  }
+  ShellSettings settings;
+  settings.Level = 1000.0;
+  const std::vector<ShellPoint> points = MakeSphere(4.0, 1501);
+  ShellHand hand(description, points, settings);
+  ShellHand forgetful(description, points, settings);
+  const Vector3 middle = description.IndexToWorld(Vector3{ 20.0, 20.0, 24.0 });
+  std::mt19937_64 engine(32);
+  Vector3 at = middle + Vector3{ 0.0, 0.0, 6.0 };
+  Quaternion turn;
+  double contacts = 0.0;
+  std::size_t skipped = 0;
+  std::size_t known = 0;
+  constexpr int ticks = 3000;
+  for (int tick = 0; tick < ticks; ++tick)
+  {
+    // It strays around the wall, at rest, slowly and fast.
+    const double speed = tick % 300 < 60 ? 0.0 : (tick % 300 < 200 ? 0.03 : 0.6);
+    at += RandomIn(engine, speed) + 0.002 * (middle - at);
+    turn = TurnAbout(RandomIn(engine, 1.0) + Vector3{ 0.0, 0.0, 1e-3 }, 0.03 * speed) * turn;
+    turn = (1.0 / std::sqrt(SquaredNorm(turn))) * turn;
+    const ShellClearance& clearance = hand.Memory.Clearance;
+    for (std::size_t block = 0; block < clearance.Until.size(); ++block)
+    {
+      known += clearance.PerValue[block] > 0.0 ? 1 : 0;
+      const double* const until = clearance.MarksUntil.data() + ShellBlock::Size * block;
+      skipped += until[0] > clearance.Travelled + 0.05 ? 1 : 0;
+    }
+    forgetful.Memory.Clearance.Reset();
+    const ShellRecord& one = hand.Tick(at, turn);
+    const ShellRecord& other = forgetful.Tick(at, turn);
+    ASSERT_EQ(one.Looks, other.Looks) << tick;
+    ASSERT_EQ(one.Contacts, other.Contacts) << tick;
+    ASSERT_EQ(one.Energy, other.Energy) << tick;
+    ASSERT_EQ(std::memcmp(&one.Force, &other.Force, sizeof(one.Force)), 0) << tick;
+    ASSERT_EQ(std::memcmp(&one.Torque, &other.Torque, sizeof(one.Torque)), 0) << tick;
+    contacts += one.Contacts;
+  }
+  EXPECT_GT(contacts / ticks, 50.0);
+  EXPECT_GT(known, 0U);
+  EXPECT_GT(skipped, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ClearanceOfShells,
+  testing::Values(ClearanceScene{ ScalarType::Int16, 0.0, false, false },
+    ClearanceScene{ ScalarType::Int16, 300.0, false, false },
+    ClearanceScene{ ScalarType::UInt16, 30.0, true, false },
+    ClearanceScene{ ScalarType::Float32, 30.0, true, false },
+    ClearanceScene{ ScalarType::Float64, 300.0, false, true },
+    ClearanceScene{ ScalarType::Int16, 30.0, false, true }));
+
+/// The largest difference between neighbours is that of loops, and an infinite sample has none.
+TEST(SlopesOfShells, AreThoseOfAllNeighbours)
+{
+  TestVolume volume(ScalarType::Float64, { 12, 11, 10 });
+  volume.FillRandom(21);
+  const ShellReader reader(volume.View, 0.0, false);
+  double most[3] = { 0.0, 0.0, 0.0 };
+  for (std::int64_t k = 2; k <= 6; ++k)
+  {
+    for (std::int64_t j = 3; j <= 6; ++j)
+    {
+      for (std::int64_t i = 1; i <= 8; ++i)
+      {
+        const double here = volume(i, j, k);
+        most[0] = i < 8 ? std::max(most[0], std::abs(volume(i + 1, j, k) - here)) : most[0];
+        most[1] = j < 6 ? std::max(most[1], std::abs(volume(i, j + 1, k) - here)) : most[1];
+        most[2] = k < 6 ? std::max(most[2], std::abs(volume(i, j, k + 1) - here)) : most[2];
+      }
+    }
+  }
+  double slopes[3];
+  const Vector3 centre{ 4.6, 4.5, 4.0 };
+  const Vector3 half{ 3.1, 1.2, 1.9 };
+  ASSERT_TRUE(reader.FindSlopes(centre, half, slopes));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(slopes[axis], most[axis]) << axis;
+  }
+  EXPECT_FALSE(reader.FindSlopes(centre, { 5.0, 1.0, 1.0 }, slopes)) << "beyond the samples";
+  volume.Fill<double>([](std::int64_t i, std::int64_t j, std::int64_t k)
+    { return i == 8 && j == 6 && k == 6 ? HUGE_VAL : 1.0 * (i + j + k); });
+  EXPECT_FALSE(reader.FindSlopes(centre, half, slopes));
+}
