@@ -33,7 +33,8 @@
  * hand's motion at the puncture, over the last millimetre, and stays until the needle is out.
  *
  * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
- * length that is inserted (world units; 0: none), and ShaftForce, F_s (N). MakeTrack() makes of a
+ * length that is inserted (world units; 0: none), ShaftForce, F_s (N), and ForbiddenTouches, how
+ * often a forbidden label has stopped the insertion. MakeTrack() makes of a
  * trace what was passed; vtkHapticDevice::GetNeedleTrack() tells it of a hand.
  *
  * @sa vtkHapticTool vtkHapticLabelTable
@@ -89,7 +90,8 @@ public:
    * needle: a polyline of the places at which the point came into other tissue, and of the deepest
    * one. Point arrays: Depth (world units), the way along the needle; cell arrays, for each stretch
    * of it: Label and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
-   * (degrees), between the track and the normal of the surface at the entry, or -1 without one.
+   * (degrees), between the track and the normal of the surface at the entry, or -1 without one; and
+   * ForbiddenTouches, if the trace has it.
    * Returns false if the trace has no needle; the error is that of the track, which is then empty.
    * Both must be different objects.
    */

@@ -133,6 +133,8 @@
  *   ToolOrientation (4)  of a vtkHapticPointShell in the world: w, x, y, z. Its origin is the
  *                      output point. Only with one
  *   RemovedVolume      mm^3 of the hand's space; by a vtkHapticBurr in this tick. Only with one
+ *   ForbiddenTouches   how often a forbidden label has stopped this insertion of a vtkHapticNeedle.
+ *                      Only with one
  *   Renewed            1 if LOCAL_SURFACE got a new surface from its slow loop; else 0
  *
  * The same input gives the same output, to the bit, on any number of threads. Without a path the

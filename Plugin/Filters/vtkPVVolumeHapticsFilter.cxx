@@ -406,6 +406,13 @@ void vtkPVVolumeHapticsFilter::UndoRemoval()
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::RedoRemoval()
+{
+  this->GetRemoval()->Redo();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::RestoreTissue()
 {
   this->GetRemoval()->Reset();

@@ -135,8 +135,12 @@ public:
   ///@}
 
   ///@{
-  /** The last stroke of a burr in the hand is undone; all tissue that it removed comes back. */
+  /**
+   * The last stroke of a burr in the hand is undone, or done again; all tissue that it removed
+   * comes back.
+   */
   void UndoRemoval();
+  void RedoRemoval();
   void RestoreTissue();
   ///@}
 

@@ -115,6 +115,8 @@ ARRAYS = {
     "Depth": "world units",
     "ShaftForce": "N",
     "ToolOrientation": "w, x, y, z",
+    "RemovedVolume": "mm^3",
+    "ForbiddenTouches": "forbidden label",
 }
 MODES = {
     "VectorFollow": ("SetPush",),

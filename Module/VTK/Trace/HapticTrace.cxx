@@ -118,16 +118,19 @@ void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, const 
   // Those that only some tools have.
   const bool isShaped = volume.HasTool(ToolKind::Shell);
   const bool removes = volume.HasTool(ToolKind::Burr);
+  const bool isNeedle = volume.HasTool(ToolKind::Needle);
   constexpr ColumnType number = ColumnType::Float64;
   constexpr TraceColumn columns[] = { { ToolColumns[0], "", number, 4, 0 },
     { ToolColumns[1], "", number, 3, offsetof(TraceRow, Torque) },
     { ToolColumns[2], "", number, 1, offsetof(TraceRow, Depth) },
     { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) },
     { ToolColumns[4], "", number, 4, offsetof(TraceRow, ToolOrientation) },
-    { ToolColumns[5], "", number, 1, offsetof(TraceRow, RemovedVolume) } };
+    { ToolColumns[5], "", number, 1, offsetof(TraceRow, RemovedVolume) },
+    { ToolColumns[6], "", number, 1, 0 } };
   for (std::size_t i = 0; i < std::size(columns); ++i)
   {
-    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped) || (i == 5 && !removes))
+    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped) || (i == 5 && !removes) ||
+      (i == 6 && !isNeedle))
     {
       continue;
     }
@@ -136,6 +139,10 @@ void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, const 
     if (i == 0)
     {
       this->OrientationNumbers = static_cast<double*>(numbers);
+    }
+    else if (i == 6)
+    {
+      this->TouchNumbers = static_cast<double*>(numbers);
     }
     else
     {

@@ -51,6 +51,8 @@ public:
 
   /** The orientations of the stylus, four numbers a tick; null if they are not chosen. */
   double* GetOrientations() const { return this->OrientationNumbers; }
+  /** How often forbidden labels stopped a needle, by tick; null if they are not chosen. */
+  double* GetForbiddenTouches() const { return this->TouchNumbers; }
 
   /** Some rows of the trace: the ticks of one path. */
   struct Rows
@@ -76,6 +78,7 @@ private:
   long long* LabelNumbers = nullptr;
   std::vector<double*> ModeNumbers; ///< none if no mode is chosen
   double* OrientationNumbers = nullptr;
+  double* TouchNumbers = nullptr;
 };
 
 } // namespace VolumeHaptics

@@ -99,6 +99,7 @@ struct NeedleTicks
   vtkDataArray* Normals;
   vtkDataArray* Labels;    ///< may be null
   vtkDataArray* Strengths; ///< NormalForce; may be null
+  vtkDataArray* Touches;   ///< may be null
 
   double DepthAt(vtkIdType i) const { return this->Depths->GetComponent(i, 0); }
   std::int64_t LabelAt(vtkIdType i) const
@@ -148,6 +149,10 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   const Vector3 normal = isHeld(before) ? ReadVector(ticks.Normals, before) : Vector3{};
   TrackWriter::AddNumber(track, "Depth", ticks.DepthAt(deepest));
   TrackWriter::AddNumber(track, "Angle", FindAngle(axis, normal));
+  if (ticks.Touches)
+  {
+    TrackWriter::AddNumber(track, "ForbiddenTouches", ticks.Touches->GetComponent(last, 0));
+  }
 }
 
 } // namespace
@@ -166,14 +171,15 @@ std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track)
   }
   vtkPointData* const data = trace->GetPointData();
   const NeedleTicks ticks{ trace, data->GetArray(ToolColumns[2]), data->GetArray("Normal"),
-    data->GetArray(LabelColumn), data->GetArray("NormalForce") };
+    data->GetArray(LabelColumn), data->GetArray("NormalForce"), data->GetArray(ToolColumns[6]) };
   const vtkIdType n = trace->GetNumberOfPoints();
   const auto fits = [n](vtkDataArray* array, int components)
   {
     return array && array->GetNumberOfTuples() == n && array->GetNumberOfComponents() == components;
   };
   if (!fits(ticks.Depths, 1) || !fits(ticks.Normals, 3) ||
-    (ticks.Labels && !fits(ticks.Labels, 1)) || (ticks.Strengths && !fits(ticks.Strengths, 1)))
+    (ticks.Labels && !fits(ticks.Labels, 1)) || (ticks.Strengths && !fits(ticks.Strengths, 1)) ||
+    (ticks.Touches && !fits(ticks.Touches, 1)))
   {
     track->Initialize();
     return "The trace has no point arrays \"Depth\" and \"Normal\" of a needle, one tuple a point. "

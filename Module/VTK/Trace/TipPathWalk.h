@@ -50,6 +50,8 @@ public:
   ModeForces FindModeForces(const HapticModel& model) const;
   /** The orientation of the stylus (world) in the last tick; NoOrientation if there is none. */
   Quaternion GetOrientation(const HapticModel& model) const;
+  /** How often a forbidden label has stopped the needle in this insertion. */
+  double GetForbiddenTouches() const { return this->State.Needle.Touches; }
   /** Time of the last tick (s). */
   double GetTime() const;
 

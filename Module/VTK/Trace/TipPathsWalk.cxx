@@ -159,7 +159,7 @@ vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
 void TipPathsWalk::AddPipe(Runner& runner) const
 {
   if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty() &&
-    !this->Trace.GetOrientations())
+    !this->Trace.GetOrientations() && !this->Trace.GetForbiddenTouches())
   {
     try
     {
@@ -333,6 +333,10 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     {
       ToArray(runner.Walk.GetOrientation(*runner.Model),
         orientations + 4 * (rows.First + rows.Count + i));
+    }
+    if (double* const touches = this->Trace.GetForbiddenTouches())
+    {
+      touches[rows.First + rows.Count + i] = runner.Walk.GetForbiddenTouches();
     }
     if (hasModes)
     {

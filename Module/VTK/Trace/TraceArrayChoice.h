@@ -23,7 +23,7 @@ constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
 constexpr const char* ToolColumns[] = { "Orientation", "Torque", "Depth", "ShaftForce",
-  "ToolOrientation", "RemovedVolume" };
+  "ToolOrientation", "RemovedVolume", "ForbiddenTouches" };
 ///@}
 
 /** As many as there may be modes. */

@@ -261,6 +261,40 @@ TEST_F(FilterNeedle, TellsWhatItHasPassed)
   EXPECT_NEAR(this->Number(track, "Angle"), 0.0, 0.1);
 }
 
+/// The ligament is forbidden: it stops the needle in two of three thrusts of the first insertion,
+/// and in the second insertion once.
+TEST_F(FilterNeedle, CountsWhatForbiddenTissueStops)
+{
+  this->Table->SetForbidden(4, true);
+  vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 46 }, { 7, 7, 30 }, { 7, 7, 36 },
+    { 7, 7, 30 }, { 7, 7, 46 }, { 7, 7, 1 }, { 7, 7, 46 } });
+  vtkDataArray* const touches = trace->GetPointData()->GetArray("ForbiddenTouches");
+  ASSERT_TRUE(touches);
+  // At the ends of the ways, in steps of a hundredth of a millimetre.
+  const auto after = [touches](double way)
+  { return touches->GetComponent(static_cast<vtkIdType>(100.0 * way) - 1, 0); };
+  EXPECT_EQ(after(20.0), 0.0);
+  EXPECT_EQ(after(44.0), 1.0);
+  EXPECT_EQ(after(66.0), 1.0);
+  EXPECT_EQ(after(88.0), 2.0);
+  vtkNew<vtkPolyData> track;
+  ASSERT_TRUE(vtkHapticNeedle::MakeTrack(trace, track));
+  EXPECT_EQ(this->Number(track, "ForbiddenTouches"), 1.0);
+  // Alone it is the same.
+  vtkNew<vtkDoubleArray> all;
+  all->DeepCopy(touches);
+  this->Filter->SetTraceArrays("ForbiddenTouches");
+  this->Filter->Update();
+  vtkDataArray* const alone =
+    this->Filter->GetOutput()->GetPointData()->GetArray("ForbiddenTouches");
+  ASSERT_TRUE(alone);
+  ASSERT_EQ(alone->GetNumberOfTuples(), all->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < all->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(alone->GetComponent(i, 0), all->GetComponent(i, 0)) << i;
+  }
+}
+
 TEST_F(FilterNeedle, WritesNoTrackIntoTheTraceItself)
 {
   vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 20 } });
@@ -275,7 +309,8 @@ TEST_F(FilterNeedle, WritesNoTrackIntoTheTraceItself)
 TEST_F(FilterNeedle, HasItsArraysOnlyWithATool)
 {
   vtkPolyData* const trace = this->Follow({ { 7, 7, 2 }, { 7, 7, 10 } }, 10);
-  for (const char* const name : { "Orientation", "Torque", "Depth", "ShaftForce" })
+  for (const char* const name :
+    { "Orientation", "Torque", "Depth", "ShaftForce", "ForbiddenTouches" })
   {
     EXPECT_TRUE(trace->GetPointData()->HasArray(name)) << name;
   }

@@ -44,7 +44,7 @@ TEST_F(TraceArrays, AreAllByDefault)
 {
   EXPECT_EQ(this->Filter->GetTraceArrays(), "all");
   EXPECT_EQ(this->Names(), All);
-  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2 + 8 + 6);
+  EXPECT_EQ(this->Filter->GetNumberOfTraceArrays(), static_cast<int>(All.size()) + 2 + 8 + 7);
 }
 
 TEST_F(TraceArrays, TheChosenOnesAreTheSameToTheBit)
