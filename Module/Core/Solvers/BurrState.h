@@ -35,6 +35,8 @@ struct BurrState
   Vector3 Next;
   std::uint32_t Part = 0;
   ///@}
+  /** m: the next step is no longer, since a later part of one met what nothing removes; 0: any. */
+  double Shorter = 0.0;
 };
 
 } // namespace VolumeHaptics

@@ -196,6 +196,7 @@ void VisitBurr(Burr& burr, Function&& visit)
   VisitVector(burr.Vibration, visit);
   VisitVector(burr.Next, visit);
   visit(burr.Part);
+  visit(burr.Shorter);
 }
 
 /** Every number of a state. Those that were added later come last: older files lack them. */
@@ -326,7 +327,8 @@ bool IsPossible(const BurrState& burr)
   return IsNear(burr.Carved, FarthestTip) && IsAmount(burr.Unspent) && IsAmount(burr.LastCost) &&
     burr.LastWay >= 0.0 && burr.LastWay < FarthestTip && IsAmount(burr.Idle) && burr.Phase >= 0.0 &&
     burr.Phase <= 1.0 && std::abs(burr.Lost) <= MostOfMaterial &&
-    IsNear(burr.Vibration, MostOfMaterial) && IsNear(burr.Next, FarthestTip);
+    IsNear(burr.Vibration, MostOfMaterial) && IsNear(burr.Next, FarthestTip) &&
+    burr.Shorter >= 0.0 && burr.Shorter < FarthestTip;
 }
 
 } // namespace

@@ -29,7 +29,7 @@ public:
     , N{ n[0], n[1], n[2] }
     , Spacing(spacing)
     , Radius(radius)
-    , Width(3.0 * std::cbrt(spacing.X * spacing.Y * spacing.Z))
+    , Width(3.0 * std::max(spacing.X, std::max(spacing.Y, spacing.Z)))
   {
   }
 

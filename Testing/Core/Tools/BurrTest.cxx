@@ -203,18 +203,17 @@ TEST(Burr, ItsCavityIsFeltWithThePoint)
 
 /// A drilled hole has the radius of the burr, not that of what is pressed: within 0.05 voxel RMS,
 /// its normals within 0.5 degree on average, in the hole's straight part, a kernel away from its
-/// ends. Burrs of 4 and 8 voxels. Where voxels are twice as long along an axis, the ramp has less
-/// than two samples along it, for which the design measured a mean of 1.5 degrees: 1 is allowed.
+/// ends. Burrs of 4 and 8 voxels, also where voxels are twice as long along an axis. The
+/// default kernel, whose width is in voxels, turns normals of curved surfaces there by up to
+/// (s_x^2 - s_y^2)/(2 a^2), s its standard deviations in mm: differences over a voxel less so.
 TEST(Burr, ItsHoleHasItsRadius)
 {
   struct Case
   {
     double Spacing; ///< mm, along x; 0.25 along y and z
     double Voxels;  ///< of the radius; of a cube with the volume of a voxel
-    double Angle;   ///< degrees
   };
-  for (const auto& [spacing, voxels, allowed] :
-    { Case{ 0.25, 4.0, 0.5 }, Case{ 0.25, 8.0, 0.5 }, Case{ 0.5, 8.0, 1.0 } })
+  for (const auto& [spacing, voxels] : { Case{ 0.25, 4.0 }, Case{ 0.25, 8.0 }, Case{ 0.5, 8.0 } })
   {
     constexpr double size = 0.25;
     const double voxel = std::cbrt(spacing * size * size);
@@ -234,9 +233,15 @@ TEST(Burr, ItsHoleHasItsRadius)
       depth = 1000.0 * hand.Record.Shell.Tool.Position.Z + radius - half.Surface;
     }
     ASSERT_GE(depth, wanted);
-    const FieldSampler& field = hand.Model.Baked->Field;
+    HapticModelDescription scene = half.Scene;
+    scene.Estimator = GradientEstimator::CentralDifference;
+    scene.KernelRadius = 1;
+    const HapticModel seen(scene);
+    const bool isCube = spacing == size;
+    const FieldSampler& field = seen.Baked->Field;
     double squares = 0.0;
     double angles = 0.0;
+    double felt = 0.0;
     int rays = 0;
     for (double below = 4.1 * size; below < 6.5 * size; below += 0.3 * size)
     {
@@ -256,14 +261,20 @@ TEST(Burr, ItsHoleHasItsRadius)
           (field.Value(toIndex(r)) < 100.0 ? low : high) = r;
         }
         squares += std::pow((low - radius) / voxel, 2);
-        const Vector3 g = field.Gradient(toIndex(low)).Gradient;
-        const Vector3 normal{ g.X / spacing, g.Y / size, g.Z / size };
-        angles += 180.0 / Pi * std::acos(std::min(1.0, Dot(normal, ray) / Norm(normal)));
+        const auto angleOf = [&](const FieldSampler& sampler)
+        {
+          const Vector3 g = sampler.Gradient(toIndex(low)).Gradient;
+          const Vector3 normal{ g.X / spacing, g.Y / size, g.Z / size };
+          return 180.0 / Pi * std::acos(std::min(1.0, Dot(normal, ray) / Norm(normal)));
+        };
+        angles += angleOf(field);
+        felt += isCube ? angleOf(hand.Model.Baked->Field) : 0.0;
       }
     }
     const double rms = std::sqrt(squares / rays);
     EXPECT_LE(rms, 0.05) << voxels << " voxels, spacing " << spacing;
-    EXPECT_LE(angles / rays, allowed) << voxels << " voxels, spacing " << spacing;
+    EXPECT_LE(felt / rays, 0.5) << voxels << " voxels";
+    EXPECT_LE(angles / rays, 0.5) << voxels << " voxels, spacing " << spacing;
   }
 }
 
@@ -376,6 +387,40 @@ TEST(Burr, DoesNoMoreInATickThanThereIsTimeFor)
     EXPECT_LT(most, MostBurrWork + SphereCarver::MostWorkOfBrick);
     EXPECT_LE(Norm(hand.Record.Shell.Force), 0.02) << "N";
     EXPECT_EQ(hand.State.Part, 0u);
+  }
+}
+
+/// A step of a burr of 30 voxels takes several ticks. Where a later one of them meets a layer that
+/// nothing removes, shorter steps are tried: a sample of it takes energy from 1/12 of the ramp on,
+/// a quarter voxel before the sphere, and the burr comes as near as that.
+TEST(Burr, ComesToALayerThatALaterPartOfItsStepCannotRemove)
+{
+  TestVolume volume(ScalarType::UInt8, { 96, 96, 96 });
+  volume.Fill<std::uint8_t>([](std::int64_t, std::int64_t, std::int64_t k)
+    { return static_cast<std::uint8_t>(k < 40 ? 0 : (k < 50 ? 200 : 250)); });
+  HapticModelDescription scene = Describe(volume);
+  const Polyline energies{ { 200.0, 1e-5 }, { 225.0, 1e-5 },
+    { 225.0, std::numeric_limits<double>::infinity() } };
+  BurrInHand settings = MakeBurr(5e9, 100.0);
+  settings.Radius = 30.0;
+  const Vector3 nearest{ 48.0, 47.0, 50.0 };
+  for (const double above : { 0.03, 0.12, 0.18 })
+  {
+    scene.Removal = std::make_shared<TissueRemoval>();
+    BurrInVolume hand(scene, settings, energies, 1000);
+    // So fast that it falls behind: its steps are as long as they may be.
+    const Vector3 begin{ 47.6, 47.3, 9.0 - above };
+    hand.Tick(begin);
+    int divided = 0;
+    for (int i = 0; i < 800; ++i)
+    {
+      hand.Tick(begin + Vector3{ 0.0, 0.0, std::min(0.08 * i, 16.0) });
+      divided += hand.State.Part > 0 ? 1 : 0;
+    }
+    EXPECT_GT(divided, 100);
+    const double distance = Norm(nearest - 1000.0 * hand.State.Carved);
+    // A share is 3/255 of a voxel, and the shortest step 1/128.
+    EXPECT_NEAR(distance, 30.25, 3.0 / 255.0 + 1.0 / 128.0) << above;
   }
 }
 

@@ -145,13 +145,13 @@ TEST(CarvedShell, ReadsWhatIsLeft)
       EXPECT_EQ(std::memcmp(values[0].data(), values[1].data(), 600 * sizeof(double)), 0);
       const ShellFrame frame{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, 1.0,
         1.0, 2.0 };
-      for (std::size_t first = 0; first < 600; first += 100)
+      for (std::size_t first = 0; first < 600; first += 60)
       {
         ShellBatch batches[2] = {};
         for (ShellBatch& batch : batches)
         {
-          batch.Count = 100;
-          for (std::size_t i = 0; i < 100; ++i)
+          batch.Count = 60;
+          for (std::size_t i = 0; i < 60; ++i)
           {
             for (std::size_t a = 0; a < 3; ++a)
             {
@@ -161,7 +161,7 @@ TEST(CarvedShell, ReadsWhatIsLeft)
         }
         carved.FindFeet(frame, batches[0]);
         expected.FindFeet(frame, batches[1]);
-        for (std::size_t i = 0; i < 100; ++i)
+        for (std::size_t i = 0; i < 60; ++i)
         {
           EXPECT_EQ(batches[0].Value[i], batches[1].Value[i]);
           for (int a = 0; a < 3; ++a)

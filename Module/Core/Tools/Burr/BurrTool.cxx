@@ -62,7 +62,8 @@ public:
         s.Unspent = std::min(s.Unspent, earned);
         return;
       }
-      const double longest = std::min(distance, 0.25 * this->Carver.GetVoxel());
+      const double most = 0.25 * this->Carver.GetVoxel();
+      const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
       // A little less than what it pays for, since most steps cost more or less than those before.
@@ -110,6 +111,12 @@ private:
       // A shorter step may be paid, or one to where the head is now. What is removed stays so.
       s.Part = 0;
       s.LastCost += cost.Energy;
+      if (!(cost.Energy < HUGE_VAL))
+      {
+        // The first part was paid, so that the next step would be as long again.
+        const double half = 0.5 * Norm(s.Next - s.Carved);
+        s.Shorter = half > ShortestStep * this->Carver.GetVoxel() ? half : 0.0;
+      }
       this->Save();
       return false;
     }
@@ -189,6 +196,7 @@ private:
     {
       s.Carved = next;
       s.IsRemoved = true;
+      s.Shorter = 0.0;
     }
     this->Record.Energy += cost.Energy;
     this->Record.RemovedVolume += cost.Volume;
@@ -249,7 +257,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.IsRemoved = false;
     state.Part = 0;
     state.Carved = head + (away / force) * record.Shell.Force;
-    state.LastCost = state.LastWay = 0.0;
+    state.LastCost = state.LastWay = state.Shorter = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
   // The level that is felt in a cavity lies a little before the sphere that was removed: as long as

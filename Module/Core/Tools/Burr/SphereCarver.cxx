@@ -79,6 +79,13 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   std::copy(columns.Row, columns.Row + 3, this->Step);
   const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
   this->Voxel = std::cbrt(volume);
+  // Of a cube's sides, rounding does not choose.
+  constexpr double cube = 1.0 - 1e-9;
+  this->Longest = this->Voxel;
+  for (const Vector3& step : this->Step)
+  {
+    this->Longest = std::max(this->Longest, cube * Norm(step));
+  }
   for (int share = 0; share <= CarvedBricks::Whole; ++share)
   {
     const double rho = static_cast<double>(share) / CarvedBricks::Whole;

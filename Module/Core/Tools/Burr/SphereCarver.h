@@ -8,8 +8,8 @@
  *
  *   rho = 1/2 + (|x - c| - a)/w,   from 0 to 1,
  *
- * with w three voxels. So the surface that is left lies at |x - c| = a to a small part of a voxel,
- * and has smooth normals.
+ * with w three voxels, or the length of three where they are longest. So the surface that is left
+ * lies at |x - c| = a to a small part of a voxel, and has smooth normals.
  *
  * The volume that is removed is that which the surface passes, where rho = 1/2: of each voxel,
  *
@@ -70,7 +70,7 @@ struct CarvingCost
 class SphereCarver
 {
 public:
-  /** Voxels: w. */
+  /** Voxels, along the axis where they are longest: w. */
   static constexpr double RampWidth = 3.0;
   /** The part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
@@ -84,7 +84,7 @@ public:
   /** m: of a cube with the volume of a voxel. */
   double GetVoxel() const noexcept { return this->Voxel; }
   /** m */
-  double GetRampWidth() const noexcept { return RampWidth * this->Voxel; }
+  double GetRampWidth() const noexcept { return RampWidth * this->Longest; }
 
   /**
    * Finds what changes, and what it costs.
@@ -125,7 +125,8 @@ private:
   Affine3 ToIndex;
   Vector3 Step[3]; ///< m, of an index along each axis
   double Voxel = 0.0;
-  double Volumes[256]; ///< mm^3, of a voxel with a share of tissue
+  double Longest = 0.0; ///< m, of the sides of a voxel
+  double Volumes[256];  ///< mm^3, of a voxel with a share of tissue
   CarvedTissue Tissue;
   const BakedLabels* Labels = nullptr; ///< null: none has an energy of its own
   Affine3 ToLabel;                     ///< from an index of the volume
