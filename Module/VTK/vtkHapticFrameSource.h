@@ -66,8 +66,8 @@ public:
    * of the first frames. Frames that come before the device is at the end of the last ones wait
    * until it is there, as the text of the status tells. If frames were left out, the last one is
    * blended to the next one, but not for SURFACE_PROXY, and not if the next ones are of another
-   * region: then the contact begins anew. Regions of a volume may be frames, too, if all of them are
-   * of the same region at a time. Off (default): a change of the frames is another volume.
+   * region: then the contact begins anew. Regions of a volume may be frames, too, if all of them
+   * are of the same region at a time. Off (default): a change of the frames is another volume.
    */
   vtkSetMacro(Streamed, bool);
   vtkGetMacro(Streamed, bool);
