@@ -135,9 +135,11 @@ template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(const FrameBlend& blend, const Footprint<N>& foot,
   const BlendMemories& memories, FieldSample& sample)
 {
-  if (const BlendMemory* const kept = FindBlend(blend, foot.First, *memories.Tick))
+  const BlendMemory* const known =
+    memories.KeepsBlend ? FindBlend(blend, foot.First, *memories.Tick) : nullptr;
+  if (known)
   {
-    sample.Value = SumTaps<N>(kept->Taps, foot, &sample.Gradient);
+    sample.Value = SumTaps<N>(known->Taps, foot, &sample.Gradient);
     return IsNumber(sample.Value);
   }
   TapMemory& first = *memories.First;
@@ -147,15 +149,25 @@ VOLUME_HAPTICS_INLINE bool SumRememberedBlend(const FrameBlend& blend, const Foo
   {
     return false;
   }
+  const auto load = [&](int at, RowPair<N>& rows)
+  {
+    RowPair<N> other;
+    LoadStoredRows<N>(first.Taps + at, rows);
+    LoadStoredRows<N>(second.Taps + at, other);
+    BlendRows<N>(other, blend.Share, rows);
+  };
+  if (!memories.KeepsBlend)
+  {
+    sample.Value = SumPlanes<N, true>(
+      [&](int k, int j, RowPair<N>& rows) { load((k * N + j) * N, rows); }, foot, &sample.Gradient);
+    return IsNumber(sample.Value);
+  }
   BlendMemory& kept = BeginBlend(blend, foot.First, *memories.Tick);
   sample.Value = SumPlanes<N, true>(
     [&](int k, int j, RowPair<N>& rows)
     {
       const int at = (k * N + j) * N;
-      RowPair<N> other;
-      LoadStoredRows<N>(first.Taps + at, rows);
-      LoadStoredRows<N>(second.Taps + at, other);
-      BlendRows<N>(other, blend.Share, rows);
+      load(at, rows);
       StoreRows<N>(rows, kept.Taps + at);
     },
     foot, &sample.Gradient);

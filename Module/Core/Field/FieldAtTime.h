@@ -37,15 +37,17 @@ public:
    * @param motion of the material from the first frame to the second one; null if it is not known
    * @param memory of the last gradients; may be null
    * @param frame the number of the first frame, for the memory
+   * @param isReadOnce whether the memory has no use for this very blend
    */
   FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
-    const DisplacementField* motion = nullptr, TickMemory* memory = nullptr,
-    std::size_t frame = 0) noexcept
+    const DisplacementField* motion = nullptr, TickMemory* memory = nullptr, std::size_t frame = 0,
+    bool isReadOnce = false) noexcept
     : First(share < 1.0 ? first : second)
     , Second(share > 0.0 && share < 1.0 ? &second : nullptr)
     , Share(share)
+    , AreSamplesBlended(this->Second && first.BlendsSamples(second))
     , Motion(motion)
-    , Memories(MakeMemories(memory, share < 1.0 ? frame : frame + 1))
+    , Memories(MakeMemories(memory, share < 1.0 ? frame : frame + 1, !isReadOnce))
   {
   }
 
@@ -58,8 +60,15 @@ public:
       return FieldSampler::Blend(this->First.Value(this->First.Nearest(at.First)),
         this->Second->Value(this->First.Nearest(at.Second)), this->Share);
     }
-    return this->Second ? this->First.Value(*this->Second, this->Share, index)
-                        : this->First.Value(index);
+    return this->Second ? this->First.Value(this->GetOther(), index) : this->First.Value(index);
+  }
+  /** The values at two instants, which is faster than two calls of Value. */
+  static SharePair Values(const FieldAtTime& a, const FieldAtTime& b, const Vector3& index) noexcept
+  {
+    const bool isOneBlend =
+      a.Second && a.Second == b.Second && !a.FollowsMaterial() && !b.FollowsMaterial();
+    return isOneBlend ? a.First.Values(a.GetOther(), b.Share, index)
+                      : SharePair{ a.Value(index), b.Value(index) };
   }
 
   ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
@@ -68,7 +77,7 @@ public:
     {
       return this->ValuesOfMaterial(index, offset);
     }
-    return this->Second ? this->First.Values(*this->Second, this->Share, index, offset)
+    return this->Second ? this->First.Values(this->GetOther(), index, offset)
                         : this->First.Values(index, offset);
   }
 
@@ -78,7 +87,7 @@ public:
     {
       return this->GradientOfMaterial(index);
     }
-    return this->Second ? this->First.Gradient(*this->Second, this->Share, index, this->Memories)
+    return this->Second ? this->First.Gradient(this->GetOther(), index, this->Memories)
                         : this->First.Gradient(index, this->Memories.First);
   }
 
@@ -88,9 +97,15 @@ private:
   /** Whether each frame is read at a place of its own. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
-  static BlendMemories MakeMemories(TickMemory* memory, std::size_t frame) noexcept
+  FieldSampler::OtherFrame GetOther() const noexcept
   {
-    return memory ? BlendMemories{ &memory->Of(frame), &memory->Of(frame + 1), memory }
+    return { *this->Second, this->Share, this->AreSamplesBlended };
+  }
+
+  static BlendMemories MakeMemories(
+    TickMemory* memory, std::size_t frame, bool keepsBlend = true) noexcept
+  {
+    return memory ? BlendMemories{ &memory->Of(frame), &memory->Of(frame + 1), memory, keepsBlend }
                   : BlendMemories{};
   }
 
@@ -132,6 +147,7 @@ private:
   const FieldSampler& First;
   const FieldSampler* const Second = nullptr; ///< null if the instant is that of a frame
   const double Share = 0.0;
+  const bool AreSamplesBlended = false;
   const DisplacementField* const Motion = nullptr; ///< null if it is not known
   const BlendMemories Memories;
 };

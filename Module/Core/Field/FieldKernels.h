@@ -43,6 +43,17 @@ double SplineValue(const Source& from, double x, double y, double z) noexcept
   return Spline<T>(from, x, y, z);
 }
 
+template <typename T>
+SharePair SharedSplineValues(
+  const FrameBlend& blend, double share, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<false>(blend.First, x, y, z, foot);
+  const FrameBlend other{ blend.First, blend.Second, share };
+  return { SumBlendOfSamples<T, 4, false>(blend, foot, nullptr),
+    SumBlendOfSamples<T, 4, false>(other, foot, nullptr) };
+}
+
 template <typename T, typename Source>
 ValuePair SplinePair(
   const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept
@@ -245,6 +256,7 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
   f.Value = TrilinearValue<T, FieldView>;
   f.Pair = TrilinearPair<T, FieldView>;
   f.BlendedValue = TrilinearValue<T, FrameBlend>;
+  f.SharedValues = SharedTrilinearValues<T>;
   f.BlendedPair = TrilinearPair<T, FrameBlend>;
   switch (estimator)
   {
@@ -254,8 +266,8 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
       return f;
     case GradientEstimator::CubicBSpline:
       return { SplineValue<T, FieldView>, SplinePair<T, FieldView>, SplineGradient<T>,
-        SplineValue<T, FrameBlend>, SplinePair<T, FrameBlend>, BlendedSpline<T>, FillTaps<T, 4>,
-        RememberedSpline };
+        SplineValue<T, FrameBlend>, SharedSplineValues<T>, SplinePair<T, FrameBlend>,
+        BlendedSpline<T>, FillTaps<T, 4>, RememberedSpline };
     case GradientEstimator::Gaussian:
       break;
   }

@@ -19,6 +19,7 @@
 #include "Core/Math/Vector3.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -60,12 +61,20 @@ struct FrameBlend
   double Share;
 };
 
+/** Values of a blend with two shares. */
+struct SharePair
+{
+  double First = std::numeric_limits<double>::quiet_NaN();
+  double Second = std::numeric_limits<double>::quiet_NaN();
+};
+
 /** The memories of a tick, with those of a blend's frames. Either all are null or none is. */
 struct BlendMemories
 {
   TapMemory* First = nullptr;
   TapMemory* Second = nullptr;
   TickMemory* Tick = nullptr;
+  bool KeepsBlend = true; ///< false where no other gradient of the same blend is wanted
 };
 
 // Positions are passed as numbers, which the compiler keeps in registers.
@@ -76,6 +85,8 @@ using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, d
 ///@{
 /** The same of a blend of two frames with the same geometry, type and kernel. */
 using BlendedValueFunction = double (*)(const FrameBlend&, double x, double y, double z) noexcept;
+using SharedValuesFunction = SharePair (*)(
+  const FrameBlend&, double share, double x, double y, double z) noexcept;
 using BlendedPairFunction = ValuePair (*)(
   const FrameBlend&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using BlendedGradientFunction = FieldSample (*)(
@@ -95,6 +106,7 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
+  SharedValuesFunction SharedValues = nullptr; ///< with the blend's share, and with another one
   BlendedPairFunction BlendedPair = nullptr;
   /** Null for kernels of many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
@@ -121,6 +133,14 @@ InstructionSet DetectInstructionSet();
 class FieldSampler
 {
 public:
+  /** Another frame of the volume, with a share from 0 to 1. */
+  struct OtherFrame
+  {
+    const FieldSampler& Field;
+    double Share;
+    bool AreSamplesBlended; ///< BlendsSamples() of it
+  };
+
   FieldSampler() = default;
   FieldSampler(const VolumeView& view, const GradientKernel& kernel,
     InstructionSet instructions = DetectInstructionSet());
@@ -178,45 +198,57 @@ public:
    * The same where another frame of the volume has a share from 0 to 1. Where it can be, samples
    * are blended before they are summed; else sums are.
    */
-  double Value(const FieldSampler& other, double share, const Vector3& index) const noexcept
+  double Value(const OtherFrame& other, const Vector3& index) const noexcept
   {
-    if (this->BlendsSamples(other))
+    if (other.AreSamplesBlended)
     {
       const double value =
-        this->Functions.BlendedValue({ this->View, other.View, share }, index.X, index.Y, index.Z);
+        this->Functions.BlendedValue(this->Blended(other), index.X, index.Y, index.Z);
       if (std::isfinite(value))
       {
         return value;
       }
     }
-    return Blend(this->Value(index), other.Value(index), share);
+    return this->BlendValue(other, other.Share, index);
   }
-  ValuePair Values(const FieldSampler& other, double share, const Vector3& index,
-    const Vector3& offset) const noexcept
+  /** At the other frame's share, and at another one, which is faster than two calls of Value. */
+  SharePair Values(const OtherFrame& other, double share, const Vector3& index) const noexcept
   {
-    if (this->BlendsSamples(other))
+    SharePair pair;
+    if (other.AreSamplesBlended)
+    {
+      pair = this->Functions.SharedValues(this->Blended(other), share, index.X, index.Y, index.Z);
+    }
+    return { std::isfinite(pair.First) ? pair.First : this->BlendValue(other, other.Share, index),
+      std::isfinite(pair.Second) ? pair.Second : this->BlendValue(other, share, index) };
+  }
+  ValuePair Values(
+    const OtherFrame& other, const Vector3& index, const Vector3& offset) const noexcept
+  {
+    if (other.AreSamplesBlended)
     {
       const ValuePair pair = this->Functions.BlendedPair(
-        { this->View, other.View, share }, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+        this->Blended(other), index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
       if (std::isfinite(pair.Ahead) && std::isfinite(pair.Behind))
       {
         return pair;
       }
     }
     const ValuePair first = this->Values(index, offset);
-    const ValuePair second = other.Values(index, offset);
-    return { Blend(first.Ahead, second.Ahead, share), Blend(first.Behind, second.Behind, share) };
+    const ValuePair second = other.Field.Values(index, offset);
+    return { Blend(first.Ahead, second.Ahead, other.Share),
+      Blend(first.Behind, second.Behind, other.Share) };
   }
-  FieldSample Gradient(const FieldSampler& other, double share, const Vector3& index,
+  FieldSample Gradient(const OtherFrame& other, const Vector3& index,
     const BlendMemories& memories = {}) const noexcept
   {
-    if (!this->Functions.BlendedGradient || !this->BlendsSamples(other))
+    if (!this->Functions.BlendedGradient || !other.AreSamplesBlended)
     {
-      return Blend(
-        this->Gradient(index, memories.First), other.Gradient(index, memories.Second), share);
+      return Blend(this->Gradient(index, memories.First),
+        other.Field.Gradient(index, memories.Second), other.Share);
     }
     return this->Functions.BlendedGradient(
-      { this->View, other.View, share }, index.X, index.Y, index.Z, memories);
+      this->Blended(other), index.X, index.Y, index.Z, memories);
   }
   static double Blend(double first, double second, double share) noexcept
   {
@@ -261,11 +293,6 @@ public:
     return std::min(std::min(x, y), z);
   }
 
-  /** The samples, as they were given, and what was removed of them. */
-  const VolumeView& GetView() const noexcept { return this->Given; }
-  const CarvedView& GetCarved() const noexcept { return this->Carved; }
-
-private:
   /**
    * Whether the kernel, the type and the resident samples of another frame are the same, and all
    * of the tissue is there.
@@ -278,6 +305,19 @@ private:
       a.Kernel.Table == b.Kernel.Table && a.Kernel.Radius == b.Kernel.Radius &&
       std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
       !this->Carved.HasAny() && !other.Carved.HasAny();
+  }
+  /** The samples, as they were given, and what was removed of them. */
+  const VolumeView& GetView() const noexcept { return this->Given; }
+  const CarvedView& GetCarved() const noexcept { return this->Carved; }
+
+private:
+  FrameBlend Blended(const OtherFrame& other) const noexcept
+  {
+    return { this->View, other.Field.View, other.Share };
+  }
+  double BlendValue(const OtherFrame& other, double share, const Vector3& index) const noexcept
+  {
+    return Blend(this->Value(index), other.Field.Value(index), share);
   }
   double Checked(double value) const noexcept
   {

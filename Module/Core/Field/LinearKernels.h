@@ -228,6 +228,19 @@ double TrilinearValue(const Source& from, double x, double y, double z) noexcept
   return Trilinear<T>(from, x, y, z);
 }
 
+template <typename T>
+SharePair SharedTrilinearValues(
+  const FrameBlend& blend, double share, double x, double y, double z) noexcept
+{
+  const CellPlace place = LocateCell(blend.First, x, y, z);
+  CellBlend<T> cell = FindSamples<T>(blend, place);
+  SharePair pair;
+  pair.First = Interpolate<T>(cell, place);
+  cell.Share = share;
+  pair.Second = Interpolate<T>(cell, place);
+  return pair;
+}
+
 template <typename T, typename Source>
 ValuePair TrilinearPair(
   const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept

@@ -236,7 +236,8 @@ std::size_t BakedVolume::FindNearestFrame(double time) const noexcept
   return this->FindShare(frame, time) < 0.5 ? frame : frame + 1;
 }
 
-FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noexcept
+FieldAtTime BakedVolume::BlendFrames(
+  double time, TickMemory* memory, bool isReadOnce) const noexcept
 {
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
@@ -245,7 +246,7 @@ FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noex
     return FieldAtTime(before.Field, memory);
   }
   return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
-    before.Motion ? &*before.Motion : nullptr, memory, frame };
+    before.Motion ? &*before.Motion : nullptr, memory, frame, isReadOnce };
 }
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept

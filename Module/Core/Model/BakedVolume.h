@@ -112,11 +112,12 @@ struct BakedVolume
   }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. The
-   * memory is that of the last gradients.
+   * memory is that of the last gradients; see FieldAtTime for isReadOnce.
    */
-  FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
+  FieldAtTime At(double time, TickMemory* memory = nullptr, bool isReadOnce = false) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time, memory) : FieldAtTime(this->Field, memory);
+    return this->IsMoving() ? this->BlendFrames(time, memory, isReadOnce)
+                            : FieldAtTime(this->Field, memory);
   }
   FrameWindow GetWindow() const noexcept
   {
@@ -162,7 +163,7 @@ private:
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeFrame& shown, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
 
-  FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
+  FieldAtTime BlendFrames(double time, TickMemory* memory, bool isReadOnce) const noexcept;
   /** Of the frame after this one, at a data time. */
   double FindShare(std::size_t frame, double time) const noexcept;
 };

@@ -73,8 +73,10 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
   else
   {
     change.Now = now.Gradient(index);
-    change.LevelBefore = before.Value(from);
-    change.LevelNow = now.Value(index);
+    const SharePair levels = isShifted ? SharePair{ before.Value(from), now.Value(index) }
+                                       : FieldAtTime::Values(before, now, index);
+    change.LevelBefore = levels.First;
+    change.LevelNow = levels.Second;
     if (!isShifted && change.LevelBefore != change.LevelNow)
     {
       return change; // whatever the gradient was

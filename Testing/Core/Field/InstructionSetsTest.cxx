@@ -75,6 +75,11 @@ protected:
     }
   }
 };
+FieldSampler::OtherFrame With(const FieldSampler& first, const FieldSampler& second, double share)
+{
+  return { second, share, first.BlendsSamples(second) };
+}
+
 } // namespace
 
 TEST_P(InstructionSets, AgreeForEveryTypeAndLayout)
@@ -192,15 +197,24 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
         const Vector3 near{ std::floor(p.X) + 0.3, std::floor(p.Y) + 0.9, std::floor(p.Z) };
         for (const Vector3& at : { p, near, p })
         {
-          const FieldSample sample = a.Gradient(b, share, at);
+          const FieldSampler::OtherFrame other = With(a, b, share);
+          const FieldSampler::OtherFrame own = With(a, a, share);
+          const double half = 0.5 * share;
+          const FieldSampler::OtherFrame before = With(a, b, half);
+          const FieldSample sample = a.Gradient(other, at);
           const FieldSample blend = expected.Gradient(at);
           ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
-          const BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
-          ASSERT_TRUE(IsSame(a.Gradient(b, share, at, memories), sample));
-          // At other instants, which take the same memories in turn.
-          a.Gradient(b, 0.5 * share, at, memories);
-          ASSERT_TRUE(IsSame(a.Gradient(a, share, at), a.Gradient(at)));
-          ASSERT_TRUE(IsSame(a.Value(b, share, at), expected.Value(at)));
+          BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
+          ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
+          // At other instants, which take the same memories in turn, or keep nothing there.
+          a.Gradient(before, at, memories);
+          memories.KeepsBlend = false;
+          ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
+          ASSERT_TRUE(IsSame(a.Gradient(own, at), a.Gradient(at)));
+          ASSERT_TRUE(IsSame(a.Value(other, at), expected.Value(at)));
+          const SharePair pair = a.Values(other, half, at);
+          ASSERT_TRUE(IsSame(pair.First, a.Value(other, at)));
+          ASSERT_TRUE(IsSame(pair.Second, a.Value(before, at)));
         }
       }
     }
@@ -237,14 +251,14 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
       {
         const Vector3 p{ uniform(engine), uniform(engine), uniform(engine) };
         const FieldSample gradients[2] = { a.Gradient(p), b.Gradient(p) };
-        const FieldSample blend = a.Gradient(b, 0.5, p);
+        const FieldSample blend = a.Gradient(With(a, b, 0.5), p);
         const double scale = std::abs(gradients[0].Value) + std::abs(gradients[1].Value) +
           Norm(gradients[0].Gradient) + Norm(gradients[1].Gradient);
         ASSERT_NEAR(blend.Value, 0.5 * (gradients[0].Value + gradients[1].Value), 1e-10 * scale);
         ASSERT_LE(Norm(blend.Gradient - 0.5 * (gradients[0].Gradient + gradients[1].Gradient)),
           1e-10 * scale);
         const Vector3 offset{ 2.0, -3.0, 0.7 }; // often beyond the border
-        const ValuePair values = a.Values(b, 0.5, p, offset);
+        const ValuePair values = a.Values(With(a, b, 0.5), p, offset);
         const auto expectMean = [&](double value, const Vector3& at)
         {
           const double first = a.Value(at);
@@ -253,7 +267,7 @@ TEST_P(InstructionSets, TwoFramesAtOnceAreAsEachAlone)
         };
         expectMean(values.Ahead, p + offset);
         expectMean(values.Behind, p - offset);
-        expectMean(a.Value(b, 0.5, p), p);
+        expectMean(a.Value(With(a, b, 0.5), p), p);
       }
     }
   };
@@ -311,9 +325,9 @@ TEST_P(InstructionSets, ASampleThatOneFrameLacksMakesNoStep)
     for (int i = 1; i <= steps; ++i)
     {
       const double share = static_cast<double>(i) / steps;
-      const double now = i < steps ? first.Value(second, share, at) : second.Value(at);
-      const double nowAhead =
-        i < steps ? first.Values(second, share, at, offset).Ahead : second.Values(at, offset).Ahead;
+      const double now = i < steps ? first.Value(With(first, second, share), at) : second.Value(at);
+      const double nowAhead = i < steps ? first.Values(With(first, second, share), at, offset).Ahead
+                                        : second.Values(at, offset).Ahead;
       EXPECT_LE(std::abs(now - before), 2.0 * whole / steps) << share;
       EXPECT_LE(std::abs(nowAhead - ahead), 2.0 * whole / steps) << share;
       before = now;

@@ -10,9 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <list>
+#include <random>
 #include <vector>
 
 using namespace coretest;
@@ -158,6 +160,45 @@ TEST(MovingMemory, ChangesNothingWhereSamplesAreMissing)
       description.Estimator = estimator;
       description.Settings.Solver = solver;
       ExpectMemoriesChangeNothing(description, 2.0);
+    }
+  }
+}
+
+/// PAPER reads the value before a motion and after it at once: at instants of one pair of frames,
+/// of two, and at frames themselves.
+TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
+{
+  RandomMovie movie(ScalarType::Float32, 3, false);
+  std::mt19937_64 engine(11);
+  for (TestVolume& volume : movie.Volumes)
+  {
+    volume.Fill<float>(
+      [&](std::int64_t, std::int64_t, std::int64_t)
+      {
+        const auto dice = engine() % 500;
+        return dice == 0 ? std::nanf("") : static_cast<float>(dice);
+      });
+  }
+  for (const GradientEstimator estimator : { GradientEstimator::Gaussian,
+         GradientEstimator::CubicBSpline, GradientEstimator::CentralDifference })
+  {
+    HapticModelDescription description = Describe(movie.Volumes.front());
+    description.Frames = movie.Frames;
+    description.Estimator = estimator;
+    const HapticModel model(description);
+    std::uniform_real_distribution<double> place(0.0, RandomMovie::Size - 1.0);
+    std::uniform_real_distribution<double> instant(0.0, 2.0);
+    for (int i = 0; i < 2000; ++i)
+    {
+      const Vector3 at{ place(engine), place(engine), place(engine) };
+      const double first = i % 7 == 0 ? 1.0 : instant(engine);
+      const double second = i % 2 == 0 ? std::min(2.0, first + 0.01) : instant(engine);
+      const FieldAtTime a = model.Baked->At(first);
+      const FieldAtTime b = model.Baked->At(second);
+      const SharePair pair = FieldAtTime::Values(a, b, at);
+      ASSERT_EQ(pair.First, a.Value(at)) << first << " and " << second;
+      ASSERT_EQ(pair.Second, b.Value(at)) << first << " and " << second;
+      ASSERT_TRUE(std::isfinite(pair.First));
     }
   }
 }

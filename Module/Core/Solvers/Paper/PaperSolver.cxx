@@ -104,7 +104,8 @@ void StepPaper(
     StepPlain(model, state, record, memory);
     return;
   }
-  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
+  // The gradient is read where the last tick has left the proxy, and hardly ever again.
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory, true);
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
