@@ -68,7 +68,7 @@ protected:
       vtkDataArray* const there = recorded->GetPointData()->GetArray(here->GetName());
       const std::string name = here->GetName();
       if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
-        name.compare(0, 10, "ModeForce_") == 0)
+        name == "ForbiddenTouches" || name.compare(0, 10, "ModeForce_") == 0)
       {
         continue; // found anew by every replay
       }
