@@ -86,7 +86,7 @@ TEST_P(ClearanceOfShells, ChangesNoBit)
   double contacts = 0.0;
   std::size_t skipped = 0;
   std::size_t known = 0;
-  constexpr int ticks = 3000;
+  constexpr int ticks = 1500;
   for (int tick = 0; tick < ticks; ++tick)
   {
     // It strays around the wall, at rest, slowly and fast.
