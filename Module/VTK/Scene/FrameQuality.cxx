@@ -37,6 +37,7 @@ constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be int
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
 constexpr double LongestTry = 1.0;   // s, until such a frame is given up
 constexpr double MostSteps = 6.0;    // of a factor of the square root of two between rays
+constexpr int MostSlowFrames = 3;    // one after the other; a busy processor may delay one or two
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
 double AutomaticDistance(vtkImageData* image)
@@ -212,7 +213,8 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     next.ImageDistance = std::max(own.ImageDistance, distance);
   }
   const KeptRays* const rays = caster->Rays.get();
-  if (moves && this->TrustsRays && rays && rays->GetImageDistance() < next.ImageDistance &&
+  if (moves && this->SlowFrames < MostSlowFrames && rays &&
+    rays->GetImageDistance() < next.ImageDistance &&
     rays->GetImageDistance() >= own.ImageDistance &&
     rays->GetSampleDistance() >= own.SampleDistance && rays->IsCurrent())
   {
@@ -369,7 +371,7 @@ void FrameQuality::End()
   if (this->Window->GetAbortRender())
   {
     this->IsInterrupted = true;
-    this->TrustsRays = this->TrustsRays && !this->Moves;
+    this->SlowFrames = this->Moves ? MostSlowFrames : this->SlowFrames;
     if (!this->Moves && this->IsArmed && time > LongestTry)
     {
       this->AtRest.Time = time;
@@ -393,9 +395,15 @@ void FrameQuality::End()
     pace.Time = time;
     pace.IsKnown = true;
   }
-  const bool isSlow =
-    this->Moves && !castsAll && time > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
-  this->TrustsRays = !isSlow && (this->TrustsRays || !this->Moves);
+  if (!this->Moves)
+  {
+    this->SlowFrames = 0;
+  }
+  else if (this->SlowFrames < MostSlowFrames)
+  {
+    const bool isSlow = !castsAll && time > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
+    this->SlowFrames = isSlow ? this->SlowFrames + 1 : 0;
+  }
 }
 
 //------------------------------------------------------------------------------

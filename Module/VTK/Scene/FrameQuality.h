@@ -151,9 +151,10 @@ private:
   Pace InMotion;
   Pace AtRest;
   unsigned long Frame = 0;
+  /** In motion, with kept rays; after too many, rays are coarse until the next frame at rest. */
+  int SlowFrames = 0;
   bool Moves = false;
   bool IsArmed = false;
-  bool TrustsRays = true; ///< frames in motion with kept rays have been quick since the last rest
   bool IsInterrupted = false;
 };
 

@@ -238,7 +238,8 @@ TEST_F(StyleQualityTest, MotionIsAsFineAsTheFrameAtRestWhoseRaysItKeeps)
   EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f) << "all rays are cast";
 }
 
-TEST_F(StyleQualityTest, FramesThatAreSlowThoughTheyKeepRaysAreCoarseAgain)
+/// One or two may be slow because the processor is busy.
+TEST_F(StyleQualityTest, ThreeFramesThatAreSlowThoughTheyKeepRaysMakeThemCoarseAgain)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->AutoAdjustSampleDistancesOff();
@@ -247,8 +248,11 @@ TEST_F(StyleQualityTest, FramesThatAreSlowThoughTheyKeepRaysAreCoarseAgain)
   this->Draw(InMotion, 4);
   this->Draw(AtRest, 1);
   this->Slowness = 1000;
-  this->Draw(InMotion, 1);
-  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Draw(InMotion, 1);
+    EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f) << frame;
+  }
   this->Draw(InMotion, 1);
   EXPECT_GT(mapper->GetImageSampleDistance(), 2.0f);
 }
