@@ -31,7 +31,9 @@ def start(ranks):
         port = free.getsockname()[1]
     command = [mpiexec, "--oversubscribe", "-np", str(ranks)]
     command += [pvserver, f"--server-port={port}", "--disable-xdisplay-test"]
-    return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=environment), port
+    # The page names files in the folder of the sources.
+    return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, env=environment,
+                            cwd=SOURCE), port
 
 
 def touch():
