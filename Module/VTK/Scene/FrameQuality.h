@@ -38,13 +38,14 @@ class KeptRays;
  *   samples along each ray, which lets rays miss thin surfaces: dark speckles. So a sample is taken
  *   in each voxel at least.
  * - A mapper that runs on the processor keeps its image while camera and volume rest, and casts
- *   only the rays that the hand's stylus and arrows have changed (KeptRays). Once it has drawn a
- *   frame at rest, those in motion are as fine.
+ *   only the rays that the hand's stylus and arrows have changed (KeptRays). After a complete frame
+ *   at rest, frames in motion use its fine rays as long as that is quick enough.
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
  *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
- *   meanwhile nobody reads the device, and its force fades after AttentionTime. If that takes 1 s
- *   even so, because the processor is busy, the frame is given up and drawn again more coarsely.
+ *   meanwhile nobody reads the device, and its force fades after AttentionTime. On a busy
+ *   processor such a frame may take longer: after 1 s it is given up and drawn again with fewer
+ *   rays.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
@@ -100,7 +101,7 @@ private:
     bool AutoAdjust;
     bool IsInteractive;
   };
-  /** What a mapper draws, and where. */
+  /** The volume of a mapper, and the renderer that draws it. */
   struct Shown
   {
     vtkRenderer* Renderer;

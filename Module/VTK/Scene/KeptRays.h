@@ -85,7 +85,7 @@ private:
 
   void Begin();
   void End();
-  /** What rays depend on and is known before a frame. */
+  /** The view and the volume's look: all that rays depend on and that is known before a frame. */
   Words DescribeLook() const;
   /** How the rays are spread. */
   Words DescribeImage() const;

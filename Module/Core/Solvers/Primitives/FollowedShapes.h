@@ -19,8 +19,8 @@
  * | GuideSurface  | its tangent plane, as a front                             |
  * | Surface       | nothing: the volume shows it                              |
  *
- * A line is told by a place on it and its direction there; whoever draws it follows it with the
- * directions of FollowedShapes. For the GUI thread: this allocates.
+ * A line is given by one of its points and its direction there. The caller traces it with
+ * FollowedShapes::Turn() and Return(). For the GUI thread: this allocates.
  */
 #ifndef FollowedShapes_h
 #define FollowedShapes_h

@@ -51,7 +51,7 @@ struct ShellContact
 };
 
 /**
- * What is known of points before they are read: it only saves time, and changes no bit of a result.
+ * Bounds by which points need not be read. They only save time: results are the same to the bit.
  *
  * A block of points is clear if no sample around it is solid, up to a voxel beyond its points. Of
  * other points it is known how far they are from where they may come to the level of contact: the
