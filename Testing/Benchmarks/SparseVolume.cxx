@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseVolume.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -14,6 +15,31 @@
 
 namespace benchmarks
 {
+namespace
+{
+
+struct Mapping
+{
+  void* Begin;
+  std::size_t Bytes;
+};
+
+/** Work in the background may read an array for some milliseconds after it was cancelled. */
+void UnmapWith(vtkDataArray* array, const Mapping& mapping)
+{
+  const vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(new Mapping(mapping));
+  command->SetClientDataDeleteCallback([](void* held) { delete static_cast<Mapping*>(held); });
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* held, void*)
+    {
+      const Mapping& mapping = *static_cast<Mapping*>(held);
+      munmap(mapping.Begin, mapping.Bytes);
+    });
+  array->AddObserver(vtkCommand::DeleteEvent, command);
+}
+
+} // namespace
 
 SparseVolume::SparseVolume(int size, vtkShortArray* array)
   : Size(size)
@@ -52,13 +78,9 @@ SparseVolume::SparseVolume(int size, vtkShortArray* array)
   vtkShortArray* const samples = array ? array : own.Get();
   samples->SetArray(
     static_cast<short*>(this->Begin), static_cast<vtkIdType>(this->Bytes / sizeof(short)), 1);
+  UnmapWith(samples, { this->Begin, this->Bytes });
   this->Image->SetDimensions(size, size, size);
   this->Image->GetPointData()->SetScalars(samples);
-}
-
-SparseVolume::~SparseVolume()
-{
-  munmap(this->Begin, this->Bytes);
 }
 
 std::size_t SparseVolume::GetResident() const

@@ -3,7 +3,7 @@
 /**
  * @file
  * A cubic image of int16 in a file that is mapped into memory and almost all hole, so that a volume
- * of any size takes neither memory nor disk until something reads it.
+ * of any size takes neither memory nor disk until something reads it. It ends with its array.
  */
 #ifndef SparseVolume_h
 #define SparseVolume_h
@@ -26,7 +26,6 @@ public:
    * the samples; null: an array of its own does.
    */
   explicit SparseVolume(int size, vtkShortArray* array = nullptr);
-  ~SparseVolume();
   SparseVolume(const SparseVolume&) = delete;
   SparseVolume& operator=(const SparseVolume&) = delete;
 
