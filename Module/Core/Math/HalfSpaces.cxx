@@ -110,7 +110,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
     Vector3 found;
     for (int set = 1 << (count - 1); set < 1 << count; ++set)
     {
-      const HalfSpace* chosen[4];
+      const HalfSpace* chosen[4] = {};
       int size = 0;
       for (int i = 0; i < count; ++i)
       {
