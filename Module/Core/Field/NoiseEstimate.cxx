@@ -314,6 +314,11 @@ double EstimateNoise(const NoiseSamples& samples)
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
+  std::vector<std::int64_t> alongX; // the block at each index: divisions take long
+  for (std::int64_t i = 0; i < samples.Dimensions[0]; ++i)
+  {
+    alongX.push_back(axes[0].Find(i));
+  }
   // The row along x of the last sample: the next one is mostly in the same one.
   std::array<std::int64_t, 3> at{};
   std::int64_t row = -samples.Dimensions[0];
@@ -329,7 +334,7 @@ double EstimateNoise(const NoiseSamples& samples)
       y = axes[1].Find(at[1]);
       z = axes[2].Find(at[2]);
     }
-    const std::int64_t x = axes[0].Find(at[0]);
+    const std::int64_t x = alongX[static_cast<std::size_t>(at[0])];
     if (x != BlockAxis::None && y != BlockAxis::None && z != BlockAxis::None)
     {
       const std::int64_t block = x + axes[0].Blocks * (y + axes[1].Blocks * z);
