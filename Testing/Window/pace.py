@@ -3,11 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures from outside how quickly a window follows the hand, as an eye sees it, and prints it:
 
-    pace.py TITLE [--at X Y] [--steps N] [--rounds N] [--delay S] [--click 1]
+    pace.py TITLE [--at X Y] [--steps N] [--rounds N] [--delay S] [--rest S] [--click 1]
 
 A window with this title is open on this screen, on X11, with a volume that can be touched at the fraction X, Y of its
 width and height (0.5, 0.5). The pointer goes there, the key t begins the touch, and N steps of the wheel (4) press.
---delay: seconds before that (1). --click: a click gives the volume the keyboard's focus, which ParaView's takes.
+--delay: seconds before that (1). --rest: seconds that the hand rests before the stroke which is measured (0): prints
+when the picture beside the hand, which is drawn finely meanwhile, was as it stays, and how much of it the stroke keeps.
+--click: a click gives the volume the keyboard's focus, which ParaView's takes.
 
 frames per second: how often the picture around the proxy changes during a stroke of three seconds.
 
@@ -138,6 +140,22 @@ def stroke(screen, x, y, seconds):
     return frames / (time.monotonic() - begin)
 
 
+def watch_rest(screen, x, y, seconds):
+    """The picture at its end, and how long it took to become that one."""
+    before, begin, since = None, time.monotonic(), 0.0
+    while (now := time.monotonic()) < begin + seconds:
+        picture = screen.see(x, y, 40)
+        if picture != before:
+            before, since = picture, now - begin
+        time.sleep(0.02)
+    return before, since
+
+
+def count_equal(one, other):
+    """The share of equal pixels."""
+    return sum(one[i:i + 3] == other[i:i + 3] for i in range(0, len(one), 4)) / (len(one) / 4)
+
+
 def measure_latency(screen, x, y, rounds):
     """Times (s) from a motion to its picture, at random moments after the hand came to rest."""
     times, side = [], 0
@@ -164,6 +182,7 @@ def main():
     parser.add_argument("--steps", type=int, default=4)
     parser.add_argument("--rounds", type=int, default=40)
     parser.add_argument("--delay", type=float, default=1.0)
+    parser.add_argument("--rest", type=float, default=0.0)
     parser.add_argument("--click", type=int, default=0)
     options = parser.parse_args()
     screen = Screen()
@@ -186,12 +205,18 @@ def main():
         time.sleep(0.1)
     time.sleep(0.5)
     stroke(screen, x, y, 1.0)
+    if options.rest:
+        fine, since = watch_rest(screen, x, y - 110, options.rest)
     rate = stroke(screen, x, y, 3.0)
+    if options.rest:
+        kept = count_equal(fine, screen.see(x, y - 110, 40))
+        print(f"the picture beside the hand was as it stayed after {since:.2f} s of rest; the stroke kept {kept:.0%} of it")
     times = sorted(measure_latency(screen, x, y, options.rounds))
     if len(times) < options.rounds // 2:
         sys.exit(f"the hand was seen at its new place {len(times)} times of {options.rounds} only: choose another --at")
     half, most = statistics.median(times), times[int(0.95 * len(times))]
-    print(f"{width} x {height}: {rate:.0f} frames per second in a stroke; latency of {len(times)} motions while a fine "
+    rest = f" after a rest of {options.rest:g} s" if options.rest else ""
+    print(f"{width} x {height}: {rate:.0f} frames per second in a stroke{rest}; latency of {len(times)} motions while a fine "
           f"frame was due: {1e3 * half:.0f} ms median, {1e3 * most:.0f} ms at 95 %, {1e3 * times[-1]:.0f} ms at most")
 
 

@@ -36,7 +36,6 @@ constexpr double DrawingShare = 0.8; // of the time between frames; events and h
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
 constexpr double LongestTry = 1.0;   // s, until such a frame is given up
-constexpr double MostSteps = 6.0;    // of a factor of the square root of two between rays
 constexpr int MostSlowFrames = 3;    // one after the other; a busy processor may delay one or two
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
@@ -75,20 +74,25 @@ FrameQuality::FrameQuality(std::function<Touch()> touch)
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void*)
+    [](vtkObject* caller, unsigned long event, void* self, void* data)
     {
       auto* const quality = static_cast<FrameQuality*>(self);
-      if (event == vtkCommand::StartEvent)
+      switch (event)
       {
-        quality->Begin();
-      }
-      else if (event == vtkCommand::EndEvent)
-      {
-        quality->End();
-      }
-      else
-      {
-        quality->Interrupt();
+        case vtkCommand::StartEvent:
+          quality->Begin();
+          break;
+        case vtkCommand::EndEvent:
+          quality->End();
+          break;
+        case vtkCommand::VolumeMapperRenderStartEvent:
+          quality->FollowProgress(caller, 0.0);
+          break;
+        case vtkCommand::VolumeMapperRenderProgressEvent:
+          quality->FollowProgress(caller, data ? *static_cast<double*>(data) : 0.0);
+          [[fallthrough]];
+        default:
+          quality->Interrupt();
       }
     });
 }
@@ -113,8 +117,9 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
   }
   this->Restore();
   this->Window = window;
-  this->InMotion = Pace();
-  this->AtRest = Pace();
+  this->InMotion = RayPace();
+  this->AtRest = RayPace();
+  this->CoarseTime = 0.0;
   this->OnProcessor.reset();
   if (window)
   {
@@ -132,24 +137,9 @@ vtkRenderWindow* FrameQuality::FindWindow() const
 }
 
 //------------------------------------------------------------------------------
-bool FrameQuality::TakeInterruption()
+FrameQuality::Interruption FrameQuality::TakeInterruption()
 {
-  return std::exchange(this->IsInterrupted, false);
-}
-
-//------------------------------------------------------------------------------
-double FrameQuality::Pace::Next(double longest)
-{
-  if (this->Time > longest || this->Time < 0.6 * longest)
-  {
-    // As if all of the time were spent on rays, whose number falls with the square of their
-    // distance. What else is drawn takes its time, so that the next frames may correct this.
-    const double steps = std::log2(this->Time / longest); // of a factor of the square root of two
-    this->Steps = std::clamp(
-      this->Steps + (steps > 0.0 ? std::ceil(steps) : std::trunc(steps)), 0.0, MostSteps);
-    this->Time = longest; // until a frame tells
-  }
-  return std::exp2(0.5 * this->Steps);
+  return std::exchange(this->Interrupted, Interruption::None);
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +158,8 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   auto caster = std::find_if(this->Casters.begin(), this->Casters.end(), isMapper);
   if (caster == this->Casters.end())
   {
-    caster = this->Casters.insert(caster, { mapper, now, now, nullptr, 0 });
+    caster = this->Casters.insert(caster, { mapper, now, now, nullptr, {}, 0 });
+    mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
     // VTK's interrupted mapper tells its progress more often than the window asks.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
@@ -183,9 +174,15 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   const double voxel = SmallestSpacing(image);
   auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
   const bool isInterruptible = cpu != nullptr;
-  if (cpu)
+  const bool isShared = std::exchange(caster->Frame, this->Frame) == this->Frame;
+  caster->Progress.Clear();
+  if (isShared)
   {
-    this->FollowRays(*caster, cpu, shown);
+    caster->Rays.reset();
+  }
+  else if (cpu)
+  {
+    FollowRays(*caster, cpu, shown);
   }
   const double finely =
     own.AutoAdjust && !isInterruptible ? AutomaticDistance(image) : own.SampleDistance;
@@ -196,10 +193,14 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
   }
   const bool isLimited = moves || this->IsArmed;
+  // Frames in motion take half of the samples.
   if (!moves && !this->AtRest.IsKnown)
   {
-    // By the rays of frames in motion, which take half of the samples.
     this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
+  }
+  else if (moves && !this->InMotion.IsKnown && this->AtRest.IsKnown)
+  {
+    this->InMotion = { 0.5 * this->AtRest.Time, this->AtRest.Steps, true };
   }
   if (!isLimited)
   {
@@ -221,6 +222,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     next.ImageDistance = rays->GetImageDistance();
     next.SampleDistance = rays->GetSampleDistance();
     caster->Rays->Expect();
+    this->IsFine = true;
   }
   mapper->SetAutoAdjustSampleDistances(next.AutoAdjust);
   mapper->SetImageSampleDistance(static_cast<float>(next.ImageDistance));
@@ -232,12 +234,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
 void FrameQuality::FollowRays(
   Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown)
 {
-  const bool isShared = std::exchange(caster.Frame, this->Frame) == this->Frame;
-  if (isShared)
-  {
-    caster.Rays.reset();
-  }
-  else if (!caster.Rays || !caster.Rays->Follows(shown.Renderer, shown.Volume))
+  if (!caster.Rays || !caster.Rays->Follows(shown.Renderer, shown.Volume))
   {
     caster.Rays = std::make_shared<KeptRays>(shown.Renderer, shown.Volume, mapper);
   }
@@ -328,6 +325,8 @@ void FrameQuality::Begin()
   const Touch touch = this->AskTouch();
   this->Moves = this->Window->GetDesiredUpdateRate() > SlowestMotion;
   this->IsArmed = touch == Touch::Armed;
+  this->IsGivenUp = false;
+  this->IsFine = false;
   ++this->Frame;
   ForEachVolume(this->Window,
     [&](vtkRenderer* renderer, vtkVolume* volume)
@@ -370,48 +369,99 @@ void FrameQuality::End()
   const double time = this->GetElapsed();
   if (this->Window->GetAbortRender())
   {
-    this->IsInterrupted = true;
+    this->Interrupted = this->IsGivenUp ? Interruption::Slow : Interruption::Input;
     this->SlowFrames = this->Moves ? MostSlowFrames : this->SlowFrames;
-    if (!this->Moves && this->IsArmed && time > LongestTry)
+    const std::optional<double> whole = this->EstimateTime();
+    if (!this->Moves && (whole || time > LongestTry))
     {
-      this->AtRest.Time = time;
+      this->AtRest.Note(whole.value_or(time));
     }
     return;
   }
-  Pace& pace = this->Moves ? this->InMotion : this->AtRest;
   // Only frames that cast all rays tell how long these take.
   bool castsAll = false;
   bool keepsRays = false;
+  bool isAdjusted = false;
   for (const Caster& caster : this->Casters)
   {
-    if (caster.Rays && caster.Frame == this->Frame)
+    if (caster.Frame == this->Frame)
     {
-      castsAll = caster.Rays->TakeWhole() || castsAll;
-      keepsRays = true;
+      castsAll = (caster.Rays && caster.Rays->TakeWhole()) || castsAll;
+      keepsRays = caster.Rays || keepsRays;
+      isAdjusted = true;
     }
   }
-  if (castsAll || !keepsRays)
+  if (castsAll || (isAdjusted && !keepsRays))
   {
-    pace.Time = time;
-    pace.IsKnown = true;
+    (this->Moves ? this->InMotion : this->AtRest).Note(time);
   }
   if (!this->Moves)
   {
     this->SlowFrames = 0;
   }
-  else if (this->SlowFrames < MostSlowFrames)
+  else if (this->IsFine && !castsAll)
   {
-    const bool isSlow = !castsAll && time > std::max(1.0 / LeastRate, 1.5 * this->InMotion.Time);
-    this->SlowFrames = isSlow ? this->SlowFrames + 1 : 0;
+    // On a busy processor, coarse rays may be as slow.
+    const double coarsely = std::max(this->InMotion.Time, this->CoarseTime);
+    this->SlowFrames = time > std::max(1.0 / LeastRate, 1.5 * coarsely) ? this->SlowFrames + 1 : 0;
   }
+  else if (keepsRays && !castsAll)
+  {
+    constexpr double share = 0.2; // of the last frame in the mean
+    this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : share) * (time - this->CoarseTime);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::FollowProgress(vtkObject* mapper, double share)
+{
+  for (Caster& caster : this->Casters)
+  {
+    if (caster.Mapper != mapper)
+    {
+      continue;
+    }
+    if (share == 0.0)
+    {
+      caster.Progress.Begin(this->GetElapsed());
+    }
+    else if (caster.Rays && caster.Rays->IsCastingAll())
+    {
+      caster.Progress.Note(this->GetElapsed(), share);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> FrameQuality::EstimateTime() const
+{
+  const Caster* only = nullptr;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.Frame == this->Frame && std::exchange(only, &caster))
+    {
+      return {}; // what comes after the first one is unknown
+    }
+  }
+  return only ? only->Progress.GetWhole() : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
 void FrameQuality::Interrupt()
 {
-  if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus() &&
-    (HasPendingInput(this->Window) || (this->IsArmed && this->GetElapsed() > LongestTry)))
+  if (!this->FindWindow() || this->Moves || !this->Window->CheckInRenderStatus())
   {
+    return;
+  }
+  const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
+    std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
+  if (HasPendingInput(this->Window))
+  {
+    this->Window->SetAbortRender(1);
+  }
+  else if (isSlow)
+  {
+    this->IsGivenUp = true;
     this->Window->SetAbortRender(1);
   }
 }

@@ -7,6 +7,9 @@
 #ifndef FrameQuality_h
 #define FrameQuality_h
 
+#include "VTK/Scene/RayPace.h"
+#include "VTK/Scene/RayProgress.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -43,9 +46,8 @@ class KeptRays;
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
  *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
  *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
- *   meanwhile nobody reads the device, and its force fades after AttentionTime. On a busy
- *   processor such a frame may take longer: after 1 s it is given up and drawn again with fewer
- *   rays.
+ *   meanwhile nobody reads the device, and its force fades after AttentionTime. As soon as a frame
+ *   is seen to take more than 1 s, it is given up and drawn again with fewer rays, at once.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
@@ -74,8 +76,15 @@ public:
    */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
-  /** Whether input has interrupted a frame since the last call: it is to be drawn again. */
-  bool TakeInterruption();
+  /** Why a frame is to be drawn again. */
+  enum class Interruption
+  {
+    None,
+    Input, ///< has come meanwhile
+    Slow   ///< it would have taken too long: the next one casts fewer rays
+  };
+  /** What has interrupted a frame since the last call. */
+  Interruption TakeInterruption();
 
 private:
   /** A mapper with what the application has set, and what this has. */
@@ -91,6 +100,7 @@ private:
     Settings Own;
     Settings Set;
     std::shared_ptr<KeptRays> Rays; ///< of one that runs on the processor, in a single renderer
+    RayProgress Progress;           ///< of the frame, if it casts all rays
     unsigned long Frame = 0;        ///< that it was adjusted for
   };
   struct Smart
@@ -108,22 +118,13 @@ private:
     vtkVolume* Volume;
   };
 
-  /**
-   * The distance between rays that keeps frames of one kind within a time. It changes in steps,
-   * because a mapper whose distance changes makes new buffers.
-   */
-  struct Pace
-  {
-    /** For the next frame, pixels. `longest`: that it may take, s. */
-    double Next(double longest);
-    double Time = 0.05; ///< that the last one took, s
-    double Steps = 2.0;
-    bool IsKnown = false; ///< the time was measured
-  };
-
   void Begin();
   void End();
   void Interrupt();
+  /** Notes which share of its rows a mapper has cast; 0 when it begins. */
+  void FollowProgress(vtkObject* mapper, double share);
+  /** The time of the frame with all its rays, s, if it is known before its end. */
+  std::optional<double> EstimateTime() const;
   /** Since the beginning of the frame, s. */
   double GetElapsed() const;
   void Restore();
@@ -133,8 +134,9 @@ private:
   void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
   static void GiveBack(const Smart& smart);
-  /** Makes or drops what keeps the rays of this mapper's image. */
-  void FollowRays(Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
+  /** Makes what keeps the rays of this mapper's image. */
+  static void FollowRays(
+    Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
   /** Whether OpenGL runs on the processor. Asks the window once, because its answer takes long. */
   bool IsOnProcessor();
 
@@ -149,14 +151,17 @@ private:
   std::vector<Smart> SmartMappers;
   std::chrono::steady_clock::time_point Start;
   std::optional<bool> OnProcessor; ///< empty: not known yet
-  Pace InMotion;
-  Pace AtRest;
+  RayPace InMotion;
+  RayPace AtRest;
   unsigned long Frame = 0;
-  /** In motion, with kept rays; after too many, rays are coarse until the next frame at rest. */
+  /** In motion, with fine kept rays; after too many, these are coarse until the next rest. */
   int SlowFrames = 0;
+  double CoarseTime = 0.0; ///< s, of frames in motion with coarse kept rays
+  bool IsFine = false;     ///< the frame in motion keeps the fine rays of rest
   bool Moves = false;
   bool IsArmed = false;
-  bool IsInterrupted = false;
+  bool IsGivenUp = false; ///< the frame, because it takes too long
+  Interruption Interrupted = Interruption::None;
 };
 
 } // namespace VolumeHaptics

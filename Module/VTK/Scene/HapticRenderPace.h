@@ -8,6 +8,7 @@
 #define HapticRenderPace_h
 
 #include <algorithm>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -83,6 +84,13 @@ public:
   void Interrupted(double now)
   {
     this->LastDrawn = now;
+    this->IsStill = false;
+  }
+
+  /** Call it after a frame that took too long: a coarser one is due at once, as nothing moves. */
+  void GivenUp()
+  {
+    this->LastDrawn = -std::numeric_limits<double>::infinity();
     this->IsStill = false;
   }
 

@@ -61,6 +61,8 @@ public:
 
   /** The next frame is given up if it would have to cast all rays, because it was to be quick. */
   void Expect() { this->IsExpected = true; }
+  /** Whether the frame whose rays the mapper casts now takes all of them. */
+  bool IsCastingAll() const { return this->IsWhole; }
   /** Whether all rays have been cast since the last call. */
   bool TakeWhole();
 

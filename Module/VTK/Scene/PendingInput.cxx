@@ -42,16 +42,16 @@ Bool Note(Display*, XEvent* event, char* data)
 }
 
 /** Of the library that VTK has loaded, in case it has: not every VTK is linked to it. */
-decltype(&XCheckIfEvent) FindXCheckIfEvent()
+template <typename Function>
+Function* FindFunction(const char* name)
 {
   void* const library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
-  return library ? reinterpret_cast<decltype(&XCheckIfEvent)>(dlsym(library, "XCheckIfEvent"))
-                 : nullptr;
+  return library ? reinterpret_cast<Function*>(dlsym(library, name)) : nullptr;
 }
 
 decltype(&XCheckIfEvent) CheckIfEvent()
 {
-  static const auto found = FindXCheckIfEvent();
+  static const auto found = FindFunction<decltype(XCheckIfEvent)>("XCheckIfEvent");
   return found;
 }
 
@@ -75,6 +75,23 @@ bool VolumeHaptics::KnowsInput(vtkRenderWindow* window)
   return window && CheckIfEvent() && window->IsA("vtkXOpenGLRenderWindow") &&
     window->GetGenericDisplayId();
 }
+
+void VolumeHaptics::WakeEventLoop(vtkRenderWindow* window)
+{
+  static const auto send = FindFunction<decltype(XSendEvent)>("XSendEvent");
+  static const auto flush = FindFunction<decltype(XFlush)>("XFlush");
+  const auto id = KnowsInput(window) ? reinterpret_cast<Window>(window->GetGenericWindowId()) : 0;
+  if (id == 0 || !send || !flush)
+  {
+    return;
+  }
+  auto* const display = static_cast<Display*>(window->GetGenericDisplayId());
+  XEvent event = {};
+  event.type = NoExpose; // of copied areas, of which VTK has none
+  event.xnoexpose.drawable = id;
+  send(display, id, False, NoEventMask, &event);
+  flush(display);
+}
 #else
 namespace
 {
@@ -88,6 +105,8 @@ bool VolumeHaptics::KnowsInput(vtkRenderWindow*)
 {
   return false;
 }
+
+void VolumeHaptics::WakeEventLoop(vtkRenderWindow*) {}
 #endif
 
 namespace VolumeHaptics

@@ -22,6 +22,13 @@ bool HasPendingInput(vtkRenderWindow* window);
 /** Whether that is known of motions of the mouse, too. */
 bool KnowsInput(vtkRenderWindow* window);
 
+/**
+ * Has the event loop of a window of X11 look at its timers at once. If timers are late by a second
+ * or more, that of VTK 9.1 waits for another one, unless there is an event. So this sends one,
+ * which nobody reads, and which is no input.
+ */
+void WakeEventLoop(vtkRenderWindow* window);
+
 } // namespace VolumeHaptics
 
 #endif

@@ -17,6 +17,11 @@
 namespace VolumeHaptics
 {
 
+namespace
+{
+constexpr double LongestDelay = 0.8; // s, of timers; from 1 s on, VTK 9.1 adds another one
+} // namespace
+
 SceneFrames::SceneFrames(
   TouchedScene& scene, const HapticWindowWatch& window, std::function<void(bool)> drawScene)
   : Scene(scene)
@@ -55,6 +60,12 @@ void SceneFrames::Draw(bool quickly)
   const double end = vtkTimerLog::GetUniversalTime();
   this->Pace.Drawn(quickly, end, end - start);
   this->HasHappened = false;
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  if (end - start > LongestDelay && interactor && !this->Window.IsClosed() &&
+    interactor->IsA("vtkXRenderWindowInteractor"))
+  {
+    WakeEventLoop(interactor->GetRenderWindow());
+  }
   if (this->Scene.Device)
   {
     this->DrawnTip = this->Scene.GetTip();
@@ -79,9 +90,16 @@ bool SceneFrames::DrawIfDue(bool isNew)
   using Frame = HapticRenderPace::Frame;
   this->FollowEditor();
   const double now = vtkTimerLog::GetUniversalTime();
-  if (this->Quality.TakeInterruption())
+  switch (this->Quality.TakeInterruption())
   {
-    this->Pace.Interrupted(now);
+    case FrameQuality::Interruption::Input:
+      this->Pace.Interrupted(now);
+      break;
+    case FrameQuality::Interruption::Slow:
+      this->Pace.GivenUp();
+      break;
+    case FrameQuality::Interruption::None:
+      break;
   }
   const bool moves = this->Scene.Style->GetState() != VTKIS_NONE || this->HasMoved();
   const Frame frame = this->Pace.Next(now, moves, isNew, this->IsIdle());

@@ -9,6 +9,7 @@
 #include "StyleRig.h"
 
 #include "VTK/Scene/HapticRenderPace.h"
+#include "VTK/Scene/RayProgress.h"
 
 #include <thread>
 
@@ -124,6 +125,32 @@ TEST(RenderPace, HasNoGapWhereNothingWaits)
   EXPECT_FALSE(pace.IsLate(1.3)) << "the first motion after a rest is not felt yet";
   pace.Drawn(true, 2.0, 0.015);
   EXPECT_FALSE(pace.IsLate(2.015)) << "timers are quick enough for quick frames";
+}
+
+TEST(RenderPace, AFrameThatWasGivenUpIsDueAtOnceAndAnInterruptedOneAfterARest)
+{
+  using VolumeHaptics::HapticRenderPace;
+  using Frame = HapticRenderPace::Frame;
+  HapticRenderPace pace;
+  pace.Drawn(false, 1.0, 1.0);
+  pace.Interrupted(1.01);
+  EXPECT_EQ(pace.Next(1.02, false, true), Frame::None);
+  pace.GivenUp();
+  EXPECT_EQ(pace.Next(1.02, false, true), Frame::Still);
+  EXPECT_EQ(pace.Next(1.02, true, true), Frame::Quick) << "the hand comes first";
+}
+
+TEST(RayProgress, TellsTheTimeOfAllRowsByThoseThatAreDone)
+{
+  VolumeHaptics::RayProgress progress;
+  progress.Begin(0.2);
+  progress.Note(0.25, 0.05);
+  EXPECT_FALSE(progress.GetWhole()) << "too few rows tell nothing";
+  progress.Note(0.45, 0.25);
+  ASSERT_TRUE(progress.GetWhole());
+  EXPECT_DOUBLE_EQ(*progress.GetWhole(), 1.2); // 0.2 + 0.25 / 0.25
+  progress.Begin(0.1);
+  EXPECT_FALSE(progress.GetWhole()) << "that was another frame";
 }
 
 TEST_F(StylePaceTest, AMotionOfTheMouseDrawsWhileTimersAreLate)

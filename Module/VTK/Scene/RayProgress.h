@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How long all rays of a frame will take, told by those that have been cast.
+ */
+#ifndef RayProgress_h
+#define RayProgress_h
+
+#include <optional>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Estimates the time of a whole frame while a mapper casts its rays row by row. What comes before
+ * the rays, such as the gradients of a new volume, is taken as it is; rows are taken as alike,
+ * after a tenth of them.
+ */
+class RayProgress
+{
+public:
+  static constexpr double LeastShare = 0.1;
+
+  /** Rays begin. `time`: since the beginning of the frame, s. */
+  void Begin(double time)
+  {
+    this->Before = time;
+    this->Whole.reset();
+  }
+  /** This share of the rows is done. `time`: as above. */
+  void Note(double time, double share)
+  {
+    if (share >= LeastShare)
+    {
+      this->Whole = this->Before + (time - this->Before) / share;
+    }
+  }
+  /** Forgets the frame. */
+  void Clear() { this->Whole.reset(); }
+  /** The time of the frame with all its rays, s; empty as long as too few are cast. */
+  const std::optional<double>& GetWhole() const { return this->Whole; }
+
+private:
+  double Before = 0.0;
+  std::optional<double> Whole;
+};
+
+} // namespace VolumeHaptics
+
+#endif
