@@ -36,6 +36,7 @@ constexpr double DrawingShare = 0.8; // of the time between frames; events and h
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
 constexpr double LongestTry = 1.0;   // s, until such a frame is given up
+constexpr double UnknownSteps = 4.0; // of a mapper on the processor that has drawn no frame yet
 constexpr int MostSlowFrames = 3;    // one after the other; a busy processor may delay one or two
 
 /** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
@@ -194,13 +195,17 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   const bool isLimited = moves || this->IsArmed;
   // Frames in motion take half of the samples.
-  if (!moves && !this->AtRest.IsKnown)
+  if (!moves && !this->AtRest.IsKnown && this->InMotion.IsKnown)
   {
     this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
   }
   else if (moves && !this->InMotion.IsKnown && this->AtRest.IsKnown)
   {
     this->InMotion = { 0.5 * this->AtRest.Time, this->AtRest.Steps, true };
+  }
+  else if (moves && !this->InMotion.IsKnown && cpu)
+  {
+    this->InMotion.Steps = UnknownSteps; // the first touch is not to wait
   }
   if (!isLimited)
   {
@@ -455,13 +460,10 @@ void FrameQuality::Interrupt()
   }
   const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
     std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
-  if (HasPendingInput(this->Window))
+  const bool hasInput = HasPendingInput(this->Window);
+  this->IsGivenUp = isSlow && !hasInput;
+  if (isSlow || hasInput)
   {
-    this->Window->SetAbortRender(1);
-  }
-  else if (isSlow)
-  {
-    this->IsGivenUp = true;
     this->Window->SetAbortRender(1);
   }
 }
