@@ -34,6 +34,62 @@ VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double share, RowP
   }
 }
 
+/** rows = rows - of. */
+template <int N>
+VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    rows.Even[p] = rows.Even[p] - of.Even[p];
+    rows.Odd[p] = rows.Odd[p] - of.Odd[p];
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = rows.Rest - of.Rest;
+  }
+}
+
+///@{
+/** Both rows as those of a FrameTaps, and the same of both frames, blended: as BlendRows does. */
+template <int N>
+VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    StoreDouble4(rows.Even[p], to + 4 * p);
+    StoreDouble4(rows.Odd[p], to + line + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    StoreHalves(rows.Rest, to + 4 * whole, to + line + 4 * whole);
+  }
+}
+template <int N>
+VOLUME_HAPTICS_INLINE void LoadBlendedLines(
+  const FrameTaps& frames, int at, double share, RowPair<N>& rows)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  constexpr int whole = RowPair<N>::Whole;
+  const double* const taps = frames.Taps + at;
+  const double* const changes = frames.Changes + at;
+  const auto blend = [=](int place)
+  { return LoadDouble4(taps + place) + share * LoadDouble4(changes + place); };
+  for (int p = 0; p < whole; ++p)
+  {
+    rows.Even[p] = blend(4 * p);
+    rows.Odd[p] = blend(line + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const int rest = 4 * whole;
+    rows.Rest = LoadHalves(taps + rest, taps + line + rest) +
+      share * LoadHalves(changes + rest, changes + line + rest);
+  }
+}
+///@}
+
 /** N^3 samples of a frame, one behind another along x. */
 template <typename T>
 struct TapBlock
@@ -103,14 +159,62 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   return SumBlendOfCopies<T, N, WithGradient>(blend, foot, gradient);
 }
 
+/** Whether a memory has a blend's samples behind the first one. */
+VOLUME_HAPTICS_INLINE bool HoldsFrames(
+  const FrameTaps& memory, const FrameBlend& blend, const std::int64_t* first)
+{
+  return memory.Field == blend.First.Number && memory.SecondField == blend.Second.Number &&
+    memory.First[0] == first[0] && memory.First[1] == first[1] && memory.First[2] == first[2];
+}
+
+/** Reads the N^3 taps of both frames behind the first one; false if they are not all there. */
+template <typename T, int N>
+VOLUME_HAPTICS_OUTLINE bool FillFrames(
+  const FrameBlend& blend, const std::int64_t* first, FrameTaps& memory)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  const VolumeView& a = blend.First.Volume;
+  const VolumeView& b = blend.Second.Volume;
+  const TapBlock<T> near{ FindCorner<T, N>(a, first), a.Stride[1], a.Stride[2] };
+  const TapBlock<T> next{ FindCorner<T, N>(b, first), b.Stride[1], b.Stride[2] };
+  memory.Field = 0;
+  if (!near.Corner || !next.Corner)
+  {
+    return false;
+  }
+  PrefetchRows(near.Corner, N, near.Line, near.Plane);
+  PrefetchRows(next.Corner, N, next.Line, next.Plane);
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; j += 2)
+    {
+      RowPair<N> rows;
+      RowPair<N> changes;
+      LoadRows<T, N>(near, k, j, rows);
+      LoadRows<T, N>(next, k, j, changes);
+      SubtractRows<N>(rows, changes);
+      const int at = (k * N + j) * line;
+      StoreLines<N>(rows, memory.Taps + at);
+      StoreLines<N>(changes, memory.Changes + at);
+    }
+  }
+  memory.Field = blend.First.Number;
+  memory.SecondField = blend.Second.Number;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    memory.First[axis] = first[axis];
+  }
+  return true;
+}
+
 /** The memory that is a blend's; null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   const FrameBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
   for (const BlendMemory& memory : tick.Blends)
   {
-    if (HoldsTaps(memory, blend.First.Number, first) && memory.SecondField == blend.Second.Number &&
-      memory.Share == blend.Share)
+    if (memory.Share == blend.Share && HoldsTaps(memory, blend.First.Number, first) &&
+      memory.SecondField == blend.Second.Number)
     {
       return &memory;
     }
@@ -132,45 +236,29 @@ VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
 
 /** From the memories: from the blend, or from both frames, whose blend is kept. */
 template <typename T, int N>
-VOLUME_HAPTICS_INLINE bool SumRememberedBlend(const FrameBlend& blend, const Footprint<N>& foot,
-  const BlendMemories& memories, FieldSample& sample)
+VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
+  const FrameBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)
 {
-  const BlendMemory* const known =
-    memories.KeepsBlend ? FindBlend(blend, foot.First, *memories.Tick) : nullptr;
-  if (known)
+  if (const BlendMemory* const known = FindBlend(blend, foot.First, tick))
   {
     sample.Value = SumTaps<N>(known->Taps, foot, &sample.Gradient);
     return IsNumber(sample.Value);
   }
-  TapMemory& first = *memories.First;
-  TapMemory& second = *memories.Second;
-  if (!KeepTaps(blend.First, foot.First, FillTaps<T, N>, first) ||
-    !KeepTaps(blend.Second, foot.First, FillTaps<T, N>, second))
+  const FrameTaps& frames = tick.Pair;
+  if (!HoldsFrames(frames, blend, foot.First) && !FillFrames<T, N>(blend, foot.First, tick.Pair))
   {
     return false;
   }
-  const auto load = [&](int at, RowPair<N>& rows)
-  {
-    RowPair<N> other;
-    LoadStoredRows<N>(first.Taps + at, rows);
-    LoadStoredRows<N>(second.Taps + at, other);
-    BlendRows<N>(other, blend.Share, rows);
-  };
-  if (!memories.KeepsBlend)
-  {
-    sample.Value = SumPlanes<N, true>(
-      [&](int k, int j, RowPair<N>& rows) { load((k * N + j) * N, rows); }, foot, &sample.Gradient);
-    return IsNumber(sample.Value);
-  }
-  BlendMemory& kept = BeginBlend(blend, foot.First, *memories.Tick);
-  sample.Value = SumPlanes<N, true>(
-    [&](int k, int j, RowPair<N>& rows)
+  BlendMemory& kept = BeginBlend(blend, foot.First, tick);
+  const double share = blend.Share;
+  sample.Value = SumTwice<N>(
+    [&frames, &kept, share](int k, int pair, RowPair<N>& rows)
     {
-      const int at = (k * N + j) * N;
-      load(at, rows);
-      StoreRows<N>(rows, kept.Taps + at);
+      const int line = k * N + 2 * pair;
+      LoadBlendedLines<N>(frames, line * FrameTaps::Line<N>, share, rows);
+      StoreRows<N>(rows, kept.Taps + line * N);
     },
-    foot, &sample.Gradient);
+    kept.Taps, foot, &sample.Gradient);
   return IsNumber(sample.Value);
 }
 
@@ -182,7 +270,7 @@ VOLUME_HAPTICS_INLINE FieldSample SumBlendedGradient(
   FieldSample sample;
   if constexpr (N <= TapMemory::MostTaps)
   {
-    if (memories.Tick && SumRememberedBlend<T, N>(blend, foot, memories, sample))
+    if (memories.Tick && SumRememberedBlend<T, N>(blend, foot, *memories.Tick, sample))
     {
       return sample;
     }

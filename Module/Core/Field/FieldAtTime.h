@@ -37,17 +37,22 @@ public:
    * @param motion of the material from the first frame to the second one; null if it is not known
    * @param memory of the last gradients; may be null
    * @param frame the number of the first frame, for the memory
-   * @param isReadOnce whether the memory has no use for this very blend
    */
   FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
-    const DisplacementField* motion = nullptr, TickMemory* memory = nullptr, std::size_t frame = 0,
-    bool isReadOnce = false) noexcept
-    : First(share < 1.0 ? first : second)
-    , Second(share > 0.0 && share < 1.0 ? &second : nullptr)
-    , Share(share)
-    , AreSamplesBlended(this->Second && first.BlendsSamples(second))
+    const DisplacementField* motion = nullptr, TickMemory* memory = nullptr,
+    std::size_t frame = 0) noexcept
+    : FieldAtTime(first, { second, share, first.BlendsSamples(second) }, motion, memory, frame)
+  {
+  }
+  /** With a second frame of which it is known whether samples are blended. */
+  FieldAtTime(const FieldSampler& first, const FieldSampler::OtherFrame& second,
+    const DisplacementField* motion, TickMemory* memory, std::size_t frame) noexcept
+    : First(second.Share < 1.0 ? first : second.Field)
+    , Second(second.Share > 0.0 && second.Share < 1.0 ? &second.Field : nullptr)
+    , Share(second.Share)
+    , AreSamplesBlended(this->Second && second.AreSamplesBlended)
     , Motion(motion)
-    , Memories(MakeMemories(memory, share < 1.0 ? frame : frame + 1, !isReadOnce))
+    , Memories(MakeMemories(memory, second.Share < 1.0 ? frame : frame + 1))
   {
   }
 
@@ -102,10 +107,9 @@ private:
     return { *this->Second, this->Share, this->AreSamplesBlended };
   }
 
-  static BlendMemories MakeMemories(
-    TickMemory* memory, std::size_t frame, bool keepsBlend = true) noexcept
+  static BlendMemories MakeMemories(TickMemory* memory, std::size_t frame) noexcept
   {
-    return memory ? BlendMemories{ &memory->Of(frame), &memory->Of(frame + 1), memory, keepsBlend }
+    return memory ? BlendMemories{ &memory->Of(frame), &memory->Of(frame + 1), memory }
                   : BlendMemories{};
   }
 

@@ -14,6 +14,7 @@
 #include "Core/Field/LinearKernels.h"
 #include "Core/Field/SeparableSum.h"
 #include "Core/Field/SplineWeights.h"
+#include "Core/Field/TapValues.h"
 
 namespace VolumeHaptics
 {
@@ -248,6 +249,14 @@ FieldSample WideGaussianGradient(const FieldView& view, double x, double y, doub
   return sample;
 }
 
+template <int N>
+void SetTapFunctions(FieldFunctions& f)
+{
+  f.TapValue = TapValue<N>;
+  f.SharedTapValues = SharedTapValues<N>;
+  f.TapPair = TapPair<N>;
+}
+
 /** What the estimator does not name stays null. */
 template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
@@ -278,12 +287,14 @@ FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
       f.BlendedGradient = BlendedGaussian<T, 4>;
       f.Fill = FillTaps<T, 4>;
       f.Remembered = RememberedGaussian<4>;
+      SetTapFunctions<4>(f);
       return f;
     case 6:
       f.Gradient = GaussianGradient<T, 6>;
       f.BlendedGradient = BlendedGaussian<T, 6>;
       f.Fill = FillTaps<T, 6>;
       f.Remembered = RememberedGaussian<6>;
+      SetTapFunctions<6>(f);
       return f;
     case 8:
       f.Gradient = GaussianGradient<T, 8>;

@@ -68,13 +68,12 @@ struct SharePair
   double Second = std::numeric_limits<double>::quiet_NaN();
 };
 
-/** The memories of a tick, with those of a blend's frames. Either all are null or none is. */
+/** The memories of a tick, with those of frames that are read by themselves; all may be null. */
 struct BlendMemories
 {
   TapMemory* First = nullptr;
   TapMemory* Second = nullptr;
   TickMemory* Tick = nullptr;
-  bool KeepsBlend = true; ///< false where no other gradient of the same blend is wanted
 };
 
 // Positions are passed as numbers, which the compiler keeps in registers.
@@ -91,6 +90,15 @@ using BlendedPairFunction = ValuePair (*)(
   const FrameBlend&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using BlendedGradientFunction = FieldSample (*)(
   const FrameBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
+///@}
+///@{
+/** Values of a blend as the functions above, from a memory that is of both frames. */
+using TapValueFunction = double (*)(
+  const FrameTaps&, const FieldView&, double share, double x, double y, double z) noexcept;
+using SharedTapValuesFunction = SharePair (*)(const FrameTaps&, const FieldView&,
+  const SharePair& shares, double x, double y, double z) noexcept;
+using TapPairFunction = ValuePair (*)(const FrameTaps&, const FieldView&, double share, double x,
+  double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
 /** Reads all taps from the first one; false if they are not all in the samples. */
 using FillFunction = bool (*)(
@@ -114,6 +122,12 @@ struct FieldFunctions
   /** Null for estimators that gain nothing by a memory. */
   FillFunction Fill = nullptr;
   RememberedFunction Remembered = nullptr;
+  ///@}
+  ///@{
+  /** Null for estimators without such a memory, or with values that are not trilinear. */
+  TapValueFunction TapValue = nullptr;
+  SharedTapValuesFunction SharedTapValues = nullptr;
+  TapPairFunction TapPair = nullptr;
   ///@}
 };
 
@@ -196,10 +210,21 @@ public:
   ///@{
   /**
    * The same where another frame of the volume has a share from 0 to 1. Where it can be, samples
-   * are blended before they are summed; else sums are.
+   * are blended before they are summed; else sums are. Values are read from `taps`, where they are
+   * there: FindTaps() of the memory of a gradient.
    */
-  double Value(const OtherFrame& other, const Vector3& index) const noexcept
+  double Value(
+    const OtherFrame& other, const Vector3& index, const FrameTaps* taps = nullptr) const noexcept
   {
+    if (taps)
+    {
+      const double value =
+        this->Functions.TapValue(*taps, this->View, other.Share, index.X, index.Y, index.Z);
+      if (std::isfinite(value))
+      {
+        return value;
+      }
+    }
     if (other.AreSamplesBlended)
     {
       const double value =
@@ -212,9 +237,19 @@ public:
     return this->BlendValue(other, other.Share, index);
   }
   /** At the other frame's share, and at another one, which is faster than two calls of Value. */
-  SharePair Values(const OtherFrame& other, double share, const Vector3& index) const noexcept
+  SharePair Values(const OtherFrame& other, double share, const Vector3& index,
+    const FrameTaps* taps = nullptr) const noexcept
   {
     SharePair pair;
+    if (taps)
+    {
+      pair = this->Functions.SharedTapValues(
+        *taps, this->View, { other.Share, share }, index.X, index.Y, index.Z);
+      if (std::isfinite(pair.First) && std::isfinite(pair.Second))
+      {
+        return pair;
+      }
+    }
     if (other.AreSamplesBlended)
     {
       pair = this->Functions.SharedValues(this->Blended(other), share, index.X, index.Y, index.Z);
@@ -222,9 +257,18 @@ public:
     return { std::isfinite(pair.First) ? pair.First : this->BlendValue(other, other.Share, index),
       std::isfinite(pair.Second) ? pair.Second : this->BlendValue(other, share, index) };
   }
-  ValuePair Values(
-    const OtherFrame& other, const Vector3& index, const Vector3& offset) const noexcept
+  ValuePair Values(const OtherFrame& other, const Vector3& index, const Vector3& offset,
+    const FrameTaps* taps = nullptr) const noexcept
   {
+    if (taps)
+    {
+      const ValuePair pair = this->Functions.TapPair(
+        *taps, this->View, other.Share, index.X, index.Y, index.Z, offset.X, offset.Y, offset.Z);
+      if (std::isfinite(pair.Ahead) && std::isfinite(pair.Behind))
+      {
+        return pair;
+      }
+    }
     if (other.AreSamplesBlended)
     {
       const ValuePair pair = this->Functions.BlendedPair(
@@ -238,6 +282,14 @@ public:
     const ValuePair second = other.Field.Values(index, offset);
     return { Blend(first.Ahead, second.Ahead, other.Share),
       Blend(first.Behind, second.Behind, other.Share) };
+  }
+  /** What the memory of a gradient has for values; null if it has nothing of these frames. */
+  const FrameTaps* FindTaps(const OtherFrame& other, const TickMemory& memory) const noexcept
+  {
+    const FrameTaps& taps = memory.Pair;
+    const bool isOfBoth =
+      taps.Field == this->View.Number && taps.SecondField == other.Field.View.Number;
+    return isOfBoth && this->Functions.TapValue && other.AreSamplesBlended ? &taps : nullptr;
   }
   FieldSample Gradient(const OtherFrame& other, const Vector3& index,
     const BlendMemories& memories = {}) const noexcept

@@ -170,19 +170,19 @@ VOLUME_HAPTICS_INLINE double CheckNumber(double value, const Cell& cell, const C
   return value;
 }
 
-/** Of samples, or of a blend. */
-template <typename T, typename Cell>
-VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
+/** All samples count. */
+template <typename Cell>
+VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
 {
   const Double4 lines = BlendPlanes(cell, place);
   const double a = lines[0] + place.Y.Fraction * (lines[2] - lines[0]);
   const double b = lines[1] + place.Y.Fraction * (lines[3] - lines[1]);
-  return CheckNumber<T>(a + place.X.Fraction * (b - a), cell, place);
+  return a + place.X.Fraction * (b - a);
 }
 
 /** Two at once: the same, to the bit. */
-template <typename T, typename Cell>
-VOLUME_HAPTICS_INLINE ValuePair Interpolate(
+template <typename Cell>
+VOLUME_HAPTICS_INLINE ValuePair BlendCells(
   const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
 {
   const Double4 a = BlendPlanes(ahead, there);
@@ -190,10 +190,25 @@ VOLUME_HAPTICS_INLINE ValuePair Interpolate(
   const Double4 first = JoinLow(a, b);
   const Double4 y{ there.Y.Fraction, there.Y.Fraction, here.Y.Fraction, here.Y.Fraction };
   const Double4 ends = first + y * (JoinHigh(a, b) - first);
-  const double va = ends[0] + there.X.Fraction * (ends[1] - ends[0]);
-  const double vb = ends[2] + here.X.Fraction * (ends[3] - ends[2]);
-  return { CheckNumber<T>(va, ahead, there), CheckNumber<T>(vb, behind, here) };
+  return { ends[0] + there.X.Fraction * (ends[1] - ends[0]),
+    ends[2] + here.X.Fraction * (ends[3] - ends[2]) };
 }
+
+///@{
+/** Of samples, or of a blend. */
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
+{
+  return CheckNumber<T>(BlendCell(cell, place), cell, place);
+}
+template <typename T, typename Cell>
+VOLUME_HAPTICS_INLINE ValuePair Interpolate(
+  const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
+{
+  const ValuePair pair = BlendCells(ahead, there, behind, here);
+  return { CheckNumber<T>(pair.Ahead, ahead, there), CheckNumber<T>(pair.Behind, behind, here) };
+}
+///@}
 
 template <typename T>
 VOLUME_HAPTICS_INLINE double Trilinear(const FieldView& view, double x, double y, double z)

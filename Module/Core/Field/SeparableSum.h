@@ -395,16 +395,16 @@ VOLUME_HAPTICS_INLINE void SpreadWeights(const double* from, PlaneWeights<N>& we
   }
 }
 
-/** The weighted rows of a plane of a memory: as AddRows adds them, to the bit. */
-template <int N>
-VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const double* plane, const PlaneWeights<N>& weights)
+/** The weighted rows of a plane: as AddRows adds them, to the bit. `load` gives a pair of rows. */
+template <int N, typename LoadFunction>
+VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWeights<N>& weights)
 {
   RowSum<N> sum;
 #pragma GCC unroll 4
   for (int pair = 0; pair < N / 2; ++pair)
   {
     RowPair<N> rows;
-    LoadStoredRows<N>(plane + 2 * N * pair, rows);
+    load(pair, rows);
     for (int p = 0; p < RowPair<N>::Whole; ++p)
     {
       const Double4 both = weights.Even[pair] * rows.Even[p] + weights.Odd[pair] * rows.Odd[p];
@@ -420,12 +420,13 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const double* plane, const PlaneWeights<
 }
 
 /**
- * The sum over the taps of a memory, and the gradient's: as SumPlanes gives them, to the bit. The
- * rows are read twice, so that the weights of all of them stay in registers.
+ * The sum over taps, and the gradient's: as SumPlanes gives them, to the bit. The rows are read
+ * twice, so that the weights of all of them stay in registers: `load` gives a pair of rows of a
+ * plane, and stores them, if they are not there yet, for the second time.
  */
-template <int N>
-VOLUME_HAPTICS_INLINE double SumTaps(
-  const double* taps, const Footprint<N>& foot, Vector3* gradient)
+template <int N, typename LoadFunction>
+VOLUME_HAPTICS_INLINE double SumTwice(
+  const LoadFunction& load, const double* taps, const Footprint<N>& foot, Vector3* gradient)
 {
   RowSum<N> sum;
   RowSum<N> sumY;
@@ -434,16 +435,31 @@ VOLUME_HAPTICS_INLINE double SumTaps(
   SpreadWeights<N>(foot.Weights[1], weights);
   for (int k = 0; k < N; ++k)
   {
-    const RowSum<N> smooth = SumRows<N>(taps + k * N * N, weights);
+    const RowSum<N> smooth =
+      SumRows<N>([&load, k](int pair, RowPair<N>& rows) { load(k, pair, rows); }, weights);
     AddScaled<N>(smooth, foot.Weights[2] + k, sum);
     AddScaled<N>(smooth, foot.Weights[2] + N + k, sumZ);
   }
   SpreadWeights<N>(foot.Weights[1] + N, weights);
   for (int k = 0; k < N; ++k)
   {
-    AddScaled<N>(SumRows<N>(taps + k * N * N, weights), foot.Weights[2] + k, sumY);
+    const double* const plane = taps + k * N * N;
+    const RowSum<N> slope = SumRows<N>([plane](int pair, RowPair<N>& rows)
+      { LoadStoredRows<N>(plane + 2 * N * pair, rows); },
+      weights);
+    AddScaled<N>(slope, foot.Weights[2] + k, sumY);
   }
   return WeighSums<N>(sum, sumY, sumZ, foot.Weights[0], gradient);
+}
+
+/** The sum over the taps of a memory, and the gradient's. */
+template <int N>
+VOLUME_HAPTICS_INLINE double SumTaps(
+  const double* taps, const Footprint<N>& foot, Vector3* gradient)
+{
+  return SumTwice<N>([taps](int k, int pair, RowPair<N>& rows)
+    { LoadStoredRows<N>(taps + (k * N + 2 * pair) * N, rows); },
+    taps, foot, gradient);
 }
 
 } // namespace

@@ -23,6 +23,25 @@ struct TapMemory
   alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
 };
 
+/**
+ * The samples around the last gradient of two frames that are blended, to blend them with any
+ * share. Rows lie along x as in a volume, so that values can be read from them, too.
+ */
+struct FrameTaps
+{
+  static constexpr int MostTaps = TapMemory::MostTaps;
+  /** The numbers of a row of N taps: whole vectors. */
+  template <int N>
+  static constexpr int Line = (N + 3) / 4 * 4;
+  static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
+
+  std::uint64_t Field = 0;       ///< of the first frame, as TapMemory::Field
+  std::uint64_t SecondField = 0; ///< of the second one
+  std::int64_t First[3] = { 0, 0, 0 };
+  alignas(64) double Taps[Most];    ///< of the first frame
+  alignas(64) double Changes[Most]; ///< those of the second frame less those of the first one
+};
+
 /** The samples of two frames, blended: those of TapMemory::Field come first. */
 struct BlendMemory : TapMemory
 {
@@ -31,13 +50,15 @@ struct BlendMemory : TapMemory
 };
 
 /**
- * The memories of a tick: one for each of the two frames that are blended while a volume moves, and
- * one for each of two blends, as a tick goes from one instant to another one. A frame has the same
- * memory before and after it; a volume that stands still has the first one.
+ * The memories of a tick: one for each of the two frames between which a volume moves, if each is
+ * read at a place of its own; one for both, if they are blended; and one for each of two blends, as
+ * a tick goes from one instant to another one. A frame has the same memory before and after it; a
+ * volume that stands still has the first one.
  */
 struct TickMemory
 {
   TapMemory Frames[2];
+  FrameTaps Pair;
   BlendMemory Blends[2];
   int OldBlend = 0; ///< the one that is to be replaced next
 

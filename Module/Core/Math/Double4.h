@@ -17,6 +17,7 @@
 #endif
 
 #include <cstring>
+#include <type_traits>
 
 namespace VolumeHaptics
 {
@@ -39,10 +40,17 @@ VOLUME_HAPTICS_INLINE Double4 Spread(double x)
 template <typename T>
 VOLUME_HAPTICS_INLINE Double4 LoadPairs(const T* low, const T* high)
 {
-  T joined[4];
-  std::memcpy(joined, low, 2 * sizeof(T));
-  std::memcpy(joined + 2, high, 2 * sizeof(T));
-  return LoadDouble4(joined);
+  if constexpr (std::is_same<T, double>::value)
+  {
+    return LoadHalves(low, high);
+  }
+  else
+  {
+    T joined[4];
+    std::memcpy(joined, low, 2 * sizeof(T));
+    std::memcpy(joined + 2, high, 2 * sizeof(T));
+    return LoadDouble4(joined);
+  }
 }
 
 VOLUME_HAPTICS_INLINE void StoreDouble4(const Double4& from, double* to)

@@ -107,6 +107,19 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
   }
 }
 
+///@{
+/** The first two lanes from or to one place, and the last two from or to another one. */
+VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
+{
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
+}
+VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double* high)
+{
+  _mm_storeu_pd(low, _mm256_castpd256_pd128(from));
+  _mm_storeu_pd(high, _mm256_extractf128_pd(from, 1));
+}
+///@}
+
 /**
  * Two samples that follow each other in memory, from each of four places: the first ones, and the
  * second ones.

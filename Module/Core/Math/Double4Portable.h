@@ -103,6 +103,21 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
     static_cast<double>(from[2]), static_cast<double>(from[3]) } };
 }
 
+///@{
+/** The first two lanes from or to one place, and the last two from or to another one. */
+VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
+{
+  return { { low[0], low[1], high[0], high[1] } };
+}
+VOLUME_HAPTICS_INLINE void StoreHalves(const Double4& from, double* low, double* high)
+{
+  low[0] = from[0];
+  low[1] = from[1];
+  high[0] = from[2];
+  high[1] = from[3];
+}
+///@}
+
 /**
  * Two samples that follow each other in memory, from each of four places: the first ones, and the
  * second ones.

@@ -113,13 +113,17 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
       // The first frame follows the last one.
       last.Interval = frame.Time > last.Time ? frame.Time - last.Time : series.LoopInterval;
     }
-    frames.push_back({ frame.Time, 0.0, FieldSampler(frame.View, kernel), frame.Samples, {},
+    frames.push_back({ frame.Time, 0.0, false, FieldSampler(frame.View, kernel), frame.Samples, {},
       frame.DisplacementSamples, frame.Mesh });
     // How the material gets from the last frame back to the first one is not known.
     if (frame.Displacements.Data && frame.Time < series.Last)
     {
       frames.back().Motion.emplace(frame.Displacements, frame.View, indexToWorld);
     }
+  }
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+  {
+    frames[i].BlendsNext = frames[i].Field.BlendsSamples(frames[i + 1].Field);
   }
   return frames;
 }
@@ -236,8 +240,7 @@ std::size_t BakedVolume::FindNearestFrame(double time) const noexcept
   return this->FindShare(frame, time) < 0.5 ? frame : frame + 1;
 }
 
-FieldAtTime BakedVolume::BlendFrames(
-  double time, TickMemory* memory, bool isReadOnce) const noexcept
+FieldAtTime BakedVolume::BlendFrames(double time, TickMemory* memory) const noexcept
 {
   const std::size_t frame = this->FindFrame(time);
   const FieldFrame& before = this->Frames[frame];
@@ -245,8 +248,28 @@ FieldAtTime BakedVolume::BlendFrames(
   {
     return FieldAtTime(before.Field, memory);
   }
-  return { before.Field, this->Frames[frame + 1].Field, this->FindShare(frame, time),
-    before.Motion ? &*before.Motion : nullptr, memory, frame, isReadOnce };
+  return { before.Field,
+    { this->Frames[frame + 1].Field, this->FindShare(frame, time), before.BlendsNext },
+    before.Motion ? &*before.Motion : nullptr, memory, frame };
+}
+
+std::optional<FieldStep> BakedVolume::FindStep(
+  double before, double now, TickMemory& memory) const noexcept
+{
+  if (this->HasMotion || this->Frames.size() < 2)
+  {
+    return {};
+  }
+  const std::size_t frame = this->FindFrame(now);
+  const FieldFrame& first = this->Frames[frame];
+  const auto isBetween = [](double share) { return share > 0.0 && share < 1.0; };
+  const double from = this->FindShare(frame, before);
+  const double to = this->FindShare(frame, now);
+  if (!first.BlendsNext || !isBetween(from) || !isBetween(to) || this->FindFrame(before) != frame)
+  {
+    return {};
+  }
+  return FieldStep(first.Field, this->Frames[frame + 1].Field, from, to, memory);
 }
 
 Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to) const noexcept

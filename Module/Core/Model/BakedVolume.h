@@ -8,6 +8,7 @@
 #define BakedVolume_h
 
 #include "Core/Field/FieldAtTime.h"
+#include "Core/Field/FieldStep.h"
 #include "Core/Math/PiecewiseTable.h"
 #include "Core/Model/BakedLabels.h"
 #include "Core/Model/BakedMode.h"
@@ -29,6 +30,7 @@ struct FieldFrame
 {
   double Time;     ///< data time, in the units of the data
   double Interval; ///< data time to the next frame; 0: there is none
+  bool BlendsNext; ///< FieldSampler::BlendsSamples() of the next frame
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
   /** Where its material goes until the next frame, if that is known. */
@@ -105,20 +107,21 @@ struct BakedVolume
     return this->HasTool(ToolKind::Shell) || this->HasTool(ToolKind::Burr);
   }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
-  /** Whether it stands still, with surfaces and materials of its scalars alone. */
-  bool IsPlain() const noexcept
-  {
-    return !this->IsMoving() && !this->HasOtherSurfaces && !this->Labels;
-  }
+  /** Whether surfaces and materials are those of its scalars alone. */
+  bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
    * The volume at a data time; before the first frame and after the last one, it stands still. The
-   * memory is that of the last gradients; see FieldAtTime for isReadOnce.
+   * memory is that of the last gradients.
    */
-  FieldAtTime At(double time, TickMemory* memory = nullptr, bool isReadOnce = false) const noexcept
+  FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
-    return this->IsMoving() ? this->BlendFrames(time, memory, isReadOnce)
-                            : FieldAtTime(this->Field, memory);
+    return this->IsMoving() ? this->BlendFrames(time, memory) : FieldAtTime(this->Field, memory);
   }
+  /**
+   * Two data times between the same two frames, whose material is not followed; none if either of
+   * them is that of a frame, or if samples are not blended.
+   */
+  std::optional<FieldStep> FindStep(double before, double now, TickMemory& memory) const noexcept;
   FrameWindow GetWindow() const noexcept
   {
     return { this->Series, this->Frames.front().Time, this->Frames.back().Time,
@@ -163,7 +166,7 @@ private:
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeFrame& shown, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
 
-  FieldAtTime BlendFrames(double time, TickMemory* memory, bool isReadOnce) const noexcept;
+  FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
   /** Of the frame after this one, at a data time. */
   double FindShare(std::size_t frame, double time) const noexcept;
 };

@@ -2,29 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/CarriedProxy.h"
 
-#include <algorithm>
+#include "Core/Solvers/ProxyCarry.h"
+
 #include <cmath>
 
 namespace VolumeHaptics
 {
 namespace
 {
-
-constexpr int MostCarrySteps = 3;
-/** Voxels. */
-constexpr double LongestCarry = 0.25;
-/**
- * After a step s as short as this (voxels), the level is reached: what is left is s^2 / (2 sigma)
- * at most, of an edge of width sigma. A level that holds the proxy is the same in all ticks, so
- * that the next one corrects that; where none holds it, what is left adds up.
- */
-constexpr double ShortCarry = 0.01;
-constexpr double ShortCarryToLevel = 0.06;
-/**
- * After a carry of up to so many voxels, the surface is not read again: its normal and gradient
- * hardly change within it.
- */
-constexpr double SameSurface = 0.06;
 
 /**
  * Levels and gradients whose relative difference is less than this are the same material's:
@@ -89,39 +74,10 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
   return change;
 }
 
-/** J, that a motion of the proxy adds to the spring. */
-double FindWork(const ServoState& state, const Vector3& start) noexcept
-{
-  const Vector3 motion = state.Proxy - start;
-  const Vector3 lag = state.PreviousTip - start;
-  return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
-}
-
 /** Whether a surface of the scalars holds the proxy or could, as far as the last tick tells. */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {
-  return surface.Fade > 0.0 && !surface.IsWall && state.SurfaceStrength > 0.0 &&
-    state.Stiffness > HapticModel::MinimumStiffness;
-}
-
-/**
- * The step (m) along the gradient by which the level rises by `rise`, if it does so by `slope` per
- * metre; not inward past the tip.
- */
-double FindCarry(const HapticModel& model, const Surface& surface, double rise, double slope,
-  const Vector3& lag, bool isHeld) noexcept
-{
-  const double longest = LongestCarry / model.MostVoxelsPerMeter;
-  const double wanted = rise / slope;
-  const double step = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -longest, longest);
-  const bool isTwoSided = model.Baked->Settings.Side == SurfaceSide::Both;
-  if (isTwoSided && !isHeld)
-  {
-    return step; // the side that comes is the structure
-  }
-  const double push = Dot(lag, surface.Normal);
-  return Law::IsDescending(model, lag, surface.Normal) ? std::max(step, std::min(push, 0.0))
-                                                       : std::min(step, std::max(push, 0.0));
+  return !surface.IsWall && Carrying::IsSurfaceThere(state, surface.Fade);
 }
 
 /** The surface through an index at which the estimator reads this sample. */
@@ -132,21 +88,37 @@ Surface FindThere(const HapticModel& model, ServoState& state, const FieldAtTime
                                        : Law::MakeFieldSurface(model, index, sample);
 }
 
-/** How much the estimator's level rises per metre along the gradient. */
-double FindSlope(const HapticModel& model, const Surface& surface) noexcept
-{
-  return surface.GradientMagnitude * model.WorldUnitsPerMeter;
-}
-
 /**
- * The slope of V, from its rise over the last step; the estimator's if that is more than four times
- * off, as where V is flat.
+ * Carries state.Proxy to a level of the estimator; the surface there is read again after each step.
+ * @return how far (m) it is from where the surface was read
  */
-double FindSlopeOfValue(double estimated, double rise, double step) noexcept
+double CarryToOwnLevel(const HapticModel& model, ServoState& state, const FieldAtTime& now,
+  const Change& change, Surface& there) noexcept
 {
-  constexpr double most = 4.0;
-  const double secant = rise / step;
-  return secant > estimated / most && secant < most * estimated ? secant : estimated;
+  const bool isHeld = state.Precise.IsHeld;
+  const double target = isHeld ? state.Precise.Level : change.LevelBefore;
+  double level = change.LevelNow;
+  double away = 0.0;
+  for (int i = 0; i < Carrying::MostSteps && IsSurfaceThere(state, there); ++i)
+  {
+    const Vector3 lag = state.PreviousTip - state.Proxy;
+    const double slope = Carrying::FindSlope(model, there.GradientMagnitude);
+    const double step = Carrying::FindStep(model, there.Normal, target - level, slope, lag, isHeld);
+    state.Proxy += step * there.Normal;
+    away = step;
+    there.Value += step * slope;
+    if (std::abs(step) * model.MostVoxelsPerMeter <=
+      (isHeld ? Carrying::ShortStepToLevel : Carrying::ShortStep))
+    {
+      break;
+    }
+    const Vector3 index = model.DeviceToIndex(state.Proxy);
+    const FieldSample sample = now.Gradient(index);
+    level = sample.Value;
+    there = FindThere(model, state, now, index, sample);
+    away = 0.0;
+  }
+  return away;
 }
 
 } // namespace
@@ -171,7 +143,7 @@ CarriedProxy CarryProxy(
     carried.Shift = Inverse(model.DeviceToIndex.Linear) * (index - from);
     state.Proxy += carried.Shift;
     state.Precise.ReachedTip += carried.Shift;
-    carried.Work = FindWork(state, start);
+    carried.Work = Carrying::FindWork(state, start, state.Proxy);
   }
   const FieldAtTime before = model.Baked->At(state.CarriedTo, memory);
   const Change change = FindChange(model, before, now, from, index);
@@ -180,46 +152,26 @@ CarriedProxy CarryProxy(
     return carried;
   }
   Surface& there = carried.There.emplace(FindThere(model, state, now, index, change.Now));
-  const bool isOwn = HasOwnLevels(model);
-  const bool isHeld = state.Precise.IsHeld && isOwn;
-  const double target = isHeld ? state.Precise.Level : change.LevelBefore;
-  double level = change.LevelNow;
-  double slope = FindSlope(model, there);
-  double away = 0.0; // from where the surface was found, m
-  for (int i = 0; i < MostCarrySteps && IsSurfaceThere(state, there); ++i)
+  double away = 0.0;
+  if (HasOwnLevels(model))
   {
-    const Vector3 lag = state.PreviousTip - state.Proxy;
-    const double step = FindCarry(model, there, target - level, slope, lag, isHeld);
-    state.Proxy += step * there.Normal;
-    away += step;
-    there.Value += step * FindSlope(model, there);
-    if (std::abs(step) * model.MostVoxelsPerMeter <= (isHeld ? ShortCarryToLevel : ShortCarry))
-    {
-      break;
-    }
-    index = model.DeviceToIndex(state.Proxy);
-    if (isOwn)
-    {
-      const FieldSample sample = now.Gradient(index);
-      level = sample.Value;
-      there = FindThere(model, state, now, index, sample);
-      slope = FindSlope(model, there);
-      away = 0.0;
-    }
-    else if (i + 1 < MostCarrySteps)
-    {
-      const double reached = now.Value(index);
-      slope = FindSlopeOfValue(FindSlope(model, there), reached - level, step);
-      level = reached;
-    }
+    away = CarryToOwnLevel(model, state, now, change, there);
   }
-  if (std::abs(away) * model.MostVoxelsPerMeter > SameSurface)
+  else if (IsSurfaceThere(state, there))
+  {
+    const ProxyCarry carry = Carrying::FollowValues(model, state, there.Normal,
+      there.GradientMagnitude, { change.LevelBefore, change.LevelNow },
+      [&now](const Vector3& at) { return now.Value(at); });
+    state.Proxy = carry.Proxy;
+    away = carry.Away;
+  }
+  if (!Carrying::IsSameSurface(model, away))
   {
     index = model.DeviceToIndex(state.Proxy);
     there = FindThere(model, state, now, index, now.Gradient(index));
   }
   carried.Motion = state.Proxy - start - carried.Shift;
-  carried.Work = FindWork(state, start);
+  carried.Work = Carrying::FindWork(state, start, state.Proxy);
   return carried;
 }
 

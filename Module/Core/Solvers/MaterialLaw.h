@@ -18,6 +18,7 @@
 #ifndef MaterialLaw_h
 #define MaterialLaw_h
 
+#include "Core/Math/KernelInline.h"
 #include "Core/Model/HapticModel.h"
 #include "Core/Model/LabelMemory.h"
 #include "Core/Solvers/MaterialPoint.h"
@@ -95,7 +96,8 @@ struct Slope
 };
 
 /** False if there is no gradient. */
-inline bool FindSlope(const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
+VOLUME_HAPTICS_INLINE bool FindSlope(
+  const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
 {
   const double floor = RelativeGradientEpsilon * sample.Value;
   const Vector3 gradient = model.GradientToDevice * sample.Gradient;

@@ -164,6 +164,9 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
   // Kernels of many taps are blended after they are summed.
   const auto isBefore = [this](int radius)
   { return this->GetParam() != GradientEstimator::Gaussian || radius < 4; };
+  const auto hasTaps = [this](int radius)
+  { return this->GetParam() == GradientEstimator::Gaussian && radius < 3; };
+  int tapCount = 0;
   const auto isNear = [](const FieldSample& a, const FieldSample& b, double scale)
   {
     return std::abs(a.Value - b.Value) <= 1e-12 * scale &&
@@ -204,17 +207,28 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
           const FieldSample sample = a.Gradient(other, at);
           const FieldSample blend = expected.Gradient(at);
           ASSERT_TRUE(isBefore(radius) ? IsSame(sample, blend) : isNear(sample, blend, largest));
-          BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
+          const BlendMemories memories{ &memory.Of(0), &memory.Of(1), &memory };
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
-          // At other instants, which take the same memories in turn, or keep nothing there.
-          a.Gradient(before, at, memories);
-          memories.KeepsBlend = false;
+          // At another instant, which takes the same memories in turn.
+          ASSERT_TRUE(IsSame(a.Gradient(before, at, memories), a.Gradient(before, at)));
           ASSERT_TRUE(IsSame(a.Gradient(other, at, memories), sample));
           ASSERT_TRUE(IsSame(a.Gradient(own, at), a.Gradient(at)));
           ASSERT_TRUE(IsSame(a.Value(other, at), expected.Value(at)));
           const SharePair pair = a.Values(other, half, at);
           ASSERT_TRUE(IsSame(pair.First, a.Value(other, at)));
           ASSERT_TRUE(IsSame(pair.Second, a.Value(before, at)));
+          // Values from the gradient's samples, where those reach so far.
+          const FrameTaps* const taps = a.FindTaps(other, memory);
+          ASSERT_TRUE(!taps || hasTaps(radius));
+          const SharePair tapped = a.Values(other, half, at, taps);
+          ASSERT_TRUE(IsSame(tapped.First, pair.First) && IsSame(tapped.Second, pair.Second));
+          const Vector3 aside{ 3.0 * uniform(engine), -2.0 * uniform(engine), uniform(engine) };
+          const ValuePair expectedSides = a.Values(other, at, aside);
+          const ValuePair sides = a.Values(other, at, aside, taps);
+          ASSERT_TRUE(IsSame(sides.Ahead, expectedSides.Ahead));
+          ASSERT_TRUE(IsSame(sides.Behind, expectedSides.Behind));
+          ASSERT_TRUE(IsSame(a.Value(other, at + aside, taps), a.Value(other, at + aside)));
+          tapCount += taps ? 1 : 0;
         }
       }
     }
@@ -230,7 +244,9 @@ TEST_P(InstructionSets, ABlendIsAsAVolumeOfBlendedSamples)
       first.FillRandom(1);
       second.FillRandom(2);
       strided.FillRandom(3);
+      tapCount = 0;
       compare(first, second, 0.3, radius);
+      EXPECT_EQ(tapCount > 100, hasTaps(radius)) << "gradients leave samples for values";
       compare(first, strided, 0.9, radius);
     }
   }

@@ -14,7 +14,9 @@
 #include <cmath>
 #include <cstring>
 #include <list>
+#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace coretest;
@@ -200,6 +202,68 @@ TEST(MovingMemory, ValuesAtTwoInstantsAreThoseOfEachToTheBit)
       ASSERT_EQ(pair.Second, b.Value(at)) << first << " and " << second;
       ASSERT_TRUE(std::isfinite(pair.First));
     }
+  }
+}
+
+/// PAPER's shorter way reads two instants between the same frames: as each alone.
+TEST(MovingMemory, AStepBetweenFramesIsReadAsBothInstantsToTheBit)
+{
+  RandomMovie movie(ScalarType::Float32, 4, false);
+  std::mt19937_64 engine(13);
+  for (TestVolume& volume : movie.Volumes)
+  {
+    volume.Fill<float>(
+      [&](std::int64_t, std::int64_t, std::int64_t)
+      {
+        const auto dice = engine() % 1000;
+        return dice == 0 ? std::nanf("") : static_cast<float>(dice);
+      });
+  }
+  for (const auto& [estimator, radius] :
+    { std::pair{ GradientEstimator::Gaussian, 1 }, std::pair{ GradientEstimator::Gaussian, 2 },
+      std::pair{ GradientEstimator::Gaussian, 3 }, std::pair{ GradientEstimator::Gaussian, 4 },
+      std::pair{ GradientEstimator::CubicBSpline, 2 },
+      std::pair{ GradientEstimator::CentralDifference, 2 } })
+  {
+    HapticModelDescription description = Describe(movie.Volumes.front());
+    description.Frames = movie.Frames;
+    description.Estimator = estimator;
+    description.KernelRadius = radius;
+    const HapticModel model(description);
+    std::uniform_real_distribution<double> place(0.0, RandomMovie::Size - 1.0);
+    std::uniform_real_distribution<double> instant(0.0, 3.0);
+    TickMemory memory;
+    int between = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+      const Vector3 at{ place(engine), place(engine), place(engine) };
+      const Vector3 aside{ 0.6 * radius, -0.7 * radius, 0.2 * radius };
+      const double first = i % 7 == 0 ? 1.0 : instant(engine);
+      const double second = i % 11 == 0 ? 2.0 : instant(engine);
+      std::optional<FieldStep> step = model.Baked->FindStep(first, second, memory);
+      const bool isBetween = std::floor(first) == std::floor(second) &&
+        first != std::floor(first) && second != std::floor(second);
+      ASSERT_EQ(step.has_value(), isBetween) << first << " and " << second;
+      if (!step)
+      {
+        continue;
+      }
+      ++between;
+      const FieldAtTime now = model.Baked->At(second);
+      const FieldSample sample = step->Gradient(at);
+      const FieldSample expected = now.Gradient(at);
+      ASSERT_TRUE((std::isnan(sample.Value) && std::isnan(expected.Value)) ||
+        std::memcmp(&sample, &expected, sizeof(sample)) == 0);
+      const SharePair values = step->Values(at);
+      ASSERT_EQ(values.First, model.Baked->At(first).Value(at));
+      ASSERT_EQ(values.Second, now.Value(at));
+      ASSERT_EQ(step->Value(at + 0.1 * aside), now.Value(at + 0.1 * aside));
+      const ValuePair sides = step->Values(at, aside);
+      const ValuePair expectedSides = now.Values(at, aside);
+      ASSERT_EQ(sides.Ahead, expectedSides.Ahead);
+      ASSERT_EQ(sides.Behind, expectedSides.Behind);
+    }
+    EXPECT_GT(between, 400);
   }
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PAPER goes a shorter way where a volume is plain. The reference is the same volume with a
- * solid cut far beyond it, which takes the way of all others, and changes nothing.
+ * Solver PAPER goes a shorter way where a volume is plain, whether it moves or not. The reference
+ * is the same volume with a solid cut far beyond it, which takes the way of all others, and changes
+ * nothing.
  */
 
 #include "Rigs/CoreScene.h"
@@ -14,6 +15,7 @@
 #include <cstring>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace coretest;
@@ -34,25 +36,26 @@ bool HaveSameBits(const Vector3& a, const Vector3& b)
 
 void ExpectSame(const TickRecord& plain, const TickRecord& reference)
 {
-  EXPECT_TRUE(HaveSameBits(plain.Proxy, reference.Proxy));
-  EXPECT_TRUE(HaveSameBits(plain.Force, reference.Force));
-  EXPECT_TRUE(HaveSameBits(plain.Normal, reference.Normal));
-  for (const auto member :
-    { &TickRecord::NormalForce, &TickRecord::FrictionForce, &TickRecord::DragForce })
+  ASSERT_TRUE(HaveSameBits(plain.Proxy, reference.Proxy));
+  ASSERT_TRUE(HaveSameBits(plain.Force, reference.Force));
+  ASSERT_TRUE(HaveSameBits(plain.Normal, reference.Normal));
+  for (const auto member : { &TickRecord::NormalForce, &TickRecord::FrictionForce,
+         &TickRecord::DragForce, &TickRecord::WallWork })
   {
-    EXPECT_TRUE(HaveSameBits(plain.*member, reference.*member));
+    ASSERT_TRUE(HaveSameBits(plain.*member, reference.*member));
   }
   for (const auto member : { &MaterialPoint::GradientMagnitude, &MaterialPoint::SurfaceValue,
          &MaterialPoint::MediumValue, &MaterialPoint::Stiffness, &MaterialPoint::Friction,
          &MaterialPoint::Viscosity, &MaterialPoint::SurfaceStrength })
   {
-    EXPECT_TRUE(HaveSameBits(plain.*member, reference.*member));
+    ASSERT_TRUE(HaveSameBits(plain.*member, reference.*member));
   }
-  EXPECT_EQ(plain.Contact, reference.Contact);
+  ASSERT_EQ(plain.Contact, reference.Contact);
 }
 
 /// A soft ball in air without a gradient, with noise on the ball; and samples that are no numbers.
-TestVolume MakeBallInAir()
+/// @param grown by which its value is larger everywhere in it
+TestVolume MakeBallInAir(float grown = 0.0F)
 {
   TestVolume volume(ScalarType::Float32, { 32, 32, 32 });
   std::mt19937 random(23);
@@ -62,7 +65,7 @@ TestVolume MakeBallInAir()
     {
       const auto square =
         static_cast<float>((x - 16) * (x - 16) + (y - 16) * (y - 16) + (z - 16) * (z - 16));
-      const float value = 1000.0F - 10.0F * square;
+      const float value = 1000.0F + grown - 10.0F * square;
       return x == 27 && y == 16 ? std::nanf("") : (value > 0.0F ? value + noise(random) : 0.0F);
     });
   return volume;
@@ -88,16 +91,26 @@ class PlainVolume : public testing::TestWithParam<SurfaceSide>
 {
 };
 
-TEST_P(PlainVolume, IsFeltAsWithACutThatLiesBeyondIt)
+namespace
 {
-  const TestVolume volume = MakeBallInAir();
+HapticModelDescription DescribePlain(const TestVolume& volume, SurfaceSide side)
+{
   HapticModelDescription description = Describe(volume);
   PlaceAsThePaper(description);
   description.Settings.Solver = HapticSolver::Paper;
-  description.Settings.Side = this->GetParam();
+  description.Settings.Side = side;
   description.Material.Stiffness = { { 0.0, 50.0 }, { 200.0, 300.0 }, { 900.0, 600.0 } };
   description.Material.Friction = ConstantPolyline(0.3);
   description.Material.Viscosity = { { 300.0, 0.0 }, { 500.0, 0.1 } };
+  return description;
+}
+
+/// Times at which a series is touched, of a tick.
+using Clock = double (*)(int tick);
+
+/// Both ways, tick by tick.
+void ExpectSameAsWithACutBeyond(HapticModelDescription description, Clock clock)
+{
   const HapticModel plain(description);
   description.Cut = std::make_shared<CutAway>(std::vector<CutPlane>{ { { 1.0, 0.0, 0.0 }, -1e6 } },
     CutRegions{}, description.IndexToWorld, true);
@@ -110,22 +123,62 @@ TEST_P(PlainVolume, IsFeltAsWithACutThatLiesBeyondIt)
   TickRecord records[2];
   int felt = 0;
   int still = 0;
+  int pushed = 0;
+  int tick = 0;
   for (const Vector3& tip : MakePath())
   {
     const HapticModel* const models[2] = { &plain, &reference };
     for (int i = 0; i < 2; ++i)
     {
+      states[i].DataTime = clock(tick);
       Tick(*models[i], states[i], PerMillimetre * tip, records[i], LocalSurfaceResult::Simulated(),
         &memories[i]);
     }
-    ASSERT_NO_FATAL_FAILURE(ExpectSame(records[0], records[1]));
-    ASSERT_FALSE(this->HasFailure());
+    ASSERT_NO_FATAL_FAILURE(ExpectSame(records[0], records[1])) << "tick " << tick;
     felt += Norm(records[0].Force) > 0.0 ? 1 : 0;
     still += records[0].GradientMagnitude == 0.0 ? 1 : 0;
+    pushed += records[0].WallWork != 0.0 ? 1 : 0;
+    ++tick;
   }
   // All ways were taken.
   EXPECT_GT(felt, 300);
   EXPECT_GT(still, 300);
+  EXPECT_EQ(pushed > 100, plain.Baked->IsMoving());
+}
+} // namespace
+
+TEST_P(PlainVolume, IsFeltAsWithACutThatLiesBeyondIt)
+{
+  const TestVolume volume = MakeBallInAir();
+  ExpectSameAsWithACutBeyond(DescribePlain(volume, this->GetParam()), [](int) { return 0.0; });
+}
+
+/// Slow, at rest, through a whole series and back, and in leaps that are longer than a voxel.
+TEST_P(PlainVolume, ThatMovesIsFeltSo)
+{
+  const TestVolume volumes[3] = { MakeBallInAir(), MakeBallInAir(40.0F), MakeBallInAir(-150.0F) };
+  for (const auto& [estimator, radius] :
+    { std::pair{ GradientEstimator::Gaussian, 1 }, std::pair{ GradientEstimator::Gaussian, 2 },
+      std::pair{ GradientEstimator::Gaussian, 3 }, std::pair{ GradientEstimator::CubicBSpline, 2 },
+      std::pair{ GradientEstimator::CentralDifference, 2 } })
+  {
+    SCOPED_TRACE(
+      testing::Message() << "estimator " << static_cast<int>(estimator) << " radius " << radius);
+    HapticModelDescription description = DescribePlain(volumes[0], this->GetParam());
+    description.Estimator = estimator;
+    description.KernelRadius = radius;
+    for (const TestVolume& volume : volumes)
+    {
+      description.Frames.push_back(
+        { static_cast<double>(description.Frames.size()), volume.View, nullptr });
+    }
+    ExpectSameAsWithACutBeyond(description,
+      [](int tick)
+      {
+        const double slow = 1.0 - std::cos(0.004 * tick);
+        return tick % 100 < 10 ? std::floor(slow) : (tick % 37 == 0 ? 0.9 * slow : slow);
+      });
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

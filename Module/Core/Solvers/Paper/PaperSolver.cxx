@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Paper/PaperSolver.h"
 
+#include "Core/Math/KernelInline.h"
 #include "Core/Solvers/CarriedProxy.h"
 #include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/ProxyCarry.h"
 #include "Core/Solvers/ServoState.h"
+
+#include <optional>
 
 namespace VolumeHaptics
 {
@@ -13,7 +17,7 @@ namespace
 
 /** The motion of the proxy by the law, and the forces. With a cut, the proxy stops at its faces. */
 template <bool MayHaveCut>
-Vector3 Advance(
+VOLUME_HAPTICS_INLINE Vector3 Advance(
   const HapticModel& model, const Vector3& start, const SplitLag& lag, TickRecord& record) noexcept
 {
   const double k = record.Stiffness;
@@ -60,25 +64,19 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
 }
 
 /**
- * A tick in a plain volume (BakedVolume::IsPlain), with an enabled state. As Step, to the bit, but
- * without a Surface and a FieldAtTime: they lie in memory, where numbers wait for one another.
+ * The rest of a tick in a plain volume (BakedVolume::IsPlain), from the surface on. As Step, to the
+ * bit, but without a Surface and a FieldAtTime: they lie in memory, where numbers wait for one
+ * another.
+ * @param slope at the proxy; turned towards the structure
+ * @param fade of the surface
  */
-void StepPlain(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+template <typename Field>
+VOLUME_HAPTICS_INLINE void FeelPlain(const HapticModel& model, const Vector3& position,
+  const Vector3& index, Law::Slope& slope, double fade, const Field& field,
+  TickRecord& record) noexcept
 {
   const BakedVolume& baked = *model.Baked;
-  const FieldSampler& field = baked.Field;
-  const Vector3 position = state.Proxy;
   const Vector3 lag = record.Tip - position;
-  const Vector3 index = model.DeviceToIndex(position);
-  Law::Slope slope;
-  if (!field.IsInside(index) ||
-    !Law::FindSlope(model, field.Gradient(index, memory ? &memory->Of(0) : nullptr), slope))
-  {
-    const Surface none = Law::MakeNoSurface(model);
-    Step(model, state, record, FieldAtTime(field, memory), &none);
-    return;
-  }
   if (Law::IsDescending(model, lag, slope.Normal))
   {
     slope.Normal = -slope.Normal;
@@ -90,8 +88,68 @@ void StepPlain(
   record.Normal = slope.Normal;
   record.GradientMagnitude = slope.Magnitude;
   Law::JoinMaterials(model, values, baked.Materials(values.Ahead), baked.Materials(values.Behind),
-    distinct, model.BorderFade(index), 1.0, record);
+    distinct, fade, 1.0, record);
   record.Proxy = Advance<false>(model, position, split, record);
+}
+
+/** A tick in a plain volume that stands still, with an enabled state. */
+void StepPlain(
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+{
+  const FieldSampler& field = model.Baked->Field;
+  const Vector3 index = model.DeviceToIndex(state.Proxy);
+  Law::Slope slope;
+  if (!field.IsInside(index) ||
+    !Law::FindSlope(model, field.Gradient(index, memory ? &memory->Of(0) : nullptr), slope))
+  {
+    const Surface none = Law::MakeNoSurface(model);
+    Step(model, state, record, FieldAtTime(field, memory), &none);
+    return;
+  }
+  FeelPlain(model, state.Proxy, index, slope, model.BorderFade(index), field, record);
+}
+
+/**
+ * A tick in a plain volume that moves, with an enabled state: as with CarryProxy, to the bit. False
+ * if it has to be done so.
+ */
+VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
+  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept
+{
+  std::optional<FieldStep> field = model.Baked->FindStep(state.CarriedTo, state.DataTime, memory);
+  Vector3 index = model.DeviceToIndex(state.Proxy);
+  Law::Slope slope;
+  if (!field || !field->IsInside(index) || !Law::FindSlope(model, field->Gradient(index), slope))
+  {
+    return false;
+  }
+  const SharePair levels = field->Values(index);
+  if (levels.First == levels.Second)
+  {
+    return false; // perhaps nothing has changed
+  }
+  double fade = model.BorderFade(index);
+  const Vector3 start = state.Proxy;
+  if (Carrying::IsSurfaceThere(state, fade))
+  {
+    const ProxyCarry carry = Carrying::FollowValues(model, state, slope.Normal, slope.Magnitude,
+      levels, [&field](const Vector3& at) { return field->Value(at); });
+    state.Proxy = carry.Proxy;
+    index = model.DeviceToIndex(carry.Proxy);
+    record.WallWork = Carrying::FindWork(state, start, carry.Proxy);
+    if (!Carrying::IsSameSurface(model, carry.Away))
+    {
+      if (!Law::FindSlope(model, field->Gradient(index), slope))
+      {
+        const Surface none = Law::MakeNoSurface(model);
+        Step(model, state, record, model.Baked->At(state.DataTime, &memory), &none);
+        return true;
+      }
+      fade = model.BorderFade(index);
+    }
+  }
+  FeelPlain(model, state.Proxy, index, slope, fade, *field, record);
+  return true;
 }
 
 } // namespace
@@ -99,15 +157,23 @@ void StepPlain(
 void StepPaper(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
 {
+  const bool isMoving = model.Baked->IsMoving();
   if (state.Enabled && model.Baked->IsPlain())
   {
-    StepPlain(model, state, record, memory);
-    return;
+    if (!isMoving)
+    {
+      StepPlain(model, state, record, memory);
+      return;
+    }
+    if (memory && state.CarriedTo != state.DataTime &&
+      StepPlainMotion(model, state, record, *memory))
+    {
+      return;
+    }
   }
-  // The gradient is read where the last tick has left the proxy, and hardly ever again.
-  const FieldAtTime field = model.Baked->At(state.DataTime, memory, true);
+  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
-  if (!model.Baked->IsMoving() || !state.Enabled)
+  if (!isMoving || !state.Enabled)
   {
     Step(model, state, record, field, nullptr);
     return;

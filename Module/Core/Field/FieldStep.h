@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FieldStep_h
+#define FieldStep_h
+
+#include "Core/Field/FieldSampler.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * A volume that moves, at two instants between the same two frames: as two FieldAtTime, to the bit,
+ * but with less work, since both have the same samples, and those of the last gradient are at hand.
+ * Neither instant is that of a frame.
+ */
+class FieldStep
+{
+public:
+  /**
+   * Borrows the frames, whose samples are blended, and a memory.
+   * @param before, now shares of the second frame, more than 0 and less than 1
+   */
+  FieldStep(const FieldSampler& first, const FieldSampler& second, double before, double now,
+    TickMemory& memory) noexcept
+    : First(first)
+    , Second(second)
+    , Before(before)
+    , Now(now)
+    , Memory(memory)
+  {
+  }
+
+  bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
+
+  /** At the later instant. First of all: it has the samples for what follows. */
+  FieldSample Gradient(const Vector3& index) noexcept
+  {
+    const FieldSampler::OtherFrame now = this->GetNow();
+    // Frames that are blended have no memories of their own.
+    const FieldSample sample =
+      this->First.Gradient(now, index, { nullptr, nullptr, &this->Memory });
+    this->Taps = this->First.FindTaps(now, this->Memory);
+    return sample;
+  }
+
+  /** Values at both instants. */
+  SharePair Values(const Vector3& index) const noexcept
+  {
+    const SharePair pair = this->First.Values(this->GetNow(), this->Before, index, this->Taps);
+    return { pair.Second, pair.First };
+  }
+
+  ///@{
+  /** At the later instant, as those of FieldAtTime. */
+  double Value(const Vector3& index) const noexcept
+  {
+    return this->First.Value(this->GetNow(), index, this->Taps);
+  }
+  ValuePair Values(const Vector3& index, const Vector3& offset) const noexcept
+  {
+    return this->First.Values(this->GetNow(), index, offset, this->Taps);
+  }
+  ///@}
+
+private:
+  FieldSampler::OtherFrame GetNow() const noexcept { return { this->Second, this->Now, true }; }
+
+  const FieldSampler& First;
+  const FieldSampler& Second;
+  const double Before;
+  const double Now;
+  TickMemory& Memory;
+  const FrameTaps* Taps = nullptr;
+};
+
+} // namespace VolumeHaptics
+
+#endif

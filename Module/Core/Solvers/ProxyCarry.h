@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The steps by which a proxy is carried to a level: what CarriedProxy.cxx and the shorter way of
+ * PAPER share.
+ */
+#ifndef ProxyCarry_h
+#define ProxyCarry_h
+
+#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Solvers/ServoState.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+
+/** Where a proxy was carried. */
+struct ProxyCarry
+{
+  Vector3 Proxy;     ///< m
+  double Away = 0.0; ///< m, along the normal
+};
+
+namespace Carrying
+{
+constexpr int MostSteps = 3;
+/** Voxels. */
+constexpr double LongestStep = 0.25;
+/**
+ * After a step s as short as this (voxels), the level is reached: what is left is s^2 / (2 sigma)
+ * at most, of an edge of width sigma. A level that holds the proxy is the same in all ticks, so
+ * that the next one corrects that; where none holds it, what is left adds up.
+ */
+constexpr double ShortStep = 0.01;
+constexpr double ShortStepToLevel = 0.06;
+/**
+ * After a carry of up to so many voxels, the surface is not read again: its normal and gradient
+ * hardly change within it.
+ */
+constexpr double SameSurface = 0.06;
+
+/** Whether a surface that fades holds the proxy or could, as far as the last tick tells. */
+inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
+{
+  return fade > 0.0 && state.SurfaceStrength > 0.0 &&
+    state.Stiffness > HapticModel::MinimumStiffness;
+}
+
+inline bool IsSameSurface(const HapticModel& model, double away) noexcept
+{
+  return std::abs(away) * model.MostVoxelsPerMeter <= SameSurface;
+}
+
+/** J, that a motion of the proxy from `start` adds to the spring. */
+inline double FindWork(const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
+{
+  const Vector3 motion = proxy - start;
+  const Vector3 lag = state.PreviousTip - start;
+  return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
+}
+
+/** How much the estimator's level rises per metre along the gradient. */
+inline double FindSlope(const HapticModel& model, double gradientMagnitude) noexcept
+{
+  return gradientMagnitude * model.WorldUnitsPerMeter;
+}
+
+/**
+ * The step (m) along the gradient by which the level rises by `rise`, if it does so by `slope` per
+ * metre; not inward past the tip.
+ */
+inline double FindStep(const HapticModel& model, const Vector3& normal, double rise, double slope,
+  const Vector3& lag, bool isHeld) noexcept
+{
+  const double longest = LongestStep / model.MostVoxelsPerMeter;
+  const double wanted = rise / slope;
+  const double step = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -longest, longest);
+  const bool isTwoSided = model.Baked->Settings.Side == SurfaceSide::Both;
+  if (isTwoSided && !isHeld)
+  {
+    return step; // the side that comes is the structure
+  }
+  const double push = Dot(lag, normal);
+  return Law::IsDescending(model, lag, normal) ? std::max(step, std::min(push, 0.0))
+                                               : std::min(step, std::max(push, 0.0));
+}
+
+/**
+ * The slope of V, from its rise over the last step; the estimator's if that is more than four times
+ * off, as where V is flat.
+ */
+inline double FindSlopeOfValue(double estimated, double rise, double step) noexcept
+{
+  constexpr double most = 4.0;
+  const double secant = rise / step;
+  return secant > estimated / most && secant < most * estimated ? secant : estimated;
+}
+
+/**
+ * Follows a level of V from state.Proxy on, along a normal, by the secant method.
+ * @param levels V before the motion, and after it
+ * @param findValue gives V at an index
+ */
+template <typename ValueFunction>
+ProxyCarry FollowValues(const HapticModel& model, const ServoState& state, const Vector3& normal,
+  double gradientMagnitude, const SharePair& levels, const ValueFunction& findValue) noexcept
+{
+  const double estimated = FindSlope(model, gradientMagnitude);
+  ProxyCarry carry{ state.Proxy };
+  double slope = estimated;
+  double level = levels.Second;
+  for (int i = 1;; ++i)
+  {
+    const Vector3 lag = state.PreviousTip - carry.Proxy;
+    const double step = FindStep(model, normal, levels.First - level, slope, lag, false);
+    carry.Proxy += step * normal;
+    carry.Away += step;
+    if (i == MostSteps || std::abs(step) * model.MostVoxelsPerMeter <= ShortStep)
+    {
+      return carry;
+    }
+    const double reached = findValue(model.DeviceToIndex(carry.Proxy));
+    slope = FindSlopeOfValue(estimated, reached - level, step);
+    level = reached;
+  }
+}
+} // namespace Carrying
+
+} // namespace VolumeHaptics
+
+#endif
