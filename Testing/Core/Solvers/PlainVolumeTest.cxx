@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Solver PAPER goes a shorter way where a volume is plain, whether it moves or not. The reference
- * is the same volume with a solid cut far beyond it, which takes the way of all others, and changes
+ * The solvers go a shorter way where a volume is plain, whether it moves or not. The reference is
+ * the same volume with a solid cut far beyond it, which takes the way of all others, and changes
  * nothing.
  */
 
@@ -85,20 +85,30 @@ std::vector<Vector3> MakePath()
   return path;
 }
 
+struct PlainCase
+{
+  HapticSolver Solver;
+  SurfaceSide Side;
+  bool IsPlacedAsThePaper;
+};
+
 } // namespace
 
-class PlainVolume : public testing::TestWithParam<SurfaceSide>
+class PlainVolume : public testing::TestWithParam<PlainCase>
 {
 };
 
 namespace
 {
-HapticModelDescription DescribePlain(const TestVolume& volume, SurfaceSide side)
+HapticModelDescription DescribePlain(const TestVolume& volume, const PlainCase& plain)
 {
   HapticModelDescription description = Describe(volume);
-  PlaceAsThePaper(description);
-  description.Settings.Solver = HapticSolver::Paper;
-  description.Settings.Side = side;
+  if (plain.IsPlacedAsThePaper)
+  {
+    PlaceAsThePaper(description);
+  }
+  description.Settings.Solver = plain.Solver;
+  description.Settings.Side = plain.Side;
   description.Material.Stiffness = { { 0.0, 50.0 }, { 200.0, 300.0 }, { 900.0, 600.0 } };
   description.Material.Friction = ConstantPolyline(0.3);
   description.Material.Viscosity = { { 300.0, 0.0 }, { 500.0, 0.1 } };
@@ -181,5 +191,19 @@ TEST_P(PlainVolume, ThatMovesIsFeltSo)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  All, PlainVolume, testing::Values(SurfaceSide::Both, SurfaceSide::Lower, SurfaceSide::Higher));
+namespace
+{
+std::vector<PlainCase> AllPlainCases()
+{
+  std::vector<PlainCase> all;
+  for (const SurfaceSide side : { SurfaceSide::Both, SurfaceSide::Lower, SurfaceSide::Higher })
+  {
+    all.push_back({ HapticSolver::Paper, side, true });
+    all.push_back({ HapticSolver::Precise, side, true });
+    all.push_back({ HapticSolver::Precise, side, false });
+  }
+  return all;
+}
+} // namespace
+
+INSTANTIATE_TEST_SUITE_P(All, PlainVolume, testing::ValuesIn(AllPlainCases()));

@@ -233,7 +233,7 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
     if (tipBefore && turns && this->Last.Excess > here.Viscosity)
     {
       motion.Displacement =
-        FindProxyDisplacement(here, k, *tipBefore - this->Proxy, lag, motion.Displacement);
+        ProxyDisplacement::Find(here, k, *tipBefore - this->Proxy, lag, motion.Displacement);
     }
   }
   if (!motion.IsHeld)

@@ -17,8 +17,6 @@ constexpr double Tolerance = 2e-4;
 constexpr double SmallPart = 1e-3;
 /** Trials of the search that draws a motion back. */
 constexpr int MostTrials = 10;
-/** The largest distance (voxels) from a proxy to its level. */
-constexpr double FarthestLevel = 0.25;
 /** At an edge, V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean. */
 constexpr double EdgeTolerance = 1e-3;
 /** The share of the edge's height over which a graded edge gains its strength. */
@@ -27,16 +25,16 @@ constexpr double EdgeWidth = 0.5;
 constexpr double EdgeStrength = 20.0;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
-double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexcept
+double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
 {
-  const double above = value - 0.5 * (point.SurfaceValue + point.MediumValue);
-  const double width = EdgeTolerance * std::abs(point.SurfaceValue - point.MediumValue);
+  const double above = value - 0.5 * (sides.Ahead + sides.Behind);
+  const double width = EdgeTolerance * std::abs(sides.Ahead - sides.Behind);
   const double share = 1.0 + (isDescending ? -above : above) / std::max(width, 1e-300);
   return std::clamp(share, 0.0, 1.0);
 }
 
 /**
- * The strength of a graded edge of height h:
+ * The strength of a graded edge of height h, whose material has the strength T:
  *
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *
@@ -47,17 +45,17 @@ double AtEdge(const MaterialPoint& point, double value, bool isDescending) noexc
  * V is V(x_p) or the estimator's own value, the one that is farther inside: the latter carries less
  * noise, but in a sheet that is thinner than the kernel it does not reach the middle.
  */
-double GradedStrength(
-  const PrecisePoint& point, double value, double rise, bool isDescending) noexcept
+double GradedStrength(const ValuePair& sides, double strength, double own, double value,
+  double rise, bool isDescending) noexcept
 {
-  const double inside = isDescending ? std::min(value, point.Value) : std::max(value, point.Value);
-  const double middle = 0.5 * (point.SurfaceValue + point.MediumValue);
-  const double height = std::abs(point.SurfaceValue - point.MediumValue);
+  const double inside = isDescending ? std::min(value, own) : std::max(value, own);
+  const double middle = 0.5 * (sides.Ahead + sides.Behind);
+  const double height = std::abs(sides.Ahead - sides.Behind);
   const double above = isDescending ? middle - inside : inside - middle;
   const double past = std::clamp(above / std::max(EdgeWidth * height, 1e-300), 0.0, 1.0);
   const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
   const double edge = EdgeStrength * share;
-  const double whole = point.SurfaceStrength * AtEdge(point, inside, isDescending);
+  const double whole = strength * AtEdge(sides, inside, isDescending);
   return std::min(whole, edge / std::max(1.0 - share, 1e-12));
 }
 
@@ -86,98 +84,158 @@ PrecisePoint PreciseSurroundings::Look(
   const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched, double voxels) noexcept
 {
   const Vector3 index = this->Model.DeviceToIndex(proxy);
-  return this->Look(
-    proxy, Law::FindSurface(this->Model, this->Field, index, this->Labels), lag, touched, voxels);
-}
-
-PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, Surface surface, const Vector3& lag,
-  const TouchedMaterial& touched, double voxels) noexcept
-{
-  ++this->Looks;
-  const Vector3 index = this->Model.DeviceToIndex(proxy);
-  const bool isDescending = Law::Orient(this->Model, lag, surface);
-  PrecisePoint point;
-  // Before the values: their sampling hides the lookup's latency.
-  const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
-  const ValuePair values =
-    this->FindValues(index, surface, isDescending, distinct[0], touched, voxels, point);
-  Law::SetMaterials(this->Model, index, surface, distinct, values, this->Labels, point);
-  point.Value = surface.Value;
-  const double slope = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
-  point.Slope = isDescending ? -slope : slope;
-  if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
-    point.SurfaceStrength > 0.0)
+  if (!this->IsPlain)
   {
-    const double even = FarSide::FindEvenShare(point.Far);
-    if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
-    {
-      point.SurfaceStrength *= AtEdge(point, this->Field.Value(index), isDescending);
-    }
-    else if (even < 1.0)
-    {
-      const double edge =
-        GradedStrength(point, this->Field.Value(index), this->FindRise(surface), isDescending);
-      // An even ramp has no middle: it holds as with the kernel's values.
-      MaterialPoint ramp;
-      if (even > 0.0)
-      {
-        const ValuePair nearby = this->Field.Values(index, surface.Reach);
-        Law::SetMaterials(this->Model, index, surface, distinct, nearby, this->Labels, ramp);
-      }
-      point.SurfaceStrength = edge + even * (ramp.SurfaceStrength - edge);
-    }
+    return this->LookAt(
+      index, Law::FindSurface(this->Model, this->Field, index, this->Labels), lag, touched, voxels);
+  }
+  Law::Slope slope;
+  FieldSample sample;
+  if (!this->Field.IsInside(index) ||
+    !Law::FindSlope(this->Model, sample = this->Field.Gradient(index), slope))
+  {
+    return this->LookAt(index, Law::MakeNoSurface(this->Model), lag, touched, voxels);
+  }
+  // As LookAt, to the bit, but without a Surface: it lies in memory, where numbers wait for one
+  // another.
+  ++this->Looks;
+  const BakedVolume& baked = *this->Model.Baked;
+  const bool isDescending = Law::IsDescending(this->Model, lag, slope.Normal);
+  if (isDescending)
+  {
+    slope.Normal = -slope.Normal;
+    slope.Reach = -slope.Reach;
+  }
+  const DistinctnessTable::Values distinct = baked.Distinctness(slope.Magnitude);
+  const double fade = this->Model.BorderFade(index);
+  FarWalk walk;
+  const ValuePair values =
+    this->FindValues(index, slope, isDescending, distinct[0] * fade, touched, voxels, walk);
+  const auto join = [&](const ValuePair& sides, MaterialPoint& material)
+  {
+    Law::JoinMaterials(this->Model, sides, baked.Materials(sides.Ahead),
+      baked.Materials(sides.Behind), distinct, fade, 1.0, material);
+  };
+  MaterialPoint material;
+  material.Normal = slope.Normal;
+  material.GradientMagnitude = slope.Magnitude;
+  join(values, material);
+  const double rise = slope.Magnitude * this->Model.WorldUnitsPerMeter;
+  PrecisePoint point{ material, sample.Value, isDescending ? -rise : rise, walk.Far, walk.Lasts };
+  if (baked.Settings.Alignment == ContactAlignment::Edge && point.SurfaceStrength > 0.0)
+  {
+    this->Align(index, slope, isDescending, join, point);
   }
   return point;
 }
 
-double PreciseSurroundings::FindRise(const Surface& surface) const noexcept
+PrecisePoint PreciseSurroundings::Look(const Vector3& proxy, const Surface& surface,
+  const Vector3& lag, const TouchedMaterial& touched, double voxels) noexcept
 {
-  return surface.GradientMagnitude * this->Model.KernelLength * this->Model.WorldUnitsPerMeter;
+  return this->LookAt(this->Model.DeviceToIndex(proxy), surface, lag, touched, voxels);
 }
 
-ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Surface& surface,
-  bool isDescending, double distinctness, const TouchedMaterial& touched, double voxels,
-  PrecisePoint& point) const noexcept
+PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, const Vector3& lag,
+  const TouchedMaterial& touched, double voxels) noexcept
+{
+  ++this->Looks;
+  const bool isDescending = Law::Orient(this->Model, lag, surface);
+  const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
+  // Before the values: their sampling hides the lookup's latency.
+  const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
+  const double share = surface.IsWall ? 0.0 : distinct[0] * surface.Fade;
+  FarWalk walk;
+  const ValuePair values =
+    this->FindValues(index, slope, isDescending, share, touched, voxels, walk);
+  const auto join = [&](const ValuePair& sides, MaterialPoint& material)
+  { Law::SetMaterials(this->Model, index, surface, distinct, sides, this->Labels, material); };
+  PrecisePoint point;
+  join(values, point);
+  point.Value = surface.Value;
+  const double rise = surface.GradientMagnitude * this->Model.WorldUnitsPerMeter;
+  point.Slope = isDescending ? -rise : rise;
+  point.Far = walk.Far;
+  point.FarLasts = walk.Lasts;
+  if (this->Model.Baked->Settings.Alignment == ContactAlignment::Edge && !surface.IsWall &&
+    point.SurfaceStrength > 0.0)
+  {
+    this->Align(index, slope, isDescending, join, point);
+  }
+  return point;
+}
+
+template <typename Join>
+void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, bool isDescending,
+  const Join& join, PrecisePoint& point) const noexcept
+{
+  const ValuePair sides{ point.SurfaceValue, point.MediumValue };
+  if (this->Model.Baked->Settings.Placement == MaterialPlacement::Kernel)
+  {
+    point.SurfaceStrength *= AtEdge(sides, this->Field.Value(index), isDescending);
+    return;
+  }
+  const double even = FarSide::FindEvenShare(point.Far);
+  if (even < 1.0)
+  {
+    const double edge = GradedStrength(sides, point.SurfaceStrength, point.Value,
+      this->Field.Value(index), this->FindRise(slope), isDescending);
+    // An even ramp has no middle: it holds as with the kernel's values.
+    MaterialPoint ramp;
+    if (even > 0.0)
+    {
+      join(this->Field.Values(index, slope.Reach), ramp);
+    }
+    point.SurfaceStrength = edge + even * (ramp.SurfaceStrength - edge);
+  }
+}
+
+double PreciseSurroundings::FindRise(const Law::Slope& slope) const noexcept
+{
+  return slope.Magnitude * this->Model.KernelLength * this->Model.WorldUnitsPerMeter;
+}
+
+ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope& slope,
+  bool isDescending, double share, const TouchedMaterial& touched, double voxels,
+  FarWalk& walk) const noexcept
 {
   const BakedVolume& baked = *this->Model.Baked;
-  const double share = distinctness * surface.Fade;
-  if (baked.Settings.Placement == MaterialPlacement::Kernel || surface.IsWall || share <= 0.0)
+  if (baked.Settings.Placement == MaterialPlacement::Kernel || share <= 0.0)
   {
-    return this->Field.Values(index, surface.Reach);
+    return this->Field.Values(index, slope.Reach);
   }
   const PrecisePoint* const before = touched.Point;
-  const bool isAlike = before && Dot(before->Normal, surface.Normal) > 0.0;
+  const bool isAlike = before && Dot(before->Normal, slope.Normal) > 0.0;
   double lasts = FarSide::WalkInterval;
   if (isAlike && touched.IsSurface && voxels < before->FarLasts)
   {
-    point.Far = before->Far;
+    walk.Far = before->Far;
     lasts = before->FarLasts - voxels;
   }
   else
   {
-    const double rise = this->FindRise(surface);
-    point.Far =
-      FindFarSide(this->Field, index, surface.Reach, baked.Kernel.Radius, rise, isDescending);
-    const double edge = share * (1.0 - FarSide::FindEvenShare(point.Far));
+    const double rise = this->FindRise(slope);
+    walk.Far =
+      FindFarSide(this->Field, index, slope.Reach, baked.Kernel.Radius, rise, isDescending);
+    const double edge = share * (1.0 - FarSide::FindEvenShare(walk.Far));
     if (edge < 1.0)
     {
-      const ValuePair nearby = this->Field.Values(index, surface.Reach);
-      point.Far.Ahead = nearby.Ahead + edge * (point.Far.Ahead - nearby.Ahead);
-      point.Far.Behind = nearby.Behind + edge * (point.Far.Behind - nearby.Behind);
+      const ValuePair nearby = this->Field.Values(index, slope.Reach);
+      walk.Far.Ahead = nearby.Ahead + edge * (walk.Far.Ahead - nearby.Ahead);
+      walk.Far.Behind = nearby.Behind + edge * (walk.Far.Behind - nearby.Behind);
     }
   }
-  if (FarSide::FindEvenShare(point.Far) >= 1.0)
+  if (FarSide::FindEvenShare(walk.Far) >= 1.0)
   {
-    point.FarLasts = lasts;
-    return this->Field.Values(index, surface.Reach);
+    walk.Lasts = lasts;
+    return this->Field.Values(index, slope.Reach);
   }
-  if (!isAlike || !IsSameEdge(*before, point.Far))
+  if (!isAlike || !IsSameEdge(*before, walk.Far))
   {
-    return { point.Far.Ahead, point.Far.Behind };
+    return { walk.Far.Ahead, walk.Far.Behind };
   }
-  point.FarLasts = lasts;
-  const ValuePair followed = FollowFarSide(*before, point.Far, voxels);
-  return { touched.IsSurface ? followed.Ahead : point.Far.Ahead, followed.Behind };
+  walk.Lasts = lasts;
+  const ValuePair followed = FollowFarSide(*before, walk.Far, voxels);
+  return { touched.IsSurface ? followed.Ahead : walk.Far.Ahead, followed.Behind };
 }
 
 bool PreciseSurroundings::CanGoOn() const noexcept
@@ -196,25 +254,6 @@ bool PreciseSurroundings::IsBeyond(const Vector3& a, const Vector3& b) const noe
     return (u < 0.0 && v < 0.0) || (u > last && v > last);
   };
   return beyond(i.X, j.X, 0) || beyond(i.Y, j.Y, 1) || beyond(i.Z, j.Z, 2);
-}
-
-bool PreciseSurroundings::IsOfLevel(const PrecisePoint& here, double level) const noexcept
-{
-  return !this->Model.Baked->HasOtherSurfaces ||
-    std::abs(level - here.Value) * this->Model.MostStepsPerMeter <=
-    FarthestLevel * std::abs(here.Slope);
-}
-
-double PreciseSurroundings::ToLevel(
-  const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
-{
-  const double most = FarthestLevel / this->Model.MostStepsPerMeter;
-  const double push = Dot(lag, here.Normal);
-  const double displacement = (level - here.Value) / here.Slope;
-  // Not past the tip, and not so far out that the surface could not hold the spring.
-  const double in = std::clamp(push, 0.0, most);
-  const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
-  return std::clamp(displacement, -out, in);
 }
 
 Arrival PreciseSurroundings::Arrive(
@@ -237,8 +276,8 @@ Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
   const Vector3 proxy = Law::StopAtCut(this->Model, start.Proxy, start.Proxy + displacement);
   const Vector3 lag = tip - proxy;
   // The point is made in place: copies of it would have to wait until it is in the cache.
-  Arrival end{ proxy, this->Look(proxy, lag, start.Touched, this->Voxels(displacement)), 0.0,
-    start.Spring };
+  const double voxels = this->HasWalks ? this->Voxels(displacement) : 0.0;
+  Arrival end{ proxy, this->Look(proxy, lag, start.Touched, voxels), 0.0, start.Spring };
   PassOn(end.Spring, end.There.Stiffness, Norm(lag));
   if (motion.IsHeld && end.There.Slope != 0.0)
   {

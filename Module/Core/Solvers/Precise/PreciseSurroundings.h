@@ -60,6 +60,8 @@ public:
     const HapticModel& model, double dataTime, LabelMemory& labels, TickMemory* memory) noexcept
     : Model(model)
     , Field(model.Baked->At(dataTime, memory))
+    , IsPlain(model.Baked->IsPlain())
+    , HasWalks(model.Baked->Settings.Placement != MaterialPlacement::Kernel)
     , Labels(labels)
   {
   }
@@ -71,7 +73,7 @@ public:
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
   /** As above, if the surface through the proxy is known. */
-  PrecisePoint Look(const Vector3& proxy, Surface surface, const Vector3& lag,
+  PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
@@ -89,7 +91,12 @@ public:
    * Whether a level can be that of the surface at a point: walls between labels have other levels
    * than the scalars, and the next wall has another one than the last.
    */
-  bool IsOfLevel(const PrecisePoint& here, double level) const noexcept;
+  bool IsOfLevel(const PrecisePoint& here, double level) const noexcept
+  {
+    return !this->Model.Baked->HasOtherSurfaces ||
+      std::abs(level - here.Value) * this->Model.MostStepsPerMeter <=
+      FarthestLevel * std::abs(here.Slope);
+  }
 
   /** Whether both positions lie beyond the same face of the volume. */
   bool IsBeyond(const Vector3& a, const Vector3& b) const noexcept;
@@ -98,13 +105,31 @@ public:
    * The displacement (m) along the normal from a point to a level, limited by the spring's balance.
    */
   double ToLevel(
-    const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept;
+    const PrecisePoint& here, double k, double level, const Vector3& lag) const noexcept
+  {
+    const double most = FarthestLevel / this->Model.MostStepsPerMeter;
+    const double push = Dot(lag, here.Normal);
+    const double displacement = (level - here.Value) / here.Slope;
+    // Not past the tip, and not so far out that the surface could not hold the spring.
+    const double in = std::clamp(push, 0.0, most);
+    const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
+    return std::clamp(displacement, -out, in);
+  }
 
   /** Makes a share of a motion, or less if the material there allows no more. */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
 
 private:
+  /** The largest distance (voxels) from a proxy to its level. */
+  static constexpr double FarthestLevel = 0.25;
+
+  /** As the members of a PrecisePoint. */
+  struct FarWalk
+  {
+    FarValues Far;
+    double Lasts = 0.0;
+  };
   /**
    * The spring (m) that is left along the parts of a motion; negative if the motion went too far.
    */
@@ -122,18 +147,27 @@ private:
   Arrival DrawBack(const Departure& start, const Motion& motion, const Vector3& displacement,
     const Vector3& tip, const Arrival& end, const Remainder& rest) noexcept;
 
-  /** The change of V over the kernel radius, by the gradient. */
-  double FindRise(const Surface& surface) const noexcept;
+  PrecisePoint LookAt(const Vector3& index, Surface surface, const Vector3& lag,
+    const TouchedMaterial& touched, double voxels) noexcept;
   /**
-   * The values from which the material of a surface is read, by MaterialPlacement. Writes the walk
-   * of a point.
+   * The strength of a surface with alignment Edge; `join` gives the material between two values.
    */
-  ValuePair FindValues(const Vector3& index, const Surface& surface, bool isDescending,
-    double distinctness, const TouchedMaterial& touched, double voxels,
+  template <typename Join>
+  void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
+  /** The change of V over the kernel radius, by the gradient. */
+  double FindRise(const Law::Slope& slope) const noexcept;
+  /**
+   * The values from which the material of a surface is read, by MaterialPlacement; those of the
+   * kernel for a share of 0. Writes the walk of a point if there is one.
+   */
+  ValuePair FindValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
+    double share, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
 
   const HapticModel& Model;
   const FieldAtTime Field;
+  const bool IsPlain;  ///< as BakedVolume
+  const bool HasWalks; ///< of MaterialPlacement::FarSide: they need the proxy's path
   LabelMemory& Labels;
   int Looks = 0;
 };

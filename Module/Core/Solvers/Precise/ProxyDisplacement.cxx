@@ -6,90 +6,12 @@
 
 namespace VolumeHaptics
 {
-namespace
-{
 
-/** Parts of a tip's step, as shares of the lag: with a mean direction, and without. */
-constexpr double CirclePart = 0.1;
-constexpr double FreePart = 0.005;
-constexpr double MostParts = 64.0;
-/** Share of a circle's radius beyond which a spring has a direction. */
-constexpr double OnCircle = 0.9;
-
-/**
- * The part of a spring that the surface does not hold, and the circle within which friction and
- * drag hold it.
- */
-struct UnheldSpring
-{
-  Vector3 Lag;   ///< m
-  double Length; ///< of Lag
-  double Radius; ///< m, of the circle
-  bool IsCircle; ///< false if friction and drag hold some directions more than others
-};
-
-UnheldSpring FindUnheldSpring(
-  const PrecisePoint& here, double compliance, const Vector3& lag) noexcept
-{
-  const double push = Dot(lag, here.Normal);
-  const double most = push > 0.0 ? here.SurfaceStrength * compliance : 0.0;
-  const bool isThrough = std::abs(push) > most;
-  const double held = isThrough ? most : push;
-  const double grip = here.Friction * held;
-  UnheldSpring spring;
-  spring.Lag = lag - held * here.Normal;
-  spring.Length = Norm(spring.Lag);
-  spring.Radius = grip + here.Viscosity * compliance;
-  spring.IsCircle = grip == 0.0 || !isThrough;
-  return spring;
-}
-
-/** One part of FindProxyDisplacement: in the mean direction if there is one, else `plain`. */
-Vector3 FindPart(const PrecisePoint& here, double compliance, const Vector3& lagBefore,
-  const Vector3& lag, const Vector3& plain) noexcept
-{
-  const UnheldSpring now = FindUnheldSpring(here, compliance, lag);
-  if (!now.IsCircle || !(now.Length > now.Radius))
-  {
-    return plain;
-  }
-  const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore);
-  if (!(before.Length > OnCircle * before.Radius))
-  {
-    return plain; // there was no direction yet
-  }
-  const Vector3 sum = (1.0 / before.Length) * before.Lag + (1.0 / now.Length) * now.Lag;
-  const double square = Dot(sum, sum);
-  if (square < 1.0)
-  {
-    return plain; // the mean of two directions more than a right angle apart is useless
-  }
-  const Vector3 direction = (1.0 / std::sqrt(square)) * sum;
-  const double along = Dot(now.Lag, direction);
-  const Vector3 aside = now.Lag - along * direction;
-  const double half = now.Radius * now.Radius - Dot(aside, aside);
-  return half > 0.0 ? (along - std::sqrt(half)) * direction : plain;
-}
-
-} // namespace
-
-Vector3 FindProxyDisplacement(const PrecisePoint& here, double k, const Vector3& lagBefore,
-  const Vector3& lag, const Vector3& plain) noexcept
+Vector3 ProxyDisplacement::FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore,
+  const Vector3& lag, double parts) noexcept
 {
   const double compliance = 1.0 / k;
   const Vector3 step = lag - lagBefore;
-  const double push = Dot(lag, here.Normal);
-  const double pushBefore = Dot(lagBefore, here.Normal);
-  const bool isThrough = std::max(push, pushBefore) * k > here.SurfaceStrength;
-  // Nor if the tip leaves or meets the surface.
-  const bool isCircle = here.Friction == 0.0 || (!isThrough && (push > 0.0) == (pushBefore > 0.0));
-  const double share = isCircle ? CirclePart : FreePart;
-  const double parts =
-    std::clamp(std::ceil(std::sqrt(Dot(step, step) / Dot(lag, lag)) / share), 1.0, MostParts);
-  if (parts == 1.0)
-  {
-    return FindPart(here, compliance, lagBefore, lag, plain);
-  }
   Vector3 displacement;
   for (double part = 1.0; part <= parts; part += 1.0)
   {
