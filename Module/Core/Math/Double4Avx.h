@@ -48,6 +48,20 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 }
 ///@}
 
+///@{
+/** Of each lane: x if a > b, or a == b, else y; that is y if one of them is NaN. */
+VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
+  const Double4& a, const Double4& b, const Double4& x, const Double4& y)
+{
+  return a > b ? x : y;
+}
+VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
+  const Double4& a, const Double4& b, const Double4& x, const Double4& y)
+{
+  return a == b ? x : y;
+}
+///@}
+
 /** Whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
@@ -57,12 +71,22 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
     _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), whole);
 }
+///@{
 /** A bit for each lane, the first one the lowest; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
   return static_cast<std::uint64_t>(
     _mm256_movemask_pd(_mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GE_OQ)));
 }
+VOLUME_HAPTICS_INLINE std::uint64_t IsAbove(const Double4& a, const Double4& b)
+{
+  return static_cast<std::uint64_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ)));
+}
+VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
+{
+  return static_cast<std::uint64_t>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)));
+}
+///@}
 
 /**
  * Four samples of 8 or 16 bits. GCC takes a generic conversion apart; these are the instructions
@@ -172,6 +196,18 @@ VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
 VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
 {
   return _mm256_permute2f128_pd(a, b, 0x31);
+}
+/** The first lanes of all, the second ones, and so on. */
+VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
+{
+  const __m256d even = _mm256_unpacklo_pd(a, b);
+  const __m256d odd = _mm256_unpackhi_pd(a, b);
+  const __m256d evenOfOthers = _mm256_unpacklo_pd(c, d);
+  const __m256d oddOfOthers = _mm256_unpackhi_pd(c, d);
+  a = _mm256_permute2f128_pd(even, evenOfOthers, 0x20);
+  b = _mm256_permute2f128_pd(odd, oddOfOthers, 0x20);
+  c = _mm256_permute2f128_pd(even, evenOfOthers, 0x31);
+  d = _mm256_permute2f128_pd(odd, oddOfOthers, 0x31);
 }
 
 ///@{

@@ -76,6 +76,22 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 }
 ///@}
 
+///@{
+/** Of each lane: x if a > b, or a == b, else y; that is y if one of them is NaN. */
+VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
+  const Double4& a, const Double4& b, const Double4& x, const Double4& y)
+{
+  return { { a[0] > b[0] ? x[0] : y[0], a[1] > b[1] ? x[1] : y[1], a[2] > b[2] ? x[2] : y[2],
+    a[3] > b[3] ? x[3] : y[3] } };
+}
+VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
+  const Double4& a, const Double4& b, const Double4& x, const Double4& y)
+{
+  return { { a[0] == b[0] ? x[0] : y[0], a[1] == b[1] ? x[1] : y[1], a[2] == b[2] ? x[2] : y[2],
+    a[3] == b[3] ? x[3] : y[3] } };
+}
+///@}
+
 /** Whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
@@ -84,6 +100,7 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
     to[lane] = static_cast<std::int64_t>(from[lane]);
   }
 }
+///@{
 /** A bit for each lane, the first one the lowest; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
@@ -94,6 +111,25 @@ VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
   }
   return bits;
 }
+VOLUME_HAPTICS_INLINE std::uint64_t IsAbove(const Double4& a, const Double4& b)
+{
+  std::uint64_t bits = 0;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    bits |= static_cast<std::uint64_t>(a[lane] > b[lane] ? 1 : 0) << lane;
+  }
+  return bits;
+}
+VOLUME_HAPTICS_INLINE std::uint64_t IsEqual(const Double4& a, const Double4& b)
+{
+  std::uint64_t bits = 0;
+  for (int lane = 0; lane < 4; ++lane)
+  {
+    bits |= static_cast<std::uint64_t>(a[lane] == b[lane] ? 1 : 0) << lane;
+  }
+  return bits;
+}
+///@}
 
 /** Four samples of any type. */
 template <typename T>
@@ -153,6 +189,16 @@ VOLUME_HAPTICS_INLINE Double4 JoinLow(const Double4& a, const Double4& b)
 VOLUME_HAPTICS_INLINE Double4 JoinHigh(const Double4& a, const Double4& b)
 {
   return { { a[2], a[3], b[2], b[3] } };
+}
+/** The first lanes of all, the second ones, and so on. */
+VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4& d)
+{
+  const Double4 rows[4] = { a, b, c, d };
+  Double4* const columns[4] = { &a, &b, &c, &d };
+  for (int i = 0; i < 4; ++i)
+  {
+    *columns[i] = { { rows[0][i], rows[1][i], rows[2][i], rows[3][i] } };
+  }
 }
 
 ///@{

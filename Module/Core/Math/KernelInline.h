@@ -7,6 +7,9 @@
  * A kernel is inlined whole, for its speed. All its parts are static: of others the linker could
  * pick the copy that the AVX2 unit made for the baseline one. Without optimisation speed is not
  * wanted, and inlined code would take ten times as long to compile, most of all with sanitizers.
+ *
+ * VOLUME_HAPTICS_UNROLL stands before a loop of at most eight rounds whose arrays are to become
+ * registers.
  */
 #ifndef KernelInline_h
 #define KernelInline_h
@@ -15,6 +18,13 @@
 #define VOLUME_HAPTICS_INLINE static inline __attribute__((always_inline))
 #else
 #define VOLUME_HAPTICS_INLINE static inline
+#endif
+#if defined(__clang__)
+#define VOLUME_HAPTICS_UNROLL _Pragma("unroll")
+#elif defined(__GNUC__)
+#define VOLUME_HAPTICS_UNROLL _Pragma("GCC unroll 8")
+#else
+#define VOLUME_HAPTICS_UNROLL
 #endif
 #if defined(__GNUC__)
 #define VOLUME_HAPTICS_OUTLINE static __attribute__((noinline))

@@ -57,8 +57,23 @@ public:
   PiecewiseTable();
   explicit PiecewiseTable(const std::array<Polyline, Channels>& functions);
 
+  /**
+   * Holds for Begin < x, up to the Begin of the next one in memory, with Value + Slope (x - Begin).
+   */
+  struct Segment
+  {
+    double Begin;
+    double Value[Channels];
+    double Slope[Channels];
+  };
+
   /** All channels at x, which must not be NaN. */
   Values operator()(double x) const noexcept
+  {
+    return Evaluate(*this->FindSegment(x), x, std::make_index_sequence<Channels>());
+  }
+  /** The segment that holds x, which must not be NaN. */
+  const Segment* FindSegment(double x) const noexcept
   {
     const double position = (x - this->Low) * this->BinsPerUnit;
     const int bin =
@@ -73,7 +88,7 @@ public:
     {
       ++found;
     }
-    return Evaluate(*found, x, std::make_index_sequence<Channels>());
+    return found;
   }
 
   /** The smallest and the largest value of a channel. */
@@ -86,14 +101,6 @@ public:
   }
 
 private:
-  /** Holds for Begin < x, up to the next segment's Begin. */
-  struct Segment
-  {
-    double Begin;
-    Values Value;
-    Values Slope;
-  };
-
   /** Without a loop, so that the values stay in registers. */
   template <std::size_t... Channel>
   static Values Evaluate(const Segment& segment, double x, std::index_sequence<Channel...>) noexcept

@@ -133,15 +133,18 @@ TEST(CarvedShell, ReadsWhatIsLeft)
       const double level = left(10, 10, 10);
       const ShellReader carved(volume.View, level, false, CarvedView{ &bricks, air }, set);
       const ShellReader expected(left.View, level, false, set);
-      std::vector<double> places;
+      std::vector<double> places[3];
       for (int s = 0; s < 600; ++s)
       {
         const Vector3 at = Vector3{ 10.0, 10.0, 10.0 } + RandomIn(engine, 12.0);
-        places.insert(places.end(), { at.X, at.Y, at.Z });
+        places[0].push_back(at.X);
+        places[1].push_back(at.Y);
+        places[2].push_back(at.Z);
       }
       std::vector<double> values[2] = { std::vector<double>(600), std::vector<double>(600) };
-      carved.ReadValues(places.data(), 600, values[0].data());
-      expected.ReadValues(places.data(), 600, values[1].data());
+      const ShellNumbers all{ places[0].data(), places[1].data(), places[2].data(), 600 };
+      carved.ReadValues(all, values[0].data());
+      expected.ReadValues(all, values[1].data());
       EXPECT_EQ(std::memcmp(values[0].data(), values[1].data(), 600 * sizeof(double)), 0);
       const ShellFrame frame{ { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, 1.0,
         1.0, 2.0 };
@@ -155,7 +158,7 @@ TEST(CarvedShell, ReadsWhatIsLeft)
           {
             for (std::size_t a = 0; a < 3; ++a)
             {
-              batch.Place[a][i] = batch.Index[a][i] = places[3 * (first + i) + a];
+              batch.Place[a][i] = batch.Index[a][i] = places[a][first + i];
             }
           }
         }

@@ -95,7 +95,7 @@ TEST_P(ReadingOfShells, IsThatOfTheDefinition)
     {
       const double place[3] = { at.X, at.Y, at.Z };
       double value = 0.0;
-      reader.ReadValues(place, 1, &value);
+      reader.ReadValues({ place, place + 1, place + 2, 1 }, &value);
       const ShellBatch foot = ReadFeet(reader, &at, 1);
       EXPECT_NEAR(value, Naive(volume, at), 1e-13 * scale);
       EXPECT_NEAR(foot.Value[0], Naive(volume, at), 1e-13 * scale);
@@ -128,13 +128,11 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   TestVolume volume(this->GetParam(), { 14, 14, 14 });
   volume.FillRandom(4);
   const std::vector<Vector3> places = MakePlaces(14.0);
-  std::vector<double> numbers;
   std::vector<double> x;
   std::vector<double> y;
   std::vector<double> z;
   for (const Vector3& at : places)
   {
-    numbers.insert(numbers.end(), { at.X, at.Y, at.Z });
     x.push_back(at.X);
     y.push_back(at.Y);
     z.push_back(at.Z);
@@ -143,7 +141,7 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
   {
     const ShellReader reader(volume.View, 20.0, false, set);
     std::vector<double> all(places.size());
-    reader.ReadValues(numbers.data(), places.size(), all.data());
+    reader.ReadValues({ x.data(), y.data(), z.data(), places.size() }, all.data());
     for (std::size_t i = 0; i < places.size(); i += 50)
     {
       const ShellBatch batch = ReadFeet(reader, places.data() + i, 50);
@@ -155,12 +153,11 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
       for (std::size_t n = 0; n < 52; ++n)
       {
         const Vector3& at = places[(i + n) % places.size()];
-        forces.Normal[0][n] = 0.1 * at.X;
-        forces.Normal[1][n] = 0.2 * at.Y;
-        forces.Normal[2][n] = 0.1 * at.Z;
-        forces.Arm[0][n] = at.Y;
-        forces.Arm[1][n] = at.Z;
-        forces.Arm[2][n] = at.X;
+        const double wrench[6] = { 0.1 * at.X, 0.2 * at.Y, 0.1 * at.Z, at.Y, at.Z, at.X };
+        for (int a = 0; a < 6; ++a)
+        {
+          forces.Wrench[a][n] = wrench[a];
+        }
         forces.Force[n] = at.X;
         forces.Stiffness[n] = at.Z;
       }
@@ -179,7 +176,7 @@ TEST_P(ReadingOfShells, HasTheSameBitsOnEveryProcessor)
       all.insert(all.end(), slopes, slopes + 3);
       std::vector<double> until(64, -1.0);
       marks.push_back(reader.MarkWhole({ x.data() + i, y.data() + i, z.data() + i, 50 }, turned,
-        { 0, until.data(), 0.0, 0.0, 1.0, 0.01 }));
+        { 0, until.data(), 0.0, 0.0, 0.01 }));
       all.insert(all.end(), until.begin(), until.begin() + 50);
     }
     return std::make_pair(all, marks);
@@ -213,18 +210,21 @@ TEST_P(ReadingOfShells, OfSeveralPointsIsThatOfEach)
     const std::vector<Vector3> places = MakePlaces(14.0);
     const ShellReader reader(volume.View, 20.0, false);
     const ShellBatch all = ReadFeet(reader, places.data(), count);
-    std::vector<double> numbers;
+    std::vector<double> numbers[3];
     for (std::size_t i = 0; i < count; ++i)
     {
-      numbers.insert(numbers.end(), { places[i].X, places[i].Y, places[i].Z });
+      numbers[0].push_back(places[i].X);
+      numbers[1].push_back(places[i].Y);
+      numbers[2].push_back(places[i].Z);
     }
     std::vector<double> values(count);
-    reader.ReadValues(numbers.data(), count, values.data());
+    reader.ReadValues({ numbers[0].data(), numbers[1].data(), numbers[2].data(), count }, //
+      values.data());
     for (std::size_t i = 0; i < count; ++i)
     {
       const ShellBatch one = ReadFeet(reader, &places[i], 1);
       double value = 0.0;
-      reader.ReadValues(numbers.data() + 3 * i, 1, &value);
+      reader.ReadValues({ &places[i].X, &places[i].Y, &places[i].Z, 1 }, &value);
       const auto numbersOf = [](const ShellBatch& batch, std::size_t n, double valueThere)
       {
         return std::array<double, 8>{ batch.Value[n], batch.Gradient[0][n], batch.Gradient[1][n],
@@ -331,12 +331,9 @@ TEST(ShellSums, AreThoseOfTheDefinition)
     const Vector3 turn = Cross(arm, n);
     const double w[6] = { n.X, n.Y, n.Z, turn.X, turn.Y, turn.Z };
     const Vector3 strength = RandomIn(engine, 1.0);
-    const double normal[3] = { n.X, n.Y, n.Z };
-    const double arms[3] = { arm.X, arm.Y, arm.Z };
-    for (int a = 0; a < 3; ++a)
+    for (int a = 0; a < 6; ++a)
     {
-      forces.Normal[a][i] = normal[a];
-      forces.Arm[a][i] = arms[a];
+      forces.Wrench[a][i] = w[a];
     }
     forces.Force[i] = strength.X;
     forces.Stiffness[i] = strength.Y;

@@ -66,24 +66,29 @@ VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double fir
   return { cell, inside - cell };
 }
 
-/** Two neighbours along x, at a distance from each of four samples: the first ones, the second. */
-template <typename T>
+/**
+ * Two neighbours along x, at a distance from each of four samples: the first ones, the second.
+ * IsRow: samples along x follow each other in memory; sx is not used then.
+ */
+template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
   const T* const* samples, std::int64_t distance, std::int64_t sx, Double4& first, Double4& second)
 {
-  if (sx == 1)
+  if constexpr (IsRow)
   {
     LoadFourPairs(samples[0] + distance, samples[1] + distance, samples[2] + distance,
       samples[3] + distance, first, second);
-    return;
   }
-  const auto load = [samples](std::int64_t i)
+  else
   {
-    return MakeDouble4(static_cast<double>(samples[0][i]), static_cast<double>(samples[1][i]),
-      static_cast<double>(samples[2][i]), static_cast<double>(samples[3][i]));
-  };
-  first = load(distance);
-  second = load(distance + sx);
+    const auto load = [samples](std::int64_t i)
+    {
+      return MakeDouble4(static_cast<double>(samples[0][i]), static_cast<double>(samples[1][i]),
+        static_cast<double>(samples[2][i]), static_cast<double>(samples[3][i]));
+    };
+    first = load(distance);
+    second = load(distance + sx);
+  }
 }
 
 /** The cells of four positions. */
@@ -117,11 +122,17 @@ VOLUME_HAPTICS_INLINE FourCells<T> FindCells(
 }
 
 /** Two neighbours along x, at a distance from the first sample of each cell. */
-template <typename T>
+template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
   const FourCells<T>& at, std::int64_t distance, Double4& first, Double4& second)
 {
-  LoadFourPairs(at.First, distance, at.Step, first, second);
+  LoadFourPairs<IsRow>(at.First, distance, at.Step, first, second);
+}
+
+/** Whether samples along x follow each other in memory. */
+VOLUME_HAPTICS_INLINE bool HasRows(const FieldView& view)
+{
+  return view.Volume.Stride[0] == 1;
 }
 
 } // namespace

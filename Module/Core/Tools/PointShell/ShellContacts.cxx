@@ -23,29 +23,6 @@ constexpr double LeastClearance = 1e-4;
 /** Voxels: where a look is farther from the tool, its marks would not hold for long. */
 constexpr double MostWayOfMarks = 0.2;
 
-/** The law of a contact: stiffness and strength of a unit of area. */
-struct ContactLaw
-{
-  double Stiffness; ///< kappa, N/m^3, more than 0
-  double Strength;  ///< P, N/m^2, more than 0
-
-  double Pressure(double u) const noexcept { return std::min(this->Stiffness * u, this->Strength); }
-  bool Yields(double u) const noexcept { return this->Stiffness * u > this->Strength; }
-  /** J/m^2 */
-  double EnergyAt(double u) const noexcept
-  {
-    const double most = this->Strength / this->Stiffness;
-    return this->Yields(u) ? this->Strength * (u - 0.5 * most) : 0.5 * this->Stiffness * u * u;
-  }
-  /** The depth at which it has this energy. */
-  double DepthOf(double energy) const noexcept
-  {
-    const double most = this->Strength / this->Stiffness;
-    return energy > 0.5 * this->Strength * most ? energy / this->Strength + 0.5 * most
-                                                : std::sqrt(2.0 * energy / this->Stiffness);
-  }
-};
-
 void SetRows(const Matrix3& matrix, double* rows) noexcept
 {
   for (int i = 0; i < 3; ++i)
@@ -67,17 +44,46 @@ ShellFrame MakeFrame(const HapticModel& model, double voxel) noexcept
   return frame;
 }
 
-template <std::size_t Most>
-void Set(double (*numbers)[Most], std::size_t i, const Vector3& to) noexcept
-{
-  numbers[0][i] = to.X;
-  numbers[1][i] = to.Y;
-  numbers[2][i] = to.Z;
-}
-
 Vector3 Get(const double (*numbers)[ShellBatch::Most], std::size_t i) noexcept
 {
   return { numbers[0][i], numbers[1][i], numbers[2][i] };
+}
+
+/** Moves the points of these bits, and what the law needs of them, to the beginning of a batch. */
+void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
+{
+  std::uint8_t from[ShellBatch::Most];
+  std::size_t count = 0;
+  std::uint64_t solid = 0;
+  for (std::uint64_t rest = chosen; rest != 0; rest &= rest - 1)
+  {
+    const int i = LowestBit(rest);
+    solid |= (batch.Solid >> i & 1) << count;
+    from[count++] = static_cast<std::uint8_t>(i);
+  }
+  const auto move = [&from, count](auto* numbers)
+  {
+    for (std::size_t n = 0; n < count; ++n)
+    {
+      numbers[n] = numbers[from[n]];
+    }
+  };
+  move(batch.Point);
+  move(batch.Before);
+  move(batch.Area);
+  move(batch.Was);
+  move(batch.Magnitude);
+  move(batch.Beyond);
+  move(batch.Depth);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    move(batch.Arm[axis]);
+    move(batch.Normal[axis]);
+    move(batch.Foot[axis]);
+    move(batch.Behind[axis]);
+  }
+  batch.Solid = solid;
+  batch.Count = count;
 }
 
 } // namespace
@@ -86,17 +92,8 @@ Vector3 Get(const double (*numbers)[ShellBatch::Most], std::size_t i) noexcept
 struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
-  std::uint32_t Point[ShellBatch::Most];
-  const ShellContact* Before[ShellBatch::Most]; ///< null for a new one
-  bool IsSolid[ShellBatch::Most];
-  double Share = 1.0; ///< of the energy of Before
-  MixMemory Labels;   ///< only saves time
-  ///@{
-  /** Those of the batch that are deep enough, and what is read behind them. */
-  std::size_t Chosen[ShellBatch::Most];
-  double Places[3 * ShellBatch::Most];
-  double Values[ShellBatch::Most];
-  ///@}
+  ShellLaw Law;
+  MixMemory Labels; ///< only saves time
   ShellPushes Forces;
   std::size_t Pushing = 0; ///< of how many points Forces has those that press
 };
@@ -157,11 +154,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   {
     return;
   }
-  if (clearance.Until[block] < 0.0)
-  {
-    double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
-    std::fill(until, until + ShellBlock::Size, -1.0);
-  }
+  const double from = clearance.Travelled;
   // One voxel, and what rounding may take.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
@@ -172,6 +165,15 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     radius * voxels.Z + margin };
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue = isClear || way > MostWayOfMarks ? 0.0 : this->FindPerValue(centre, half);
+  // With these slopes, the values at the points come to the level elsewhere. The tool has come from
+  // a place in this box.
+  const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
+  const double share = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
+  double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
+  for (std::size_t i = 0; i < ShellBlock::Size; ++i)
+  {
+    until[i] = share < HUGE_VAL ? from + share * (until[i] - from) : -1.0;
+  }
   clearance.IsClear[block] = isClear ? 1 : 0;
   clearance.PerValue[block] = perValue;
   // What is not clear may be so soon.
@@ -192,8 +194,7 @@ std::uint64_t ShellContactFinder::Mark(
   std::uint64_t& marks = clearance.Marks[block];
   marks = this->Reader.MarkWhole(points, map,
     { marks, clearance.MarksUntil.data() + begin, clearance.Travelled + way,
-      clearance.Travelled + way - LeastClearance, clearance.Until[block],
-      clearance.PerValue[block] });
+      clearance.Travelled + way - LeastClearance, clearance.PerValue[block] });
   return this->Reader.Unmark(points, map, marks);
 }
 
@@ -213,30 +214,34 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
   placement.ToolToIndex[11] = toolToIndex.Offset.Z;
   SetRows(toolToDevice.Linear, placement.ToolToDevice);
   Candidates candidates;
-  candidates.Share = from.Share;
+  candidates.Law = this->MakeLaw(from.Share, isStart);
+  ShellBatch& batch = candidates.Batch;
+  const ShellContact none{};
   const ShellContact* before = from.List.data();
+  const double* const areas = this->Shell.GetAreas();
   for (std::size_t block = 0; block < to.Marks.size(); ++block)
   {
     this->Survey(block, toolToIndex, way, clearance);
     const std::size_t begin = block * ShellBlock::Size;
     const std::uint64_t solid = this->Mark(block, placement.ToolToIndex, way, clearance);
     const std::uint64_t held = from.Count > 0 ? from.Marks[block] : 0;
-    to.Marks[block] = 0;
+    // Those that are not in contact will be taken away.
+    to.Marks[block] = solid | held;
     for (std::uint64_t rest = solid | held; rest != 0; rest &= rest - 1)
     {
       const int bit = LowestBit(rest);
       const std::size_t point = begin + static_cast<std::size_t>(bit);
-      ShellBatch& batch = candidates.Batch;
       const std::size_t n = batch.Count++;
-      const ShellContact* const last = (held >> bit & 1) != 0 ? before++ : nullptr;
-      candidates.Point[n] = static_cast<std::uint32_t>(point);
-      candidates.IsSolid[n] = (solid >> bit & 1) != 0;
-      candidates.Before[n] = last;
-      Set(batch.Position, n, this->Shell.GetPosition(point));
-      Set(batch.Offset, n, last ? last->Offset : Vector3{});
+      batch.Solid |= (solid >> bit & 1) << n;
+      batch.Point[n] = static_cast<std::uint32_t>(point);
+      batch.Before[n] = (held >> bit & 1) != 0 ? before++ : &none;
+      batch.Position[0][n] = this->Shell.GetX()[point];
+      batch.Position[1][n] = this->Shell.GetY()[point];
+      batch.Position[2][n] = this->Shell.GetZ()[point];
+      batch.Area[n] = areas[point];
       if (batch.Count == ShellBatch::Most)
       {
-        this->Append(candidates, placement, isStart, to, sum);
+        this->Append(candidates, placement, to, sum);
         if (candidates.Pushing == ShellPushes::Most)
         {
           this->AddForces(candidates, sum);
@@ -244,111 +249,92 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
       }
     }
   }
-  this->Append(candidates, placement, isStart, to, sum);
+  this->Append(candidates, placement, to, sum);
   this->AddForces(candidates, sum);
 }
 
 void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& placement,
-  bool isStart, ShellContacts& to, ShellSum& sum) const noexcept
+  ShellContacts& to, ShellSum& sum) const noexcept
 {
-  const HapticModel& model = this->Model;
-  const BakedVolume& baked = *model.Baked;
+  const BakedVolume& baked = *this->Model.Baked;
   ShellBatch& batch = candidates.Batch;
+  const auto leave = [&batch, &to](std::uint64_t points)
+  {
+    for (; points != 0; points &= points - 1)
+    {
+      const std::uint32_t point = batch.Point[LowestBit(points)];
+      to.Marks[point / ShellBlock::Size] &= ~(std::uint64_t{ 1 } << point % ShellBlock::Size);
+    }
+  };
+  const auto allOf = [](std::size_t count)
+  { return count > 0 ? ~std::uint64_t{ 0 } >> (64 - count) : 0; };
+  candidates.Pushing += batch.Count;
   this->Reader.Place(this->Frame, placement, batch);
-  this->Reader.FindFeet(this->Frame, batch);
-  std::size_t count = 0;
+  std::uint64_t there = this->Reader.FindFeet(this->Frame, batch);
+  if (baked.Cut)
+  {
+    for (std::uint64_t rest = there; rest != 0; rest &= rest - 1)
+    {
+      const int i = LowestBit(rest);
+      const bool isCutAway =
+        baked.Cut->Find(Get(batch.Index, static_cast<std::size_t>(i))).Depth < 0.0;
+      there &= ~(std::uint64_t{ isCutAway } << i);
+    }
+  }
+  if (const std::uint64_t all = allOf(batch.Count); there != all)
+  {
+    leave(all & ~there);
+    Compact(batch, there);
+  }
+  if (batch.Count > 0)
+  {
+    this->Reader.ReadValues(
+      { batch.Behind[0], batch.Behind[1], batch.Behind[2], batch.Count }, batch.Inside);
+    if (baked.Labels)
+    {
+      this->MixLabels(candidates);
+    }
+    ShellContact* next = to.List.data() + to.Count;
+    const std::uint64_t held =
+      this->Reader.Hold(candidates.Law, batch, next, candidates.Forces, sum);
+    to.Count = static_cast<std::size_t>(next - to.List.data());
+    leave(allOf(batch.Count) & ~held);
+  }
+  batch.Count = 0;
+  batch.Solid = 0;
+}
+
+void ShellContactFinder::MixLabels(Candidates& candidates) const noexcept
+{
+  const BakedVolume& baked = *this->Model.Baked;
+  ShellBatch& batch = candidates.Batch;
   for (std::size_t i = 0; i < batch.Count; ++i)
   {
-    const double magnitude = batch.Magnitude[i];
-    // Also false for NaN: without a gradient there is no contact. A point that has come out of a
-    // thin wall on the other side is held on, see below.
-    const bool isThere = magnitude > 1e-12 * std::abs(batch.Value[i]) && magnitude < HUGE_VAL &&
-      batch.Depth[i] > (candidates.IsSolid[i] ? 0.0 : this->Voxel);
-    if (!isThere || (baked.Cut && baked.Cut->Find(Get(batch.Index, i)).Depth < 0.0))
-    {
-      continue;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      candidates.Places[3 * count + axis] = batch.Behind[axis][i];
-    }
-    candidates.Chosen[count++] = i;
+    MaterialTable::Values material = baked.Materials(batch.Inside[i]);
+    baked.Labels->Mix(
+      this->Model.IndexToLabel(Get(batch.Behind, i)), baked.Number, candidates.Labels, material);
+    batch.Material[0][i] = material[0];
+    batch.Material[1][i] = material[2];
+    batch.Material[2][i] = material[4];
   }
-  this->Reader.ReadValues(candidates.Places, count, candidates.Values);
+}
 
-  const double perArea = 1.0 / this->Settings.ContactArea;
-  const double* const areas = this->Shell.GetAreas();
-  const double squareMeter = this->Scale * this->Scale;
-  ShellPushes& forces = candidates.Forces;
-  const BakedLabels* const labels = baked.Labels.get();
-  for (std::size_t n = 0; n < count; ++n)
-  {
-    const std::size_t i = candidates.Chosen[n];
-    const ShellContact* const before = candidates.Before[i];
-    const DistinctnessTable::Values distinct = baked.Distinctness(batch.Magnitude[i]);
-    MaterialTable::Values material = baked.Materials(candidates.Values[n]);
-    if (labels)
-    {
-      labels->Mix(
-        model.IndexToLabel(Get(batch.Behind, i)), baked.Number, candidates.Labels, material);
-    }
-    ContactLaw law;
-    law.Stiffness = material[0] * perArea;
-    law.Strength = material[2] * (distinct[0] * model.BorderFade(Get(batch.Foot, i))) *
-      (material[4] * distinct[1]) * perArea;
-    const bool isFelt = material[0] > HapticModel::MinimumStiffness && law.Strength > 0.0;
-    const double area = squareMeter * areas[candidates.Point[i]];
-    const double depth = batch.Depth[i];
-    double stretch = 0.0;
-    if (isFelt && !isStart)
-    {
-      double kept = 0.0;
-      double deeper = depth;
-      if (before)
-      {
-        // The energy stays if the material changes.
-        const bool isSame = before->Stiffness == law.Stiffness &&
-          before->Strength == law.Strength && candidates.Share == 1.0;
-        kept = isSame
-          ? before->Stretch
-          : std::min(law.DepthOf(candidates.Share * before->Energy / area), before->Depth);
-        deeper -= before->Depth;
-      }
-      const bool isFollowed = std::abs(batch.Beyond[i]) < FarthestFollowed * this->Voxel;
-      stretch = std::max(kept + (isFollowed ? deeper : std::min(deeper, 0.0)), 0.0);
-    }
-    if (!candidates.IsSolid[i] && (stretch == 0.0 || law.Yields(stretch)))
-    {
-      // It has left a wall, and nothing or too much pulls it back.
-      continue;
-    }
-    const Vector3 normal = Get(batch.Normal, i);
-    ShellContact& contact = to.List[to.Count++];
-    contact.Point = candidates.Point[i];
-    contact.Offset = depth * normal;
-    contact.Depth = depth;
-    contact.Energy = 0.0;
-    contact.Stretch = stretch;
-    contact.Stiffness = law.Stiffness;
-    contact.Strength = law.Strength;
-    to.Marks[contact.Point / ShellBlock::Size] |= std::uint64_t{ 1 }
-      << contact.Point % ShellBlock::Size;
-    if (stretch > 0.0)
-    {
-      const bool yields = law.Yields(stretch);
-      contact.Energy = area * law.EnergyAt(stretch);
-      sum.Energy += contact.Energy;
-      sum.Yielding += yields ? 1 : 0;
-      ++sum.Contacts;
-      const std::size_t f = forces.Count++;
-      Set(forces.Normal, f, normal);
-      Set(forces.Arm, f, Get(batch.Arm, i));
-      forces.Force[f] = area * law.Pressure(stretch);
-      forces.Stiffness[f] = yields ? 0.0 : area * law.Stiffness;
-    }
-  }
-  candidates.Pushing += batch.Count;
-  batch.Count = 0;
+ShellLaw ShellContactFinder::MakeLaw(double share, bool isStart) const noexcept
+{
+  const BakedVolume& baked = *this->Model.Baked;
+  ShellLaw law;
+  law.Materials = baked.Labels ? nullptr : &baked.Materials;
+  law.Distinctness = &baked.Distinctness;
+  law.LastMaterial = baked.Materials.FindSegment(0.0);
+  law.LastDistinctness = baked.Distinctness.FindSegment(0.0);
+  law.LeastStiffness = HapticModel::MinimumStiffness;
+  law.PerContactArea = 1.0 / this->Settings.ContactArea;
+  law.SquareMeters = this->Scale * this->Scale;
+  law.InverseRadius = this->Model.InverseRadius;
+  law.Share = share;
+  law.FarthestFollowed = FarthestFollowed * this->Voxel;
+  law.IsStart = isStart;
+  return law;
 }
 
 void ShellContactFinder::AddForces(Candidates& candidates, ShellSum& sum) const noexcept
@@ -356,8 +342,10 @@ void ShellContactFinder::AddForces(Candidates& candidates, ShellSum& sum) const 
   ShellPushes& forces = candidates.Forces;
   for (std::size_t f = forces.Count; f % 4 != 0; ++f)
   {
-    Set(forces.Normal, f, {});
-    Set(forces.Arm, f, {});
+    for (double(&numbers)[ShellPushes::Most] : forces.Wrench)
+    {
+      numbers[f] = 0.0;
+    }
     forces.Force[f] = forces.Stiffness[f] = 0.0;
   }
   this->Reader.Add(forces, sum.Gradient, sum.Curvature);

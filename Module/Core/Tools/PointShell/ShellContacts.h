@@ -38,18 +38,6 @@
 namespace VolumeHaptics
 {
 
-/** A point that is held. */
-struct ShellContact
-{
-  Vector3 Offset;   ///< m, on the device's axes, from the foot to the point
-  double Depth;     ///< m, the length of Offset
-  double Energy;    ///< J
-  double Stretch;   ///< m, u
-  double Stiffness; ///< N/m^3, with which it was computed
-  double Strength;  ///< N/m^2
-  std::uint32_t Point;
-};
-
 /**
  * Bounds by which points need not be read. They only save time: results are the same to the bit.
  *
@@ -129,8 +117,11 @@ private:
   double FindPerValue(const Vector3& centre, const Vector3& half) const noexcept;
   std::uint64_t Mark(
     std::size_t block, const double* map, double way, ShellClearance& clearance) const noexcept;
-  void Append(Candidates& candidates, const ShellPlacement& placement, bool isStart,
-    ShellContacts& to, ShellSum& sum) const noexcept;
+  ShellLaw MakeLaw(double share, bool isStart) const noexcept;
+  void Append(Candidates& candidates, const ShellPlacement& placement, ShellContacts& to,
+    ShellSum& sum) const noexcept;
+  /** Finds the materials behind the points of a batch. */
+  void MixLabels(Candidates& candidates) const noexcept;
   void AddForces(Candidates& candidates, ShellSum& sum) const noexcept;
 
   const HapticModel& Model;

@@ -76,14 +76,14 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   Double4 t1;
   Double4 t2;
   Double4 t3;
-  LoadFourPairs(inner, -sx, sx, t0, t1);
-  LoadFourPairs(inner, sx, sx, t2, t3);
+  LoadFourPairs<false>(inner, -sx, sx, t0, t1);
+  LoadFourPairs<false>(inner, sx, sx, t2, t3);
   const Double4 step = t2 - t1;
   const Double4 a = t1 + fx * step;
   const Double4 alongX = 0.5 * ((t2 + fx * (t3 - t2)) - (t0 + fx * (t1 - t0)));
-  LoadFourPairs(besideY, 0, sx, t0, t3);
+  LoadFourPairs<false>(besideY, 0, sx, t0, t3);
   const Double4 b = t0 + fx * (t3 - t0);
-  LoadFourPairs(besideZ, 0, sx, t0, t3);
+  LoadFourPairs<false>(besideZ, 0, sx, t0, t3);
   const Double4 c = t0 + fx * (t3 - t0);
   const Double4 cell = MakeDouble4(ey * ez, fy * ez, ey * fz, fy * fz);
   const Double4 innerY = MakeDouble4(-fy * ez, ey * ez, -fy * fz, ey * fz);
@@ -149,17 +149,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
     (isBehind ? 2 * stride[1] : -stride[1]) + (isSecondY ? stride[2] : 0);
   const std::int64_t besideZ = line + (isSecondZ ? stride[2] : -stride[2]);
   const auto load = [&](std::int64_t distance, Double4& first, Double4& second)
-  {
-    if constexpr (IsRow)
-    {
-      LoadFourPairs(at.First[0] + distance, at.First[1] + distance, at.First[2] + distance,
-        at.First[3] + distance, first, second);
-    }
-    else
-    {
-      LoadFourPairs(at, distance, first, second);
-    }
-  };
+  { LoadFourPairs<IsRow>(at, distance, first, second); };
   const Double4 fx = at.X.Fraction;
   Double4 t0;
   Double4 t1;
@@ -229,7 +219,7 @@ void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
       batch.Cell[axis][i] = foot[4 + axis];
     }
   };
-  const bool isRow = reading.View.Volume.Stride[0] == 1;
+  const bool isRow = HasRows(reading.View);
   std::size_t i = 0;
   for (; i + 4 <= batch.Count; i += 4)
   {

@@ -10,6 +10,7 @@
 
 #include "Core/Tools/PointShell/FourCells.h"
 #include "Core/Tools/PointShell/ShellFootKernels.h"
+#include "Core/Tools/PointShell/ShellLawKernels.h"
 #include "Core/Tools/PointShell/ShellMarkKernels.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
@@ -27,16 +28,22 @@ void PlacePoints(
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
+    batch.Before[i] = batch.Before[0];
     for (int axis = 0; axis < 3; ++axis)
     {
-      batch.Position[axis][i] = batch.Offset[axis][i] = 0.0;
+      batch.Position[axis][i] = 0.0;
     }
   }
   const double* const offset = placement.ToolToIndex + 9;
   for (std::size_t i = 0; i < batch.Count; i += 4)
   {
     const FourVectors position = LoadVectors(batch.Position, i);
-    const FourVectors from = Times(frame.DeviceToIndex, LoadVectors(batch.Offset, i));
+    FourVectors way;
+    Double4 was;
+    LoadContacts(batch.Before + i, 0, way.X, way.Y, way.Z, was);
+    StoreVectors(way, batch.Offset, i);
+    StoreDouble4(was, batch.Was + i);
+    const FourVectors from = Times(frame.DeviceToIndex, way);
     const FourVectors turned = Times(placement.ToolToIndex, position);
     const FourVectors index = { turned.X + Spread(offset[0]), turned.Y + Spread(offset[1]),
       turned.Z + Spread(offset[2]) };
@@ -46,8 +53,8 @@ void PlacePoints(
   }
 }
 
-/** The feet of four points from what was read. */
-VOLUME_HAPTICS_INLINE void ComputeFeet(
+/** The feet of four points from what was read, and which of them may be in contact. */
+VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   const ShellReading& reading, const ShellFrame& frame, std::size_t i, ShellBatch& batch)
 {
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
@@ -58,8 +65,8 @@ VOLUME_HAPTICS_INLINE void ComputeFeet(
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
-  const Double4 beyond =
-    reading.Sign * (LoadDouble4(batch.Value + i) - Spread(reading.Level)) / steepest;
+  const Double4 value = LoadDouble4(batch.Value + i);
+  const Double4 beyond = reading.Sign * (value - Spread(reading.Level)) / steepest;
   const Double4 step = Larger(Smaller(beyond, Spread(frame.Voxel)), Spread(-frame.Voxel));
   const Double4 depth = step + DotOf(LoadVectors(batch.Offset, i), normal);
   const FourVectors along = Times(frame.DeviceToIndex, normal);
@@ -74,9 +81,15 @@ VOLUME_HAPTICS_INLINE void ComputeFeet(
   StoreVectors(foot, batch.Foot, i);
   StoreVectors({ foot.X + reach * along.X, foot.Y + reach * along.Y, foot.Z + reach * along.Z },
     batch.Behind, i);
+  // Also false for NaN: without a gradient there is no contact.
+  const Double4 floor = 1e-12 * Larger(value, -1.0 * value);
+  const std::uint64_t isRising = IsAbove(magnitude, floor) & IsAbove(Spread(HUGE_VAL), magnitude);
+  const std::uint64_t isDeep = IsAbove(depth, Spread(0.0)) & batch.Solid >> i;
+  return isRising & (isDeep | IsAbove(depth, Spread(frame.Voxel)));
 }
 
-void FindFeet(const ShellReading& reading, const ShellFrame& frame, ShellBatch& batch) noexcept
+std::uint64_t FindFeet(
+  const ShellReading& reading, const ShellFrame& frame, ShellBatch& batch) noexcept
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
@@ -87,68 +100,70 @@ void FindFeet(const ShellReading& reading, const ShellFrame& frame, ShellBatch& 
       batch.Index[axis][i] = batch.Offset[axis][i] = 0.0;
     }
   }
+  std::uint64_t there = 0;
   for (std::size_t i = 0; i < batch.Count; i += 4)
   {
-    ComputeFeet(reading, frame, i, batch);
+    there |= ComputeFeet(reading, frame, i, batch) << i;
+  }
+  return batch.Count > 0 ? there & ~std::uint64_t{ 0 } >> (64 - batch.Count) : 0;
+}
+
+/** Some rows of the sums of AddFunction: as many as there are registers for. */
+template <int First, int Last>
+VOLUME_HAPTICS_INLINE void AddRows(const ShellPushes& forces, double* gradient, double* curvature)
+{
+  constexpr int begin = First * (First + 1) / 2;
+  constexpr int count = Last * (Last + 1) / 2 - begin;
+  Double4 ofGradient[Last - First];
+  Double4 ofCurvature[count];
+  for (Double4& sum : ofGradient)
+  {
+    sum = Spread(0.0);
+  }
+  for (Double4& sum : ofCurvature)
+  {
+    sum = Spread(0.0);
+  }
+  for (std::size_t i = 0; i < forces.Count; i += 4)
+  {
+    const Double4 force = LoadDouble4(forces.Force + i);
+    const Double4 stiffness = LoadDouble4(forces.Stiffness + i);
+    VOLUME_HAPTICS_UNROLL
+    for (int row = First; row < Last; ++row)
+    {
+      const Double4 w = LoadDouble4(forces.Wrench[row] + i);
+      ofGradient[row - First] = ofGradient[row - First] + force * w;
+      const Double4 scaled = stiffness * w;
+      VOLUME_HAPTICS_UNROLL
+      for (int column = 0; column <= row; ++column)
+      {
+        Double4& sum = ofCurvature[row * (row + 1) / 2 + column - begin];
+        sum = sum + scaled * LoadDouble4(forces.Wrench[column] + i);
+      }
+    }
+  }
+  for (int i = 0; i < Last - First; ++i)
+  {
+    gradient[First + i] += AddLanes(ofGradient[i]);
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    curvature[begin + i] += AddLanes(ofCurvature[i]);
   }
 }
 
 void AddForces(const ShellPushes& forces, double* gradient, double* curvature) noexcept
 {
-  const Double4 zero = MakeDouble4(0.0, 0.0, 0.0, 0.0);
-  Double4 ofGradient[6];
-  Double4 ofCurvature[21];
-  for (Double4& sum : ofGradient)
-  {
-    sum = zero;
-  }
-  for (Double4& sum : ofCurvature)
-  {
-    sum = zero;
-  }
-  for (std::size_t i = 0; i < forces.Count; i += 4)
-  {
-    const auto load = [i](const double* from) { return LoadDouble4(from + i); };
-    const Double4 nx = load(forces.Normal[0]);
-    const Double4 ny = load(forces.Normal[1]);
-    const Double4 nz = load(forces.Normal[2]);
-    const Double4 ax = load(forces.Arm[0]);
-    const Double4 ay = load(forces.Arm[1]);
-    const Double4 az = load(forces.Arm[2]);
-    const Double4 w[6] = { nx, ny, nz, ay * nz - az * ny, az * nx - ax * nz, ax * ny - ay * nx };
-    const Double4 force = load(forces.Force);
-    const Double4 stiffness = load(forces.Stiffness);
-    Double4* sum = ofCurvature;
-    for (int row = 0; row < 6; ++row)
-    {
-      ofGradient[row] = ofGradient[row] + force * w[row];
-      const Double4 scaled = stiffness * w[row];
-      for (int column = 0; column <= row; ++column, ++sum)
-      {
-        *sum = *sum + scaled * w[column];
-      }
-    }
-  }
-  for (int i = 0; i < 6; ++i)
-  {
-    gradient[i] += AddLanes(ofGradient[i]);
-  }
-  for (int i = 0; i < 21; ++i)
-  {
-    curvature[i] += AddLanes(ofCurvature[i]);
-  }
+  AddRows<0, 3>(forces, gradient, curvature);
+  AddRows<3, 5>(forces, gradient, curvature);
+  AddRows<5, 6>(forces, gradient, curvature);
 }
 
-/** As Trilinear, of four positions at a time. */
-template <typename T>
-VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const double* positions)
+/** As Trilinear, of four indices at a time. */
+template <typename T, bool IsRow>
+VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {
-  const auto along = [positions](int axis)
-  {
-    return MakeDouble4(
-      positions[axis], positions[3 + axis], positions[6 + axis], positions[9 + axis]);
-  };
-  const FourCells<T> at = FindCells<T>(view, along(0), along(1), along(2));
+  const FourCells<T> at = FindCells<T>(view, indices.X, indices.Y, indices.Z);
   const std::int64_t sy = view.Volume.Stride[1];
   const std::int64_t sz = view.Volume.Stride[2];
   const auto between = [&at](std::int64_t line, std::int64_t beside, const Double4& fraction,
@@ -156,8 +171,8 @@ VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const double
   {
     Double4 a;
     Double4 b;
-    LoadFourPairs(at, line, first, second);
-    LoadFourPairs(at, line + beside, a, b);
+    LoadFourPairs<IsRow>(at, line, first, second);
+    LoadFourPairs<IsRow>(at, line + beside, a, b);
     first = first + fraction * (a - first);
     second = second + fraction * (b - second);
   };
@@ -171,19 +186,22 @@ VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const double
 }
 
 template <typename T>
-void ReadValues(
-  const ShellReading& reading, const double* positions, std::size_t count, double* to) noexcept
+void ReadValues(const ShellReading& reading, const ShellNumbers& indices, double* to) noexcept
 {
   const auto readOne = [&](std::size_t i)
   {
-    const double value =
-      Trilinear<T>(reading.View, positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+    const double value = Trilinear<T>(reading.View, indices.X[i], indices.Y[i], indices.Z[i]);
     to[i] = IsNumber(value) ? value : reading.View.Volume.BorderValue;
   };
+  const bool isRow = HasRows(reading.View);
   std::size_t i = 0;
-  for (; i + 4 <= count; i += 4)
+  for (; i + 4 <= indices.Count; i += 4)
   {
-    StoreDouble4(ReadFourValues<T>(reading.View, positions + 3 * i), to + i);
+    const FourVectors four{ LoadDouble4(indices.X + i), LoadDouble4(indices.Y + i),
+      LoadDouble4(indices.Z + i) };
+    StoreDouble4(isRow ? ReadFourValues<T, true>(reading.View, four)
+                       : ReadFourValues<T, false>(reading.View, four),
+      to + i);
     for (std::size_t n = i; std::is_floating_point_v<T> && n < i + 4; ++n)
     {
       if (!IsNumber(to[n]))
@@ -192,7 +210,7 @@ void ReadValues(
       }
     }
   }
-  for (; i < count; ++i)
+  for (; i < indices.Count; ++i)
   {
     readOne(i);
   }
@@ -206,7 +224,7 @@ ShellFunctions SelectFunctionsOfShell(ScalarType type)
     {
       using T = decltype(sample);
       return ShellFunctions{ MarkPoints<T>, UpdateMarks<T>, IsAnySolid<T>, FindMostSlopes<T>,
-        PlacePoints, ReadOneFoot<T>, ReadFeet<T>, FindFeet, ReadValues<T>, AddForces };
+        PlacePoints, ReadOneFoot<T>, ReadFeet<T>, FindFeet, ReadValues<T>, HoldPoints, AddForces };
     });
 }
 

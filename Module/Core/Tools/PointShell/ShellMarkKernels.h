@@ -34,7 +34,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkOf(
 }
 
 /** The marks of four points, and their values. */
-template <typename T>
+template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
   const ShellReading& reading, const FourVectors& points, const double* map, Double4& values)
 {
@@ -54,7 +54,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
   {
     Double4 first;
     Double4 second;
-    LoadFourPairs(at, i, first, second);
+    LoadFourPairs<IsRow>(at, i, first, second);
     return first + at.X.Fraction * (second - first);
   };
   const auto plane = [&](std::int64_t i)
@@ -85,6 +85,7 @@ template <typename T>
 std::uint64_t MarkPoints(
   const ShellReading& reading, const ShellNumbers& points, const double* map) noexcept
 {
+  const bool isRow = HasRows(reading.View);
   std::uint64_t mark = 0;
   std::size_t i = 0;
   for (; i + 4 <= points.Count; i += 4)
@@ -92,7 +93,9 @@ std::uint64_t MarkPoints(
     Double4 values;
     const FourVectors four = { LoadDouble4(points.X + i), LoadDouble4(points.Y + i),
       LoadDouble4(points.Z + i) };
-    mark |= MarkFour<T>(reading, four, map, values) << i;
+    const std::uint64_t found = isRow ? MarkFour<T, true>(reading, four, map, values)
+                                      : MarkFour<T, false>(reading, four, map, values);
+    mark |= found << i;
   }
   for (; i < points.Count; ++i)
   {
@@ -107,38 +110,39 @@ std::uint64_t MarkPoints(
   return mark;
 }
 
-template <typename T>
-std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& points,
-  const double* map, const ShellMarking& before) noexcept
+template <typename T, bool IsRow>
+VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
+  const ShellNumbers& points, const double* map, const ShellMarking& before, std::uint64_t late)
 {
-  std::uint64_t late = 0;
-  for (std::size_t i = 0; i < points.Count; i += 4)
-  {
-    late |= NotNegative(Spread(before.Now) - LoadDouble4(before.Until + i)) << i;
-  }
-  late &= ~std::uint64_t{ 0 } >> (64 - points.Count);
   std::uint64_t marks = before.Marks & ~late;
   const auto size = [](const Double4& a) { return Larger(a, -1.0 * a); };
   const Double4 level = Spread(reading.Level);
   while (late != 0)
   {
-    // The last ones may be repeated.
+    // The last one may be repeated.
     int at[4];
-    for (int& i : at)
+    const auto next = [&late](int last)
     {
-      i = LowestBit(late);
-      late &= (late & (late - 1)) != 0 || &i == at + 3 ? late - 1 : late;
-    }
+      const int bit = late != 0 ? LowestBit(late) : last;
+      late &= late - 1;
+      return bit;
+    };
+    at[0] = next(0);
+    at[1] = next(at[0]);
+    at[2] = next(at[1]);
+    at[3] = next(at[2]);
     const auto load = [&at](const double* from)
     { return MakeDouble4(from[at[0]], from[at[1]], from[at[2]], from[at[3]]); };
     Double4 values;
     const std::uint64_t found =
-      MarkFour<T>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
+      MarkFour<T, IsRow>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
     // From the level, with what rounding may have taken.
     const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
+    // Without a number, or slopes that are known, not for long; and finite, since it is scaled.
+    constexpr double farthest = 1e300;
+    const Double4 from = Spread(before.From);
     double until[4];
-    StoreDouble4(
-      Smaller(Spread(before.From) + before.PerValue * distance, Spread(before.End)), until);
+    StoreDouble4(Smaller(Larger(from + before.PerValue * distance, from), Spread(farthest)), until);
     for (int lane = 0; lane < 4; ++lane)
     {
       marks |= (found >> lane & 1) << at[lane];
@@ -149,9 +153,92 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
 }
 
 template <typename T>
+std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& points,
+  const double* map, const ShellMarking& before) noexcept
+{
+  std::uint64_t late = 0;
+  for (std::size_t i = 0; i < points.Count; i += 4)
+  {
+    late |= NotNegative(Spread(before.Now) - LoadDouble4(before.Until + i)) << i;
+  }
+  late &= ~std::uint64_t{ 0 } >> (64 - points.Count);
+  return HasRows(reading.View) ? UpdateLate<T, true>(reading, points, map, before, late)
+                               : UpdateLate<T, false>(reading, points, map, before, late);
+}
+
+/** The largest size of differences, which have to be numbers. */
+class MostDifference
+{
+public:
+  void Add(const Double4& at, const Double4& next)
+  {
+    const Double4 difference = next - at;
+    this->Most = Larger(Larger(difference, -1.0 * difference), this->Most);
+    // Not 0 any more if one is no number.
+    this->Odd = this->Odd + (difference - difference);
+  }
+  double Find() const
+  {
+    double most = 0.0;
+    for (int lane = 0; lane < 4; ++lane)
+    {
+      most = this->Most[lane] > most ? this->Most[lane] : most;
+    }
+    return AddLanes(this->Odd) == 0.0 ? most : HUGE_VAL;
+  }
+
+private:
+  Double4 Most = MakeDouble4(0.0, 0.0, 0.0, 0.0);
+  Double4 Odd = MakeDouble4(0.0, 0.0, 0.0, 0.0);
+};
+
+/** Of a box with rows, of at least four samples along x. */
+template <typename T>
+VOLUME_HAPTICS_INLINE void FindMostSlopesOfRows(
+  const ShellReading& reading, const std::int64_t* low, const std::int64_t* high, double* most)
+{
+  const std::int64_t* const stride = reading.View.Volume.Stride;
+  MostDifference along[3];
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      const T* const row =
+        static_cast<const T*>(reading.View.Volume.Data) + j * stride[1] + k * stride[2];
+      // The last ones have no neighbour: they are their own.
+      const std::int64_t sy = j < high[1] ? stride[1] : 0;
+      const std::int64_t sz = k < high[2] ? stride[2] : 0;
+      for (std::int64_t i = low[0];; i += 4)
+      {
+        // Some of the last ones may be repeated.
+        const bool isLast = i + 3 >= high[0];
+        const T* const at = row + (isLast ? high[0] - 3 : i);
+        const Double4 here = LoadDouble4(at);
+        along[0].Add(LoadDouble4(isLast ? at - 1 : at), LoadDouble4(isLast ? at : at + 1));
+        along[1].Add(here, LoadDouble4(at + sy));
+        along[2].Add(here, LoadDouble4(at + sz));
+        if (isLast)
+        {
+          break;
+        }
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    most[axis] = along[axis].Find();
+  }
+}
+
+template <typename T>
 void FindMostSlopes(const ShellReading& reading, const std::int64_t* low, const std::int64_t* high,
   double* most) noexcept
 {
+  if (HasRows(reading.View) && high[0] - low[0] >= 4)
+  {
+    FindMostSlopesOfRows<T>(reading, low, high, most);
+    return;
+  }
   // Differences of small numbers are found as whole ones.
   using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, std::int32_t, double>;
   const std::int64_t* const stride = reading.View.Volume.Stride;

@@ -51,6 +51,16 @@ struct SampleBox
 
 } // namespace
 
+const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept
+{
+  return table.FindSegment(x);
+}
+
+const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept
+{
+  return table.FindSegment(x);
+}
+
 ShellReader::ShellReader(const VolumeView& view, double level, bool isBelow,
   const CarvedView& carved, InstructionSet instructions) noexcept
   : Given(view)
@@ -175,20 +185,24 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
     });
 }
 
-void ShellReader::ReadCarved(const double* positions, std::size_t count, double* to) const noexcept
+void ShellReader::ReadCarved(const ShellNumbers& indices, double* to) const noexcept
 {
   CarvedBox boxes[ShellBatch::Most];
-  for (std::size_t first = 0; first < count; first += ShellBatch::Most)
+  for (std::size_t first = 0; first < indices.Count; first += ShellBatch::Most)
   {
-    const double* const from = positions + 3 * first;
-    const std::size_t some = std::min(ShellBatch::Most, count - first);
+    const double* const x = indices.X + first;
+    const double* const y = indices.Y + first;
+    const double* const z = indices.Z + first;
+    const std::size_t some = std::min(ShellBatch::Most, indices.Count - first);
     for (std::size_t i = 0; i < some; ++i)
     {
-      boxes[i] = FindBox(this->Given, from + 3 * i, 0, 0);
+      const double at[3] = { x[i], y[i], z[i] };
+      boxes[i] = FindBox(this->Given, at, 0, 0);
     }
     this->ForEachCopy(boxes, some,
-      [&](const ShellReading& copy, std::size_t i)
-      { this->OfCopies.Values(copy, from + 3 * i, 1, to + first + i); });
+      [&](const ShellReading& copy, std::size_t i) {
+        this->OfCopies.Values(copy, { x + i, y + i, z + i, 1 }, to + first + i);
+      });
   }
 }
 

@@ -11,6 +11,8 @@
 #define ShellReader_h
 
 #include "Core/Field/FieldSampler.h"
+#include "Core/Solvers/ShellState.h"
+#include "Core/Tools/PointShell/ShellBatch.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +29,7 @@ struct ShellReading
   double Sign = 1.0; ///< -1 if values below the level are solid
 };
 
-/** Points in the frame of a tool. */
+/** Points in the frame of a tool, or indices. */
 struct ShellNumbers
 {
   const double* X;
@@ -53,7 +55,6 @@ struct ShellMarking
   double* Until;       ///< for each of 64 points: up to where its mark stays
   double Now;          ///< where the tool is
   double From;         ///< with what is found now, lengths count from here
-  double End;          ///< PerValue holds up to here
   double PerValue;     ///< voxels that a value takes at least to change by 1; 0 if that is unknown
 };
 /** As MarkFunction. Writes to ShellMarking::Until. */
@@ -68,79 +69,34 @@ using BoxFunction = bool (*)(
  */
 using SlopeFunction = void (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
-/** From a gradient per index step, and a position in it, to the device. */
-struct ShellFrame
-{
-  double GradientToDevice[9]; ///< by rows; per world unit, on the device's axes
-  double DeviceToIndex[9];    ///< by rows, of displacements in m
-  double UnitsPerMeter;
-  double Voxel;        ///< m
-  double KernelLength; ///< m
-};
 
-/** Where a tool is. */
-struct ShellPlacement
-{
-  double ToolToIndex[12]; ///< a matrix by rows, and an offset
-  double ToolToDevice[9]; ///< by rows, of displacements
-};
-
-/** Points that may be in contact, number by number, so that several are computed at a time. */
-struct ShellBatch
-{
-  static constexpr std::size_t Most = 64; ///< with all that is found, it stays in the first cache
-
-  std::size_t Count = 0;
-  double Position[3][Most]; ///< in the frame of the tool
-  double Offset[3][Most];   ///< m, from the foot to the point; 0 for a new one
-  ///@{
-  /** By the placement of the tool. */
-  double Place[3][Most]; ///< the index of the foot as it is known
-  double Index[3][Most]; ///< of the point
-  double Arm[3][Most];   ///< m, from the origin of the tool, on the device's axes
-  ///@}
-  ///@{
-  /** Found; may be NaN. */
-  double Value[Most];       ///< trilinear, at Place
-  double Gradient[3][Most]; ///< central differences over one sample to either side, per index step
-  double Cell[3][Most];     ///< the derivatives in the cell of Place, per index step
-  double Normal[3][Most];   ///< unit, on the device's axes, into what is solid
-  double Magnitude[Most];   ///< of the gradient, per world unit
-  double Beyond[Most];      ///< m, how far Place is beyond the level
-  double Depth[Most];       ///< m, of the point
-  double Foot[3][Most];     ///< the index of the foot that was found
-  double Behind[3][Most];   ///< the index at a kernel length behind it
-  ///@}
-};
-
-/** Forces on points, number by number, up to a multiple of four: the rest is 0. */
-struct ShellPushes
-{
-  /** Of so many points that may be in contact, forces are summed before these sums are. */
-  static constexpr std::size_t Most = 128;
-
-  std::size_t Count = 0;
-  double Normal[3][Most];
-  double Arm[3][Most];
-  double Force[Most];
-  double Stiffness[Most];
-};
-
-/** From Position and Offset, where the points and their feet are. */
+/** From Position and Before, where the points and their feet are. */
 using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
 /** Value, gradient and derivatives in the cell at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
 /** The same of a batch, at Place. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
-/** From these, Index and Offset, the rest of what is found. */
-using FeetFunction = void (*)(const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
-/** Trilinear values at indices, x, y, z one after the other; BorderValue if one is not finite. */
-using ValuesFunction = void (*)(
-  const ShellReading&, const double* positions, std::size_t count, double* to) noexcept;
 /**
- * With w = (n, arm x n) of each: adds the sums of force w to the six numbers, and those of
- * stiffness w w^T to the 21 of a lower triangle, by rows.
+ * From these, Index, Offset and Solid, the rest of what is found. Sets the bits of points that may
+ * be in contact: there is a gradient, and they are deep enough, which in a thin wall they may be
+ * after they have come out of its other side.
+ */
+using FeetFunction = std::uint64_t (*)(
+  const ShellReading&, const ShellFrame&, ShellBatch&) noexcept;
+/** Trilinear values at indices; BorderValue if one is not finite. */
+using ValuesFunction = void (*)(
+  const ShellReading&, const ShellNumbers& indices, double* to) noexcept;
+/**
+ * The law of ShellContacts.h: appends the contacts, and the forces of those that are pressed, and
+ * adds to the energy and the numbers of contacts. The batch is not empty. Sets the bits of points
+ * that are in contact.
+ */
+using HoldFunction = std::uint64_t (*)(const ShellReading&, ShellLaw&, ShellBatch&,
+  ShellContact*& next, ShellPushes&, ShellSum&) noexcept;
+/**
+ * Of the wrenches w: adds the sums of force w to the six numbers, and those of stiffness w w^T to
+ * the 21 of a lower triangle, by rows.
  */
 using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curvature) noexcept;
 
@@ -156,8 +112,15 @@ struct ShellFunctions
   ReadFunction Read = nullptr;
   FeetFunction Feet = nullptr;
   ValuesFunction Values = nullptr;
+  HoldFunction Hold = nullptr;
   AddFunction Add = nullptr;
 };
+
+///@{
+/** Not inline, for the kernels: see FieldKernels.h. */
+const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept;
+const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept;
+///@}
 
 /** A volume, ready to be read, and what was removed of it. */
 class ShellReader
@@ -206,26 +169,31 @@ public:
   {
     this->Functions.Place(frame, placement, batch);
   }
-  void FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
+  std::uint64_t FindFeet(const ShellFrame& frame, ShellBatch& batch) const noexcept
   {
     this->Functions.Read(this->Reading, batch);
     if (this->Carved.HasAny())
     {
       this->ReadCarved(batch);
     }
-    this->Functions.Feet(this->Reading, frame, batch);
+    return this->Functions.Feet(this->Reading, frame, batch);
   }
   void Add(const ShellPushes& forces, double* gradient, double* curvature) const noexcept
   {
     this->Functions.Add(forces, gradient, curvature);
   }
-  void ReadValues(const double* positions, std::size_t count, double* to) const noexcept
+  void ReadValues(const ShellNumbers& indices, double* to) const noexcept
   {
-    this->Functions.Values(this->Reading, positions, count, to);
+    this->Functions.Values(this->Reading, indices, to);
     if (this->Carved.HasAny())
     {
-      this->ReadCarved(positions, count, to);
+      this->ReadCarved(indices, to);
     }
+  }
+  std::uint64_t Hold(ShellLaw& law, ShellBatch& batch, ShellContact*& next, ShellPushes& pushes,
+    ShellSum& sum) const noexcept
+  {
+    return this->Functions.Hold(this->Reading, law, batch, next, pushes, sum);
   }
 
 private:
@@ -243,7 +211,7 @@ private:
   ///@{
   /** Where tissue was removed, what is left in place of what was read. */
   void ReadCarved(ShellBatch& batch) const noexcept;
-  void ReadCarved(const double* positions, std::size_t count, double* to) const noexcept;
+  void ReadCarved(const ShellNumbers& indices, double* to) const noexcept;
   ///@}
 
   ShellReading Reading;
