@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/DataPlayback.h"
 
-#include "Core/Servo/ServoClock.h"
 #include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Files/HapticFiles.h"
@@ -31,9 +30,6 @@ namespace VolumeHaptics
 {
 namespace
 {
-
-/** How long (ns) memory is waited for that a reader of states may hold. */
-constexpr std::int64_t MostWait = 200000000;
 
 bool HasTimeSteps(vtkVolumeHapticsFilter* filter)
 {
@@ -213,12 +209,16 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   }
   const std::shared_ptr<const BakedVolume> last =
     this->IsStreamed(filter, rate) ? this->Window : nullptr;
-  this->Window.reset();
-  this->GivenUp.clear();
+  const BakedVolume* const kept = this->FindKept(filter);
+  const std::shared_ptr<const BakedVolume> old = std::exchange(this->Window, nullptr);
+  if (old)
+  {
+    this->Past.Note(old);
+  }
   this->Failed = None;
   this->Meshless.clear();
   this->Mesher.End();
-  ReadFrames window = this->Preparation.Take(filter, this->FindPlace(filter));
+  ReadFrames window = this->Preparation.Take(filter, this->FindPlace(filter), kept);
   const TimeSteps before = std::exchange(this->Steps, std::move(window.Steps));
   this->First = window.First;
   if (!window.AreRead)
@@ -231,6 +231,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
     return HapticBaker(filter).Bake(rate, caps, deviceToWorld);
   }
   this->Rate = rate;
+  this->MadeOf = FindOrigin(filter);
   this->Window = last ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times),
                           filter->GetKernelRadius(), filter->GetDisplacementArrayName())
                       : nullptr;
@@ -250,6 +251,31 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
     this->WarnOfFastMotion(filter);
   }
   return model;
+}
+
+/** The window, if a new one of the filter can have its samples; null if it can't. */
+const BakedVolume* DataPlayback::FindKept(vtkVolumeHapticsFilter* filter) const
+{
+  return !this->Steps.AreComponents && this->MadeOf == FindOrigin(filter) ? this->Window.get()
+                                                                          : nullptr;
+}
+
+/**
+ * Whether a new window would need a step that the last one has not: Follow() has to read it first,
+ * when the memory of another one is free.
+ */
+bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  const HapticModel* const felt = ticks ? ticks->GetLatestModel() : nullptr;
+  if (!this->Session.IsRunning() || !this->HasTime || !felt || felt->Baked != this->Window ||
+    !this->FindKept(filter) || this->Steps.AreWindow() || this->Failed != None)
+  {
+    return false;
+  }
+  const FramePlace place = this->FindPlace(filter);
+  const Need need = this->Steps.FindNeed(*place.Time, place.IsBackward, place.Mode);
+  return !this->Has(need.First) || !this->Has(this->Steps.After(need.First));
 }
 
 /** If frames of a stream were left out, the volume goes on from those that it had. */
@@ -285,13 +311,18 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
     return !isStreamed || !this->IsOnItsWay() || times.size() < 2 ||
       GoesOnWith(this->Steps.Times, times, this->Time);
   };
+  if (!isMade && this->LacksPair(filter))
+  {
+    this->EndPreparing();
+    return false;
+  }
   if (filter->GetMethod() != vtkVolumeHapticsFilter::SURFACE_PROXY || isMade)
   {
     this->EndPreparing();
     return isReady(ReadTimeSteps(filter->GetInputInformation(0, 0)));
   }
-  const bool isPrepared = this->Preparation.Follow(
-    filter, this->FindPlace(filter), isStreamed ? this->Window.get() : nullptr);
+  const bool isPrepared = this->Preparation.Follow(filter, this->FindPlace(filter),
+    isStreamed ? this->Window.get() : nullptr, this->FindKept(filter));
   return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
@@ -313,13 +344,6 @@ bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
     this->MadeBeside == FindChangeTimeBesideImage(filter);
 }
 
-bool DataPlayback::IsMemoryFree() const
-{
-  return ServoClock::Now() - this->GivenUpAt > MostWait ||
-    std::all_of(this->GivenUp.begin(), this->GivenUp.end(),
-      [](const std::weak_ptr<const void>& frame) { return frame.expired(); });
-}
-
 /** Frames of the window, by the number of a step in the series. */
 std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count)
 {
@@ -337,17 +361,8 @@ std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count
 std::shared_ptr<const HapticModel> DataPlayback::Show(
   std::size_t first, std::vector<VolumeFrame>&& frames)
 {
-  this->GivenUp.clear();
-  for (const FieldFrame& frame : this->Window->Frames)
-  {
-    if (std::none_of(frames.begin(), frames.end(),
-          [&frame](const VolumeFrame& other) { return other.Samples == frame.Samples; }))
-    {
-      this->GivenUp.emplace_back(frame.Samples);
-    }
-  }
-  this->GivenUpAt = ServoClock::Now();
   const HapticModel* const last = this->Session.GetTicks()->GetLatestModel();
+  this->Past.Note(this->Window);
   this->Window = std::make_shared<const BakedVolume>(*this->Window, frames, this->Window->Series);
   this->First = first;
   return std::make_shared<const HapticModel>(
@@ -403,7 +418,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     return this->Show(first, this->Keep(first, 2));
   }
   const auto isGood = [this](std::size_t step) { return step != this->Failed; };
-  if (!this->IsMemoryFree())
+  if (!this->Past.AreGone())
   {
     return nullptr;
   }

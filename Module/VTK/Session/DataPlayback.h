@@ -8,7 +8,8 @@
  * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
  * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
  * and a new window is published, with the tables of the last one. Three steps are in memory at
- * most, beside the one that their source writes to: one that is no longer needed is given up first.
+ * most, beside the one that their source writes to: one that is no longer needed is given up first,
+ * and if only settings have changed, the next model has the frames of the last one.
  * Where SetTime goes to two other steps, the servo feels the old pair until one of them is there,
  * and that one alone until it has the other one. A series of up to three steps is published whole;
  * and so are components, and the frames of a vtkHapticFrameSource, which are in memory anyway.
@@ -28,6 +29,8 @@
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Session/DeviceSession.h"
 #include "VTK/Session/FrameMesher.h"
+#include "VTK/Session/FrameOrigin.h"
+#include "VTK/Session/PastWindows.h"
 #include "VTK/Session/TimeSteps.h"
 #include "VTK/Session/WindowPreparation.h"
 
@@ -112,12 +115,13 @@ private:
   FramePlace FindPlace(vtkVolumeHapticsFilter* filter) const;
   bool Has(std::size_t step) const;
   Need FindNeed(double time, bool isBackward) const;
-  bool IsMemoryFree() const;
   std::vector<std::size_t> ChooseSteps(const Need& need, double time) const;
   std::vector<VolumeFrame> Keep(std::size_t first, std::size_t count);
   bool Read(vtkVolumeHapticsFilter* filter, std::size_t step, VolumeFrame& frame);
   std::shared_ptr<const HapticModel> Show(std::size_t first, std::vector<VolumeFrame>&& frames);
   bool IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const;
+  const BakedVolume* FindKept(vtkVolumeHapticsFilter* filter) const;
+  bool LacksPair(vtkVolumeHapticsFilter* filter) const;
   void GoOnFrom(const BakedVolume& last, const std::vector<double>& times);
   std::shared_ptr<const HapticModel> ShowMeshed(
     vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames);
@@ -139,9 +143,9 @@ private:
   double Rate = 0.0;     ///< Hz, for which the window was baked
   /** When the filter, without its image, had changed before the window was baked. */
   vtkMTimeType MadeBeside = 0;
-  std::vector<std::weak_ptr<const void>> GivenUp;
-  std::int64_t GivenUpAt = 0; ///< ns
-  std::size_t Failed = None;  ///< a step that can't be read
+  FrameOrigin MadeOf; ///< the window
+  PastWindows Past;
+  std::size_t Failed = None; ///< a step that can't be read
   /** A window that waits for its meshes. */
   std::vector<VolumeFrame> Meshless;
   std::size_t MeshlessFirst = 0; ///< step of its first frame

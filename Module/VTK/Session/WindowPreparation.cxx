@@ -18,6 +18,7 @@
 #include "vtkVolumeHapticsFilter.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <string>
 #include <utility>
@@ -86,8 +87,55 @@ bool AreInMemory(vtkVolumeHapticsFilter* filter)
     filter->GetDisplacementArrayName().empty();
 }
 
+/** Whether two arrays of the same name have the same shape and type. */
+bool AreAlike(vtkDataArray* a, vtkDataArray* b)
+{
+  const auto name = [](vtkDataArray* array)
+  { return std::string(array->GetName() ? array->GetName() : ""); };
+  return name(a) == name(b) && a->GetDataType() == b->GetDataType() &&
+    a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+    a->GetNumberOfTuples() == b->GetNumberOfTuples();
+}
+
+/** As ReadFrame(), but what a window of the same source has is taken from there. */
+bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const FrameReading& reading,
+  const BakedVolume* kept, HapticFrame& frame)
+{
+  const auto hasTime = [time](const FieldFrame& other) { return other.Time == time; };
+  const std::vector<FieldFrame> none;
+  const std::vector<FieldFrame>& frames = kept ? kept->Frames : none;
+  const auto known = std::find_if(frames.begin(), frames.end(), hasTime);
+  if (known == frames.end())
+  {
+    return ReadFrame(filter, time, reading, frame);
+  }
+  // Which array is touched may have changed.
+  vtkDataArray* wanted = nullptr;
+  const auto look = [&](vtkImageData* image)
+  {
+    wanted = reading.GetArray(image);
+    return nullptr;
+  };
+  if (!ReadFrame(filter, time, { look, reading.Component, {} }, frame))
+  {
+    return false;
+  }
+  // See ShareArray of the model's builder.
+  const auto asArray = [](const std::shared_ptr<const void>& samples)
+  { return static_cast<vtkDataArray*>(const_cast<void*>(samples.get())); };
+  vtkDataArray* const had = asArray(known->Samples);
+  if (!wanted || !had || !AreAlike(wanted, had))
+  {
+    return ReadFrame(filter, time, reading, frame);
+  }
+  frame.Array = had;
+  frame.Displacements = asArray(known->DisplacementSamples);
+  return true;
+}
+
 /** The window at a place; none if there is one time step. */
-bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, ReadFrames& read)
+bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* kept,
+  ReadFrames& read)
 {
   filter->GetInputAlgorithm(0, 0)->UpdateInformation();
   read.Steps.Times = ReadTimeSteps(filter->GetInputInformation(0, 0));
@@ -109,7 +157,7 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, ReadFram
     bool isRead = true;
     try
     {
-      isRead = i == count || ReadFrame(filter, steps[step], reading, read.Frames[i]);
+      isRead = i == count || ReadStep(filter, steps[step], reading, kept, read.Frames[i]);
     }
     catch (const std::bad_alloc&)
     {
@@ -131,12 +179,13 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, ReadFram
   return ReadFrame(filter, steps.front(), nothing, first); // else the source has told why
 }
 
-ReadFrames ReadWindow(vtkVolumeHapticsFilter* filter, const FramePlace& place)
+ReadFrames ReadWindow(
+  vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* kept)
 {
   ReadFrames read;
   read.Steps.AreComponents = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
   read.AreRead =
-    read.Steps.AreComponents ? ReadComponents(filter, read) : ReadSteps(filter, place, read);
+    read.Steps.AreComponents ? ReadComponents(filter, read) : ReadSteps(filter, place, kept, read);
   return read;
 }
 
@@ -187,13 +236,13 @@ void WindowPreparation::End()
   this->Shaped.clear();
 }
 
-bool WindowPreparation::Follow(
-  vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* last)
+bool WindowPreparation::Follow(vtkVolumeHapticsFilter* filter, const FramePlace& place,
+  const BakedVolume* last, const BakedVolume* kept)
 {
   if (!this->IsOf(filter, place))
   {
     this->End();
-    this->Window = ReadWindow(filter, place);
+    this->Window = ReadWindow(filter, place, kept);
     this->Of = filter;
     this->Times = FindTimes(filter);
     this->Value = filter->GetIsoValue();
@@ -263,13 +312,14 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
   }
 }
 
-ReadFrames WindowPreparation::Take(vtkVolumeHapticsFilter* filter, const FramePlace& place)
+ReadFrames WindowPreparation::Take(
+  vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* kept)
 {
   this->TookLate = false;
   if (!this->IsOf(filter, place))
   {
     this->End();
-    return ReadWindow(filter, place);
+    return ReadWindow(filter, place, kept);
   }
   this->TookLate = this->Times.All != FindTimes(filter).All;
   ReadFrames read = *std::move(this->Window);

@@ -49,8 +49,11 @@ public:
   /**
    * To be called often: whether Take() has all that takes long. If not, that is being made.
    * @param last the volume whose further frames these are; null if they are those of a new one
+   * @param kept a window that has been made of the same source; may be null. Its frames are not
+   *   copied again.
    */
-  bool Follow(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* last);
+  bool Follow(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* last,
+    const BakedVolume* kept);
   /** Whether Follow() has read frames that Take() has not taken. */
   bool IsBegun() const { return this->Window.has_value(); }
   /** The data times of the steps whose frames it has read; none before that. */
@@ -62,7 +65,7 @@ public:
   double GetTimeOfRest() const { return this->IsBegun() ? this->TimeOfRest : 0.0; }
 
   /** The frames of Follow(); without that, they are read now. */
-  ReadFrames Take(vtkVolumeHapticsFilter* filter, const FramePlace& place);
+  ReadFrames Take(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* kept);
   /** Whether the source had further frames when they were taken. */
   bool WasBehind() const { return this->TookLate; }
   /** Ends the preparation, without waiting for the worker, and forgets the frames. */

@@ -223,6 +223,80 @@ TEST_F(FrameMemory, HasThreeStepsAtMostWithTheirMeshes)
   EXPECT_TRUE(this->FilterLog.Errors.empty());
 }
 
+/// A new model has the frames of the last one: no step is copied for it.
+TEST_F(FrameMemory, HasThreeStepsAtMostWhereSettingsChangeMeanwhile)
+{
+  this->Filter->SetIsoValue(500.0);
+  this->Device->SetPlaybackToLoop();
+  this->Begin();
+  vtkHapticProperty* const property = this->Filter->GetProperty();
+  for (int i = 0; i < 60; ++i)
+  {
+    switch (i % 4)
+    {
+      case 0:
+        property->GetStiffness()->RemoveAllPoints();
+        property->GetStiffness()->AddPoint(0.0, 200.0 + i);
+        break;
+      case 1:
+        this->Filter->SetKernelRadius(1 + i / 4 % 2);
+        break;
+      case 2:
+        this->Filter->SetMethod(
+          i % 8 == 2 ? vtkVolumeHapticsFilter::SURFACE_PROXY : vtkVolumeHapticsFilter::PROXY);
+        break;
+      default:
+        this->Device->SetPlaybackSpeed(i % 8 == 3 ? 1.0 : -1.0);
+        break;
+    }
+    const double before = this->Device->GetDataTime();
+    ASSERT_TRUE(this->Device->Publish());
+    ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+    ASSERT_TRUE(this->WaitTicks(7 * (i % 5)));
+    ASSERT_TRUE(this->Wait([&] { return this->Device->GetDataTime() != before; }));
+    EXPECT_LE(TakeMost(), 3) << i;
+  }
+  EXPECT_LE(CountedArray::Live, 3);
+}
+
+/// What the source has changed is read again, as is another array.
+TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
+{
+  this->Begin();
+  this->Device->Hold();
+  ASSERT_TRUE(this->GoTo(2.0));
+  const auto getFelt = [this]
+  {
+    vtkImageData* const image = this->Device->GetFrameImage();
+    return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
+  };
+  const auto expect = [](double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); };
+  EXPECT_DOUBLE_EQ(getFelt(), expect(10.0));
+  this->Source->Make = [](double time) { return MakeCounted(time + 1.0); };
+  this->Source->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_DOUBLE_EQ(getFelt(), expect(11.0));
+  this->Source->Make = [](double time)
+  {
+    auto image = MakeCounted(time + 1.0);
+    vtkNew<vtkDoubleArray> other;
+    other->DeepCopy(image->GetPointData()->GetScalars());
+    other->SetName("other");
+    other->FillValue(7.0);
+    image->GetPointData()->AddArray(other);
+    return image;
+  };
+  this->Source->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_DOUBLE_EQ(getFelt(), expect(11.0));
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "other");
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_DOUBLE_EQ(getFelt(), 7.0);
+}
+
 /// As ParaView's animation gives them: two images at a time, the last one and the new one.
 TEST_F(FrameMemory, HasThreeStepsOfAStreamAtMost)
 {

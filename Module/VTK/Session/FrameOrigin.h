@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the samples of a filter's time steps depend on: while it is the same, only settings change.
+ */
+#ifndef FrameOrigin_h
+#define FrameOrigin_h
+
+#include "vtkAlgorithm.h"
+#include "vtkType.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+struct FrameOrigin
+{
+  const void* Connection = nullptr; ///< of the source; not dereferenced
+  vtkMTimeType Time = 0;            ///< of the source's last change
+  std::string Displacements;        ///< the name of their array
+
+  bool operator==(const FrameOrigin& other) const
+  {
+    return this->Connection == other.Connection && this->Time == other.Time &&
+      this->Displacements == other.Displacements;
+  }
+};
+
+inline FrameOrigin FindOrigin(vtkVolumeHapticsFilter* filter)
+{
+  vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
+  return { filter->GetInputConnection(0, 0), source ? source->GetMTime() : 0,
+    filter->GetDisplacementArrayName() };
+}
+
+} // namespace VolumeHaptics
+
+#endif
