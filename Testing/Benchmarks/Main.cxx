@@ -10,7 +10,8 @@
  * over the whole run, and prints medians and their ratios. Asserts nothing. --quick leaves out the
  * volume of 1 GiB and most repetitions: it shows that everything runs, its figures are rough.
  * --scale measures the calls of an application with volumes of 256^3 up to 2048^3 samples instead,
- * --playing a servo under which frames of 256^3 change 20 times a second, in real time.
+ * --playing a servo under which frames of 256^3 change 20 times a second, in real time, beside one
+ * without a volume.
  */
 #include "Benchmarks.h"
 #include "Medians.h"
