@@ -68,15 +68,16 @@ has_ended()
   ! kill -0 "$child" 2> /dev/null
 }
 
-# Runs a command until it succeeds, for as long as the program lives if one was started; two minutes at most.
+# Runs a command until it succeeds, for as long as the program lives if one was started; two minutes at most, or
+# $PATIENCE seconds: a program that starts slowly takes more where the processors are busy.
 wait_for()
 {
-  local what=$1 until=$((SECONDS + 120))
+  local what=$1 until=$((SECONDS + ${PATIENCE:-120}))
   shift
   until "$@" > /dev/null 2>&1
   do
     [[ -z "$child" ]] || ! has_ended || fail "the program ended before $what"
-    [[ $SECONDS -lt $until ]] || fail "$what did not come about within two minutes"
+    [[ $SECONDS -lt $until ]] || fail "$what did not come about within ${PATIENCE:-120} seconds"
     sleep 0.1
   done
 }
