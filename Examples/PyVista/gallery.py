@@ -102,7 +102,7 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
     """A chart of curves, {label: (x, y)} or {label: (x, y, colour)}, that fills the active subplot."""
     plotter.set_background("white", all_renderers=False)
     chart = pv.Chart2D(size=(0.97, 0.95), loc=(0.0, 0.02), x_label=x_label, y_label=y_label)
-    chart.title = title
+    chart.title = title + "\n"  # or the box of the legend touches it
     chart.border_color = "white"
     for colour, (label, curve) in zip(COLOURS, curves.items()):
         chart.line(curve[0], curve[1], color=curve[2] if len(curve) > 2 else colour, width=2.5, label=label)
