@@ -454,17 +454,13 @@ std::optional<double> FrameQuality::EstimateTime() const
 //------------------------------------------------------------------------------
 void FrameQuality::Interrupt()
 {
-  if (!this->FindWindow() || this->Moves || !this->Window->CheckInRenderStatus())
+  if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus())
   {
-    return;
-  }
-  const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
-    std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
-  const bool hasInput = HasPendingInput(this->Window);
-  this->IsGivenUp = isSlow && !hasInput;
-  if (isSlow || hasInput)
-  {
-    this->Window->SetAbortRender(1);
+    const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
+      std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
+    const bool hasInput = HasPendingInput(this->Window);
+    this->IsGivenUp = isSlow && !hasInput;
+    this->Window->SetAbortRender(isSlow || hasInput || this->Window->GetAbortRender());
   }
 }
 
