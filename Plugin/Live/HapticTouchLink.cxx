@@ -3,6 +3,7 @@
 #include "HapticTouchLink.h"
 
 #include "vtkCommand.h"
+#include "vtkObject.h"
 #include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
@@ -12,6 +13,7 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cstring>
 #include <vector>
 
 namespace VolumeHapticsLive
@@ -24,11 +26,12 @@ HapticTouchLink::~HapticTouchLink()
 
 void HapticTouchLink::LetGo()
 {
-  if (this->Touch && this->Observer)
+  if (this->Touch)
   {
     this->Touch->RemoveObserver(this->Observer);
+    this->Touch->RemoveObserver(this->CommandObserver);
   }
-  this->Observer = 0;
+  this->Observer = this->CommandObserver = 0;
   this->Touch = nullptr;
   this->Twin = nullptr;
 }
@@ -45,6 +48,8 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
     this->Touch = touch;
     this->Observer =
       touch->AddObserver(vtkCommand::PropertyModifiedEvent, this, &HapticTouchLink::NoteChange);
+    this->CommandObserver =
+      touch->AddObserver(vtkCommand::UpdatePropertyEvent, this, &HapticTouchLink::PassCommand);
     this->Twin.TakeReference(
       touch->GetSessionProxyManager()->NewProxy(touch->GetXMLGroup(), touch->GetXMLName()));
     this->IsDirty = true;
@@ -56,6 +61,7 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
   if (this->Twin && this->IsDirty)
   {
     this->CopySettings();
+    this->ShareRemoval();
     this->IsDirty = false;
   }
 }
@@ -82,6 +88,33 @@ void HapticTouchLink::CopySettings()
     }
   }
   this->Twin->UpdateVTKObjects();
+}
+
+void HapticTouchLink::ShareRemoval()
+{
+  vtkVolumeHapticsFilter* const touched = this->FindTouched();
+  vtkVolumeHapticsFilter* const filter = this->GetFilter();
+  if (touched && filter)
+  {
+    filter->SetRemoval(touched->GetRemoval());
+  }
+}
+
+void HapticTouchLink::PassCommand(vtkObject*, unsigned long, void* name)
+{
+  const auto* const command = static_cast<const char*>(name);
+  const auto is = [command](const char* text) { return command && !std::strcmp(command, text); };
+  const bool isOfRemoval = is("UndoRemoval") || is("RedoRemoval") || is("RestoreTissue");
+  if (isOfRemoval && this->Twin && !this->FindTouched())
+  {
+    this->Twin->InvokeCommand(command);
+  }
+}
+
+vtkVolumeHapticsFilter* HapticTouchLink::FindTouched() const
+{
+  return this->Touch ? vtkVolumeHapticsFilter::SafeDownCast(this->Touch->GetClientSideObject())
+                     : nullptr;
 }
 
 vtkVolumeHapticsFilter* HapticTouchLink::GetFilter() const

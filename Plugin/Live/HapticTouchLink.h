@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+class vtkObject;
 class vtkSMProxy;
 class vtkSMSourceProxy;
 class vtkVolumeHapticsFilter;
@@ -18,6 +19,10 @@ namespace VolumeHapticsLive
 {
 
 /**
+ * What a burr in the hand has removed belongs to the followed filter, if that is in this process:
+ * paths along it begin with what the hand has left. Else the second one has its own, and gets the
+ * commands to undo, redo and restore, too.
+ *
  * The settings are those of a second proxy of the same kind, whose objects are made in the client
  * only. It copies every property of the first, whatever it is, except the inputs; functions are
  * shared, because ParaView's piecewise functions are on the client, too.
@@ -44,12 +49,18 @@ public:
 
 private:
   void NoteChange() { this->IsDirty = true; }
+  /** Of a command that was chosen, whose name it is. */
+  void PassCommand(vtkObject* touch, unsigned long event, void* name);
+  void ShareRemoval();
+  /** The followed filter, if it is in this process; else null. */
+  vtkVolumeHapticsFilter* FindTouched() const;
   void LetGo();
   void CopySettings();
 
   vtkWeakPointer<vtkSMProxy> Touch;
   vtkSmartPointer<vtkSMProxy> Twin;
   unsigned long Observer = 0;
+  unsigned long CommandObserver = 0;
   bool IsDirty = false;
 };
 

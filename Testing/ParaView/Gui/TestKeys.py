@@ -7,11 +7,13 @@ import sys
 import tempfile
 import time
 
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from view import force, lead_in, lead_out, press, run, wait_until
+from view import force, get, lead_in, lead_out, press, run, wait_until
 
 
 def hit(view, key, event="KeyPressEvent"):
@@ -93,6 +95,61 @@ def method(view, device, link):
         hit(view, "m")
         now = (touch.GetPropertyValue("Method"), touch.GetPropertyValue("Solver"))
         assert now == wanted, f"the panel says {now}, and felt is {wanted}"
+
+
+def removal(view, device, link):
+    """The panel's buttons take strokes of a burr back and do them again, to the last bit of what is left of the tissue."""
+    touch = device.Touch
+    touch.Tool, touch.BurrRadius, touch.BurrSpecificEnergy = "Burr", 8.0, "0.02"
+    # In the air before the face: its trace has what the hand has left.
+    line = simple.Line(Point1=[-25, -140, 45], Point2=[-25, -139, 45], Resolution=1)
+    touch.Path = line
+    interactor = view.GetInteractor()
+
+    def shares():
+        line.Resolution = 3 - line.Resolution
+        touch.UpdatePipeline()
+        data = servermanager.Fetch(touch).GetFieldData()
+        return {name: vtk_to_numpy(data.GetArray(name)).tobytes() for name in ("FinalBricks", "FinalShares")}
+
+    def lead(to):
+        device.VirtualTip = to
+        wait_until(view, lambda: max(abs(a - b) for a, b in zip(get(device, "TipPosition"), to)) < 1e-9, "the tip did not get there")
+
+    def drill(x):
+        """With the left button pressed, deeper and deeper until something is gone; then out of it."""
+        before = shares()
+        lead([x, -110, 45])
+        interactor.InvokeEvent("LeftButtonPressEvent")
+        for y in range(-100, -60):
+            lead([x, y, 45])
+            if y > -85 and shares() != before:
+                break
+        interactor.InvokeEvent("LeftButtonReleaseEvent")
+        lead([x, -110, 45])
+        after = shares()
+        assert after != before, "nothing was removed"
+        return after
+
+    def choose(command, wanted):
+        touch.InvokeCommand(command)
+        wait_until(view, lambda: shares() == wanted, command + " has not left what was there")
+
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-25, -600, 45], [-25, -70, 45], [0, 0, 1]
+    simple.Render(view)
+    link.Attached = 1
+    device.Running = 1
+    device.UpdatePipeline()
+    interactor.SetEventInformation(150, 150, 0, 0)
+    hit(view, "t")
+    assert device.Armed == 1, "the touch mode has not begun"
+    wait_until(view, lambda: "100 % of the force" in "".join(get(device, "StatusText")), "the ramp was not over")
+    whole = shares()
+    first = drill(-25)
+    second = drill(-20)
+    for command, wanted in (("UndoRemoval", first), ("UndoRemoval", whole), ("RedoRemoval", first), ("RedoRemoval", second),
+                            ("UndoRemoval", first), ("RestoreTissue", whole)):
+        choose(command, wanted)
 
 
 run(globals()[sys.argv[3]])
