@@ -60,7 +60,7 @@ public:
     const HapticModel& model, double dataTime, LabelMemory& labels, TickMemory* memory) noexcept
     : Model(model)
     , Field(model.Baked->At(dataTime, memory))
-    , IsPlain(model.Baked->IsPlain())
+    , IsPlain(model.Baked->IsPlain() && !model.Baked->IsMoving())
     , HasWalks(model.Baked->Settings.Placement != MaterialPlacement::Kernel)
     , Labels(labels)
   {
@@ -166,7 +166,7 @@ private:
 
   const HapticModel& Model;
   const FieldAtTime Field;
-  const bool IsPlain;  ///< as BakedVolume
+  const bool IsPlain;  ///< as BakedVolume, and stands still
   const bool HasWalks; ///< of MaterialPlacement::FarSide: they need the proxy's path
   LabelMemory& Labels;
   int Looks = 0;
