@@ -57,6 +57,19 @@ TickRecord Slide::Measure(benchmark::State& bench, const HapticModel& model) con
   return record;
 }
 
+bool Slide::IsSliding(const HapticModel& model) const
+{
+  ServoState state = this->Start;
+  TickRecord record;
+  std::size_t sliding = 0;
+  for (const Vector3& tip : this->Tips)
+  {
+    Tick(model, state, tip, record);
+    sliding += record.Contact == ContactState::Sliding ? 1 : 0;
+  }
+  return 10 * sliding >= 9 * this->Tips.size();
+}
+
 Positions Scattered(const BallVolume& volume)
 {
   constexpr double margin = 8.0;

@@ -40,6 +40,8 @@ struct Slide
   /** Measures ticks, round after round, and returns the last one. */
   VolumeHaptics::TickRecord Measure(
     benchmark::State& bench, const VolumeHaptics::HapticModel& model) const;
+  /** Whether the proxy slides in nine tenths of a round: it sticks for single ticks. */
+  bool IsSliding(const VolumeHaptics::HapticModel& model) const;
 };
 
 /** Anywhere, but clear of the border. Touches far more memory than a cache holds. */
