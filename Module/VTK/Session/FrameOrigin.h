@@ -7,7 +7,8 @@
 #ifndef FrameOrigin_h
 #define FrameOrigin_h
 
-#include "vtkAlgorithm.h"
+#include "VTK/Session/HapticChangeTime.h"
+
 #include "vtkType.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -19,7 +20,7 @@ namespace VolumeHaptics
 struct FrameOrigin
 {
   const void* Connection = nullptr; ///< of the source; not dereferenced
-  vtkMTimeType Time = 0;            ///< of the source's last change
+  vtkMTimeType Time = 0;            ///< of the last change of the source, or of what it reads
   std::string Displacements;        ///< the name of their array
 
   bool operator==(const FrameOrigin& other) const
@@ -31,8 +32,7 @@ struct FrameOrigin
 
 inline FrameOrigin FindOrigin(vtkVolumeHapticsFilter* filter)
 {
-  vtkAlgorithm* const source = filter->GetInputAlgorithm(0, 0);
-  return { filter->GetInputConnection(0, 0), source ? source->GetMTime() : 0,
+  return { filter->GetInputConnection(0, 0), FindPipelineTime(filter->GetInputAlgorithm(0, 0)),
     filter->GetDisplacementArrayName() };
 }
 

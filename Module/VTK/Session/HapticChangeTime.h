@@ -7,7 +7,9 @@
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -15,6 +17,19 @@
 
 namespace VolumeHaptics
 {
+
+/** When an algorithm, or one that its input comes from, last changed; 0 without one. */
+inline vtkMTimeType FindPipelineTime(vtkAlgorithm* source)
+{
+  auto* const pipeline =
+    vtkDemandDrivenPipeline::SafeDownCast(source ? source->GetExecutive() : nullptr);
+  if (!pipeline)
+  {
+    return source ? source->GetMTime() : 0;
+  }
+  pipeline->UpdatePipelineMTime();
+  return pipeline->GetPipelineMTime();
+}
 
 /** When a filter, or its surface or label image, last changed; 0 without a filter. */
 inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
@@ -32,7 +47,7 @@ inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 /**
  * When a filter, or its image, surface or label image, last changed; 0 without a filter. If the
  * time steps of a moving image are requested one after the other, the image's own changes don't
- * count.
+ * count, but those of the whole pipeline do.
  */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {
@@ -44,7 +59,9 @@ inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving
   vtkDataObject* const image = filter->GetInputDataObject(0, 0);
   vtkAlgorithm* const regions = filter->GetRegionSource();
   const bool isStep = isMoving && filter->GetFrames() == vtkVolumeHapticsFilter::TIME_STEPS;
-  return std::max({ FindChangeTimeBesideImage(filter), source ? source->GetMTime() : 0,
+  const vtkMTimeType sourceTime =
+    isStep ? FindPipelineTime(source) : (source ? source->GetMTime() : 0);
+  return std::max({ FindChangeTimeBesideImage(filter), sourceTime,
     regions ? regions->GetMTime() : 0, image && !isStep ? image->GetMTime() : 0 });
 }
 

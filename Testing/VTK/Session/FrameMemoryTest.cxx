@@ -11,6 +11,9 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkHapticFrameSource.h>
+#include <vtkImageAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -43,6 +46,22 @@ protected:
 
 private:
   const bool Counts = !OfSource;
+};
+
+/// Gives what it gets.
+class Stage : public vtkImageAlgorithm
+{
+public:
+  static Stage* New() { VTK_STANDARD_NEW_BODY(Stage); }
+  vtkTypeMacro(Stage, vtkImageAlgorithm);
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    vtkImageData::GetData(outputs)->ShallowCopy(vtkImageData::GetData(inputs[0]));
+    return 1;
+  }
 };
 
 class FrameMemory : public DeviceTest
@@ -98,6 +117,15 @@ protected:
     this->Device->SetDataTime(time);
     return this->WaitTicks(2) && this->Wait([this] { return !this->Device->IsWaitingForData(); });
   }
+
+  /// The value of the frame that is shown at (12, 12, 12); -1 without a frame.
+  double GetFelt() const
+  {
+    vtkImageData* const image = this->Device->GetFrameImage();
+    return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
+  }
+  /// The value there with the wall at an x.
+  static double GetValue(double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); }
 
   /// The most steps that were in memory since the last call.
   static int TakeMost() { return std::exchange(CountedArray::Most, CountedArray::Live); }
@@ -265,18 +293,12 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
   this->Begin();
   this->Device->Hold();
   ASSERT_TRUE(this->GoTo(2.0));
-  const auto getFelt = [this]
-  {
-    vtkImageData* const image = this->Device->GetFrameImage();
-    return image ? image->GetScalarComponentAsDouble(12, 12, 12, 0) : -1.0;
-  };
-  const auto expect = [](double wall) { return 500.0 * (1.0 - std::tanh((12.0 - wall) / 1.5)); };
-  EXPECT_DOUBLE_EQ(getFelt(), expect(10.0));
+  EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(10.0));
   this->Source->Make = [](double time) { return MakeCounted(time + 1.0); };
   this->Source->Modified();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(2));
-  EXPECT_DOUBLE_EQ(getFelt(), expect(11.0));
+  EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
   this->Source->Make = [](double time)
   {
     auto image = MakeCounted(time + 1.0);
@@ -290,11 +312,28 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
   this->Source->Modified();
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(2));
-  EXPECT_DOUBLE_EQ(getFelt(), expect(11.0));
+  EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
   this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "other");
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->WaitTicks(2));
-  EXPECT_DOUBLE_EQ(getFelt(), 7.0);
+  EXPECT_DOUBLE_EQ(this->GetFelt(), 7.0);
+}
+
+/// Nor if an algorithm before the last one gives others.
+TEST_F(FrameMemory, KeepsNoFrameOfAnEarlierStage)
+{
+  const vtkNew<Stage> stage;
+  stage->SetInputConnection(this->Source->GetOutputPort());
+  this->Filter->SetInputConnection(stage->GetOutputPort());
+  this->Begin();
+  this->Device->Hold();
+  ASSERT_TRUE(this->GoTo(2.0));
+  EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(10.0));
+  this->Source->Make = [](double time) { return MakeCounted(time + 1.0); };
+  this->Source->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  ASSERT_TRUE(this->WaitTicks(2));
+  EXPECT_DOUBLE_EQ(this->GetFelt(), GetValue(11.0));
 }
 
 /// As ParaView's animation gives them: two images at a time, the last one and the new one.
