@@ -14,7 +14,8 @@
 #
 # Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
 # clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
-# it says loudly that it leaves them out.
+# it says loudly that it leaves them out. Where even the servo under the sanitizers, or the tests, would take longer than
+# 23 minutes, it leaves out the former, then all tests but the quick ones, as loudly.
 #
 # Tests of screens and packages wait, too: while they run, all that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -26,7 +27,7 @@ build_dir=$root/build/test
 for argument in "$@"; do
   case $argument in
     --full) full=yes ;;
-    -h | --help) sed -n '5,21s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    -h | --help) sed -n '5,20s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
     -*) echo "$0: unknown option $argument; try --help" >&2; exit 2 ;;
     *) build_dir=$argument ;;
   esac
@@ -208,9 +209,28 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-planned=$((build_seconds * 175 / 100)) # the other tests, and the servo under the sanitizers
+# usage: ends_after SECONDS
+# Whether a run that goes on for so long ends in time.
+ends_after()
+{
+  [ $full = yes ] || [ $((SECONDS + $1)) -lt $((23 * 60)) ]
+}
+chosen=(-LE "^($left_out|wheel)\$")
+test_seconds=$((build_seconds * 105 / 100))
+sanitizer_seconds=$((build_seconds * 70 / 100)) # of the servo alone
+sanitizers=yes
+if ! ends_after $((test_seconds + sanitizer_seconds)); then
+  sanitizers=no
+  sanitizer_seconds=0
+  echo "!!!! SKIPPED: the sanitizers, for which this machine is too slow: $((SECONDS / 60)) minutes are over; see --full !!!!" >&2
+fi
+if ! ends_after $test_seconds; then
+  chosen+=(-L '^quick$')
+  echo "!!!! SKIPPED: all tests but the quick ones, for the same reason !!!!" >&2
+fi
+planned=$((test_seconds + sanitizer_seconds))
 
-# Whatever the machine, the servo with its safety stage and force gate runs under the sanitizers.
+# The servo with its safety stage and force gate runs under the sanitizers before anything else does.
 loop_tests=VolumeHapticsLoopTests
 without_services=-DVolumeHaptics_USE_BEAST=OFF # which none of the tests meets that run under sanitizers
 sanitized='^VolumeHaptics[.]Core[.]Servo'
@@ -222,7 +242,7 @@ if [ $full = yes ]; then
   loop_tests=VolumeHapticsThreadTests
   without_services=
   start sanitize build asan "$build_dir-sanitize" all -DVolumeHaptics_WRAP_PYTHON=ON
-else
+elif [ $sanitizers = yes ]; then
   safety_tests=VolumeHapticsSafetyTests
   if fits 22 "the address and undefined-behaviour sanitizers, but for the servo"; then
     safety_tests=VolumeHapticsSanitizerTests
@@ -230,7 +250,7 @@ else
   fi
   start sanitize build asan "$build_dir-sanitize" $safety_tests "$without_services"
 fi
-start thread build tsan "$build_dir-thread" $loop_tests $without_services
+[ $sanitizers = no ] || start thread build tsan "$build_dir-thread" $loop_tests $without_services
 wheel=no
 if fits 50 "the wheel"; then
   wheel=yes
@@ -257,29 +277,35 @@ fi
 
 # Some of the others wait, too.
 echo "== Tests"
-run_tests "$build_dir" "$((2 * jobs))" -LE "^($left_out|wheel)\$" || status=$?
+run_tests "$build_dir" "$((2 * jobs))" "${chosen[@]}" || status=$?
 
-finish sanitize
-echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
-if [ $full = yes ]; then
-  run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
-else
-  run_tests "$build_dir-sanitize" "$((2 * jobs))" -R "$sanitized" -E "$scans" || status=$?
-fi
+# usage: test_sanitized
+# The tests with the sanitizers, whose builds are under way.
+test_sanitized()
+{
+  finish sanitize
+  echo "== Tests with the address and undefined-behaviour sanitizers in $build_dir-sanitize"
+  if [ $full = yes ]; then
+    run_tests "$build_dir-sanitize" "$jobs" -LE package || status=$?
+  else
+    run_tests "$build_dir-sanitize" "$((2 * jobs))" -R "$sanitized" -E "$scans" || status=$?
+  fi
 
-finish thread
-echo "== Tests with the thread sanitizer in $build_dir-thread"
-export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
-if [ $full = yes ]; then
-  # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
-  run_tests "$build_dir-thread" "$jobs" \
-    -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
-    status=$?
-else
-  # No more than there are processors: a loop that is made to wait for long repeats what it tests.
-  run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' -E "$slow_loops" || status=$?
-fi
-unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+  finish thread
+  echo "== Tests with the thread sanitizer in $build_dir-thread"
+  export TSAN_OPTIONS=ignore_noninstrumented_modules=1 VTK_SMP_BACKEND_IN_USE=Sequential
+  if [ $full = yes ]; then
+    # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
+    run_tests "$build_dir-thread" "$jobs" \
+      -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
+      status=$?
+  else
+    # No more than there are processors: a loop that is made to wait for long repeats what it tests.
+    run_tests "$build_dir-thread" "$jobs" -R '^VolumeHaptics[.]Core[.]Servo' -E "$slow_loops" || status=$?
+  fi
+  unset TSAN_OPTIONS VTK_SMP_BACKEND_IN_USE
+}
+[ $sanitizers = no ] || test_sanitized
 
 if [ $wheel = yes ]; then
   built=0
