@@ -6,6 +6,7 @@
 # frames per second in a stroke, and the latency of input while a fine frame is due. See pace.py.
 #
 # usage: pace.sh [OPTION OF pace.py]... TITLE PROGRAM [ARGUMENT]...
+#        as [--at X Y] [--rounds N] [--rest SECONDS]
 #
 # It takes a machine that does nothing else; no test asserts its figures.
 #

@@ -418,7 +418,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     return this->Show(first, this->Keep(first, 2));
   }
   const auto isGood = [this](std::size_t step) { return step != this->Failed; };
-  if (!this->Past.AreGone())
+  if (!this->Past.AreGone() || !this->Mesher.IsIdle() || !this->Preparation.IsIdle())
   {
     return nullptr;
   }

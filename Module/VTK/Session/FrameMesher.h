@@ -31,6 +31,16 @@ public:
     const Affine3& indexToWorld);
   /** Ends what is under way, without waiting for it. */
   void End() { this->Meshing.Abandon(); }
+  /** Whether no worker has frames any more; for when no frames wait for their meshes. */
+  bool IsIdle()
+  {
+    if (this->Meshing.IsUnderWay())
+    {
+      return false;
+    }
+    this->Meshing.Forget();
+    return true;
+  }
 
 private:
   /** The samples of a frame and the next one, and the component of the frame. */

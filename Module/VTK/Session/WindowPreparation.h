@@ -56,6 +56,8 @@ public:
     const BakedVolume* kept);
   /** Whether Follow() has read frames that Take() has not taken. */
   bool IsBegun() const { return this->Window.has_value(); }
+  /** Whether neither this nor its worker has frames. */
+  bool IsIdle() { return !this->IsBegun() && this->Mesher.IsIdle(); }
   /** The data times of the steps whose frames it has read; none before that. */
   std::vector<double> GetTimes() const
   {
