@@ -31,6 +31,7 @@ TEST_F(StyleLeaves, DisarmsForAnotherStyle)
   this->Interactor->SetInteractorStyle(other);
   EXPECT_FALSE(this->Style->GetTouchMode());
   EXPECT_GT(changes, 0);
+  this->Style->RemoveObserver(count); // it counts in a variable of this function
   this->Run(5);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_TRUE(this->Device->IsRunning());
