@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * The radius of the head (world units), more than 0, and a voxel at least. Default 2. See above
-   * for what a large one takes.
+   * The radius of the head (world units), more than 0. Default 2. It has to be a voxel at least;
+   * see above for what a large one takes.
    */
   vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Radius, double);
