@@ -5,8 +5,8 @@
 # Opens a program's window on a screen of its own, with a window manager, and prints how quickly it follows the hand:
 # frames per second in a stroke, and the latency of input while a fine frame is due. See pace.py.
 #
-# usage: pace.sh [OPTION OF pace.py]... TITLE PROGRAM [ARGUMENT]...
-#        as [--at X Y] [--rounds N] [--rest SECONDS]
+# usage: pace.sh [--at X Y] [--rounds N] [--rest SECONDS] [OPTION OF pace.py]... TITLE PROGRAM [ARGUMENT]...
+# as in: pace.sh --rest 4 "VTK Volume Haptics" build/bin/volumehaptics-explore Data/HeadPhantom.vti --size 700
 #
 # It takes a machine that does nothing else; no test asserts its figures.
 #
