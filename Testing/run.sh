@@ -15,7 +15,7 @@
 # Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
 # clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
 # it says loudly that it leaves them out. Where even the servo under the sanitizers, or the tests, would take longer than
-# 23 minutes, it leaves out the former, then all tests but the quick ones, as loudly.
+# 24 minutes, it leaves out the former, then all tests but the quick ones, as loudly.
 #
 # Tests of screens and packages wait, too: while they run, all that comes later is built.
 # shellcheck disable=SC2317 # functions that start() calls
@@ -213,7 +213,7 @@ fi
 # Whether a run that goes on for so long ends in time.
 ends_after()
 {
-  [ $full = yes ] || [ $((SECONDS + $1)) -lt $((23 * 60)) ]
+  [ $full = yes ] || [ $((SECONDS + $1)) -lt $((24 * 60)) ]
 }
 chosen=(-LE "^($left_out|wheel)\$")
 test_seconds=$((build_seconds * 105 / 100))
