@@ -122,18 +122,31 @@ finish()
   return $status
 }
 
+# usage: skip NAME
+skip()
+{
+  echo "!!!! SKIPPED: $1, for which this machine is too slow: $((SECONDS / 60)) minutes are over; see --full !!!!" >&2
+}
+
+# usage: ends_by MINUTES SECONDS
+# Whether a run that goes on for so many seconds has ended by then. With --full there is time enough.
+ends_by()
+{
+  [ $full = yes ] || [ $((SECONDS + $2)) -lt $(($1 * 60)) ]
+}
+
 # usage: fits PERCENT NAME
 # Whether a part of this run ends before 19 minutes are over, and plans it if so. PERCENT is its time as a share of that
-# of the first build, which tells how fast the machine is. With --full there is time enough.
+# of the first build, which tells how fast the machine is.
 planned=0 # seconds
 fits()
 {
   local cost=$((build_seconds * $1 / 100))
-  if [ $full = yes ] || [ $((SECONDS + planned + cost)) -lt $((19 * 60)) ]; then
+  if ends_by 19 $((planned + cost)); then
     planned=$((planned + cost))
     return
   fi
-  echo "!!!! SKIPPED: $2, for which this machine is too slow: $((SECONDS / 60)) minutes are over; see --full !!!!" >&2
+  skip "$2"
   return 1
 }
 
@@ -209,24 +222,18 @@ if [ $full = yes ]; then
   with_own_screen "$build_dir/bin/volumehaptics-evaluation" --output "$build_dir/evaluation"
 fi
 
-# usage: ends_after SECONDS
-# Whether a run that goes on for so long ends in time.
-ends_after()
-{
-  [ $full = yes ] || [ $((SECONDS + $1)) -lt $((24 * 60)) ]
-}
 chosen=(-LE "^($left_out|wheel)\$")
 test_seconds=$((build_seconds * 105 / 100))
 sanitizer_seconds=$((build_seconds * 70 / 100)) # of the servo alone
 sanitizers=yes
-if ! ends_after $((test_seconds + sanitizer_seconds)); then
+if ! ends_by 24 $((test_seconds + sanitizer_seconds)); then
   sanitizers=no
   sanitizer_seconds=0
-  echo "!!!! SKIPPED: the sanitizers, for which this machine is too slow: $((SECONDS / 60)) minutes are over; see --full !!!!" >&2
+  skip "the sanitizers"
 fi
-if ! ends_after $test_seconds; then
+if ! ends_by 24 "$test_seconds"; then
   chosen+=(-L '^quick$')
-  echo "!!!! SKIPPED: all tests but the quick ones, for the same reason !!!!" >&2
+  skip "all tests but the quick ones"
 fi
 planned=$((test_seconds + sanitizer_seconds))
 

@@ -283,7 +283,7 @@ public:
     return { Blend(first.Ahead, second.Ahead, other.Share),
       Blend(first.Behind, second.Behind, other.Share) };
   }
-  /** What the memory of a gradient has for values; null if it has nothing of these frames. */
+  /** The samples of both frames that a gradient has kept; null if they are of other frames. */
   const FrameTaps* FindTaps(const OtherFrame& other, const TickMemory& memory) const noexcept
   {
     const FrameTaps& taps = memory.Pair;

@@ -83,7 +83,7 @@ public:
     Input, ///< has come meanwhile
     Slow   ///< it would have taken too long: the next one casts fewer rays
   };
-  /** What has interrupted a frame since the last call. */
+  /** Why a frame was interrupted since the last call. */
   Interruption TakeInterruption();
 
 private:

@@ -24,8 +24,8 @@ bool KnowsInput(vtkRenderWindow* window);
 
 /**
  * Has the event loop of a window of X11 look at its timers at once. If timers are late by a second
- * or more, that of VTK 9.1 waits for another one, unless there is an event. So this sends one,
- * which nobody reads, and which is no input.
+ * or more, the loop of VTK 9.1 waits for another second, unless there is an event. So this sends
+ * one that no program handles and that does not count as input.
  */
 void WakeEventLoop(vtkRenderWindow* window);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the samples of a filter's time steps depend on: while it is the same, only settings change.
+ * Identifies the source of a filter's time steps. While it is the same, samples that were read can
+ * be kept: only settings have changed.
  */
 #ifndef FrameOrigin_h
 #define FrameOrigin_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the kernels of a shell work on: see ShellReader.h for them, and ShellContacts.h for what a
- * contact is.
+ * The data that the kernels of a shell read and write. ShellReader.h declares the kernels;
+ * ShellContacts.h explains contacts.
  */
 #ifndef ShellBatch_h
 #define ShellBatch_h
