@@ -229,12 +229,10 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   }
   else
   {
-    motion.Displacement = Law::Move(here, k, split, this->Last, Vector3{});
-    if (tipBefore && turns && this->Last.Excess > here.Viscosity)
-    {
-      motion.Displacement =
-        ProxyDisplacement::Find(here, k, *tipBefore - this->Proxy, lag, motion.Displacement);
-    }
+    const auto plain = [&] { return Law::Move(here, k, split, this->Last, Vector3{}); };
+    motion.Displacement = tipBefore && turns && this->Last.Excess > here.Viscosity
+      ? ProxyDisplacement::Find(here, k, *tipBefore - this->Proxy, lag, split, plain)
+      : plain();
   }
   if (!motion.IsHeld)
   {
@@ -243,7 +241,8 @@ Motion PreciseFollower::Plan(const Vector3& tip, const Vector3* tipBefore) noexc
   }
   // The proxy may have left the surface and met it again.
   const double inward = Dot(motion.Displacement, here.Normal);
-  if (!this->State.IsHeld || std::abs(inward) > Rounding * Norm(motion.Displacement) ||
+  if (!this->State.IsHeld ||
+    inward * inward > Rounding * Rounding * Dot(motion.Displacement, motion.Displacement) ||
     !this->Field.IsOfLevel(here, this->State.Level))
   {
     this->State.IsHeld = true;

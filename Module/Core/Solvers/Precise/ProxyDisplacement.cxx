@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Precise/ProxyDisplacement.h"
 
-#include "Core/Solvers/MaterialLaw.h"
-
 namespace VolumeHaptics
 {
 
@@ -18,8 +16,8 @@ Vector3 ProxyDisplacement::FindInParts(const PrecisePoint& here, double k, const
     const Vector3 from = lagBefore + ((part - 1.0) / parts) * step - displacement;
     const Vector3 to = lagBefore + (part / parts) * step - displacement;
     const SplitLag split = Law::Split(to, here.Normal);
-    displacement += FindPart(
-      here, compliance, from, to, Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}));
+    displacement += FindPart(here, compliance, from, Law::Split(from, here.Normal), to, split,
+      [&] { return Law::Move(here, k, split, Law::Weigh(here, k, split), Vector3{}); });
   }
   return displacement;
 }

@@ -10,6 +10,7 @@
 #define ProxyDisplacement_h
 
 #include "Core/Math/KernelInline.h"
+#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/PreciseState.h"
 
 #include <algorithm>
@@ -39,46 +40,48 @@ struct UnheldSpring
 };
 
 VOLUME_HAPTICS_INLINE UnheldSpring FindUnheldSpring(
-  const PrecisePoint& here, double compliance, const Vector3& lag) noexcept
+  const PrecisePoint& here, double compliance, const Vector3& lag, const SplitLag& split) noexcept
 {
-  const double push = Dot(lag, here.Normal);
-  const double most = push > 0.0 ? here.SurfaceStrength * compliance : 0.0;
-  const bool isThrough = std::abs(push) > most;
-  const double held = isThrough ? most : push;
-  const double grip = here.Friction * held;
-  UnheldSpring spring;
-  spring.Lag = lag - held * here.Normal;
-  spring.Length = Norm(spring.Lag);
-  spring.Radius = grip + here.Viscosity * compliance;
-  spring.IsCircle = grip == 0.0 || !isThrough;
+  const double most = split.Push > 0.0 ? here.SurfaceStrength * compliance : 0.0;
+  const bool isThrough = std::abs(split.Push) > most;
+  const double grip = here.Friction * (isThrough ? most : split.Push);
+  UnheldSpring spring{ split.Tangent, split.Length, grip + here.Viscosity * compliance, true };
+  if (isThrough)
+  {
+    spring.Lag = lag - most * here.Normal;
+    spring.Length = Norm(spring.Lag);
+    spring.IsCircle = grip == 0.0;
+  }
   return spring;
 }
 
-/** One part of a step: in the mean direction if there is one, else `plain`. */
+/** One part of a step: in the mean direction if there is one, else `plain()`. */
+template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 FindPart(const PrecisePoint& here, double compliance,
-  const Vector3& lagBefore, const Vector3& lag, const Vector3& plain) noexcept
+  const Vector3& lagBefore, const SplitLag& splitBefore, const Vector3& lag, const SplitLag& split,
+  const Plain& plain) noexcept
 {
-  const UnheldSpring now = FindUnheldSpring(here, compliance, lag);
+  const UnheldSpring now = FindUnheldSpring(here, compliance, lag, split);
   if (!now.IsCircle || !(now.Length > now.Radius))
   {
-    return plain;
+    return plain();
   }
-  const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore);
+  const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore, splitBefore);
   if (!(before.Length > OnCircle * before.Radius))
   {
-    return plain; // there was no direction yet
+    return plain(); // there was no direction yet
   }
   const Vector3 sum = (1.0 / before.Length) * before.Lag + (1.0 / now.Length) * now.Lag;
   const double square = Dot(sum, sum);
   if (square < 1.0)
   {
-    return plain; // the mean of two directions more than a right angle apart is useless
+    return plain(); // the mean of two directions more than a right angle apart is useless
   }
   const Vector3 direction = (1.0 / std::sqrt(square)) * sum;
   const double along = Dot(now.Lag, direction);
   const Vector3 aside = now.Lag - along * direction;
   const double half = now.Radius * now.Radius - Dot(aside, aside);
-  return half > 0.0 ? (along - std::sqrt(half)) * direction : plain;
+  return half > 0.0 ? (along - std::sqrt(half)) * direction : plain();
 }
 
 /** A step in more than one part. */
@@ -87,25 +90,25 @@ Vector3 FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore
 
 /**
  * The displacement of a proxy (m) while the tip's step takes the spring of stiffness k (N/m) from
- * one lag (m) to another.
+ * one lag (m) to another, which is also given in its parts.
  *
- * Second order in the step if friction and drag hold all directions alike. `plain` is the
+ * Second order in the step if friction and drag hold all directions alike. `plain()` is the
  * displacement by the law at the last lag alone, for steps without a mean direction.
  */
+template <typename Plain>
 VOLUME_HAPTICS_INLINE Vector3 Find(const PrecisePoint& here, double k, const Vector3& lagBefore,
-  const Vector3& lag, const Vector3& plain) noexcept
+  const Vector3& lag, const SplitLag& split, const Plain& plain) noexcept
 {
-  const Vector3 step = lag - lagBefore;
-  const double push = Dot(lag, here.Normal);
-  const double pushBefore = Dot(lagBefore, here.Normal);
-  const bool isThrough = std::max(push, pushBefore) * k > here.SurfaceStrength;
+  const SplitLag before = Law::Split(lagBefore, here.Normal);
+  const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
   // Nor if the tip leaves or meets the surface.
-  const bool isCircle = here.Friction == 0.0 || (!isThrough && (push > 0.0) == (pushBefore > 0.0));
+  const bool isCircle =
+    here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
   const double share = isCircle ? CirclePart : FreePart;
-  const double parts =
-    std::clamp(std::ceil(std::sqrt(Dot(step, step) / Dot(lag, lag)) / share), 1.0, MostParts);
-  return parts == 1.0 ? FindPart(here, 1.0 / k, lagBefore, lag, plain)
-                      : FindInParts(here, k, lagBefore, lag, parts);
+  const Vector3 step = lag - lagBefore;
+  const double ratio = std::sqrt(Dot(step, step) / Dot(lag, lag)) / share;
+  return ratio <= 1.0 ? FindPart(here, 1.0 / k, lagBefore, before, lag, split, plain)
+                      : FindInParts(here, k, lagBefore, lag, std::min(std::ceil(ratio), MostParts));
 }
 } // namespace ProxyDisplacement
 
