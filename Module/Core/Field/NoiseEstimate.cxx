@@ -60,9 +60,8 @@ struct BlockAxis
 };
 
 /** The blocks of the whole volume along each axis. */
-std::array<BlockAxis, 3> AxesOf(const NoiseSamples& samples)
+std::array<BlockAxis, 3> AxesOf(const std::int64_t n[3])
 {
-  const std::int64_t* const n = samples.Dimensions;
   const int most = IsLargeVolume(n) ? MostBlocksAlongAnAxisIfLarge : MostBlocksAlongAnAxis;
   return { BlockAxis(n[0], most), BlockAxis(n[1], most), BlockAxis(n[2], most) };
 }
@@ -109,6 +108,55 @@ double Remainder(const double* block)
   }
   return std::max(0.0, left);
 }
+
+/** What is left of blocks of samples after their best quadratics are subtracted. */
+class Remainders
+{
+public:
+  void Add(const double* block)
+  {
+    bool isFlat = true;
+    bool isFinite = true;
+    for (int i = 0; i < BlockSamples; ++i)
+    {
+      isFlat = isFlat && block[i] == block[0];
+      isFinite = isFinite && std::isfinite(block[i]);
+    }
+    if (isFinite && isFlat)
+    {
+      this->Flat.push_back(block[0]);
+    }
+    else if (isFinite)
+    {
+      this->Left.push_back(Remainder(block));
+    }
+  }
+
+  /** The noise of a volume with a range of values. */
+  double FindNoise(const double range[2]) const
+  {
+    std::vector<double> left = this->Left;
+    for (const double value : this->Flat)
+    {
+      if (value != range[0] && value != range[1])
+      {
+        left.push_back(0.0);
+      }
+    }
+    if (left.empty())
+    {
+      return 0.0;
+    }
+    const auto tenth = left.begin() + static_cast<std::ptrdiff_t>(Flattest * (left.size() - 1));
+    std::nth_element(left.begin(), tenth, left.end());
+    const double noise = std::sqrt(*tenth / (BlockSamples - Quadratic)) / ShareAtFlattest;
+    return noise > NoiseRounding * std::max(std::abs(range[0]), std::abs(range[1])) ? noise : 0.0;
+  }
+
+private:
+  std::vector<double> Left; // of blocks that are not flat
+  std::vector<double> Flat; // values of those that are
+};
 
 /** Standard deviation of an estimated gradient component per voxel, of noise of one unit. */
 double NoiseGain(const GradientKernel& kernel)
@@ -181,6 +229,12 @@ bool IsLargeVolume(const int extent[6])
   return IsLargeVolume(dimensions);
 }
 
+bool HasRangeOfAll(const std::int64_t dimensions[3])
+{
+  const std::int64_t* const n = dimensions;
+  return n[0] <= 0 || n[1] <= 0 || n[2] <= MostSamplesRanged / n[0] / n[1];
+}
+
 std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6])
 {
   NoiseSamples samples;
@@ -188,7 +242,7 @@ std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6])
   {
     samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
   }
-  const std::array<BlockAxis, 3> axes = AxesOf(samples);
+  const std::array<BlockAxis, 3> axes = AxesOf(samples.Dimensions);
   std::vector<std::array<int, 6>> boxes;
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   for (std::int64_t b = 0; b < blocks; ++b)
@@ -233,8 +287,8 @@ void CollectNoiseSamples(
     from[a] = std::int64_t{ extent[2 * a] } - whole[2 * a];
     samples.Dimensions[a] = std::int64_t{ whole[2 * a + 1] } - whole[2 * a] + 1;
   }
-  const std::array<BlockAxis, 3> axes = AxesOf(samples);
-  const bool isLarge = IsLargeVolume(samples.Dimensions);
+  const std::array<BlockAxis, 3> axes = AxesOf(samples.Dimensions);
+  const bool isRanged = HasRangeOfAll(samples.Dimensions);
   for (int a = 0; a < 3; ++a)
   {
     for (std::int64_t i = 0; i < n[a]; ++i)
@@ -273,10 +327,9 @@ void CollectNoiseSamples(
           samples.Indices.push_back(from[0] + i.Index + row);
           samples.Values.push_back(read(i.Index + n[0] * (j.Index + n[1] * k.Index)));
           const double value = samples.Values.back();
-          if (isLarge && std::isfinite(value))
+          if (!isRanged)
           {
-            const double range[2] = { value, value };
-            samples.MergeRange(range);
+            samples.MergeValues(&value, 1);
           }
         }
       }
@@ -310,7 +363,7 @@ double FindBorderValue(const NoiseSamples& samples)
 
 double EstimateNoise(const NoiseSamples& samples)
 {
-  const std::array<BlockAxis, 3> axes = AxesOf(samples);
+  const std::array<BlockAxis, 3> axes = AxesOf(samples.Dimensions);
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   constexpr double missing = std::numeric_limits<double>::infinity();
   std::vector<double> all(static_cast<std::size_t>(blocks * BlockSamples), missing);
@@ -343,31 +396,53 @@ double EstimateNoise(const NoiseSamples& samples)
       all[static_cast<std::size_t>(block * BlockSamples + sample)] = samples.Values[s];
     }
   }
-  const double* const range = samples.Range;
-  std::vector<double> left;
+  Remainders remainders;
   for (std::int64_t b = 0; b < blocks; ++b)
   {
-    const double* const block = &all[static_cast<std::size_t>(b * BlockSamples)];
-    bool isFlat = true;
-    bool isFinite = true;
+    remainders.Add(&all[static_cast<std::size_t>(b * BlockSamples)]);
+  }
+  return remainders.FindNoise(samples.Range);
+}
+
+double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
+{
+  const std::int64_t* const n = dimensions;
+  const std::array<BlockAxis, 3> axes = AxesOf(n);
+  std::int64_t offsets[BlockSamples];
+  for (int i = 0; i < BlockSamples; ++i)
+  {
+    offsets[i] = i % BlockSide +
+      n[0] * (i / BlockSide % BlockSide + n[1] * std::int64_t{ i / (BlockSide * BlockSide) });
+  }
+  NoiseSamples seen; // no more than their range
+  Remainders remainders;
+  double block[BlockSamples];
+  const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
+  for (std::int64_t b = 0; b < blocks; ++b)
+  {
+    const std::int64_t x = axes[0].Step * (b % axes[0].Blocks);
+    const std::int64_t y = axes[1].Step * (b / axes[0].Blocks % axes[1].Blocks);
+    const std::int64_t z = axes[2].Step * (b / axes[0].Blocks / axes[1].Blocks);
     for (int i = 0; i < BlockSamples; ++i)
     {
-      isFlat = isFlat && block[i] == block[0];
-      isFinite = isFinite && std::isfinite(block[i]);
+      block[i] = read(x + n[0] * (y + n[1] * z) + offsets[i]);
     }
-    if (isFinite && !(isFlat && (block[0] == range[0] || block[0] == range[1])))
-    {
-      left.push_back(isFlat ? 0.0 : Remainder(block));
-    }
+    remainders.Add(block);
+    seen.MergeValues(block, BlockSamples);
   }
-  if (left.empty())
+  if (!HasRangeOfAll(n))
   {
-    return 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const std::int64_t i = (corner & 1) != 0 ? n[0] - 1 : 0;
+      const std::int64_t j = (corner & 2) != 0 ? n[1] - 1 : 0;
+      const std::int64_t k = (corner & 4) != 0 ? n[2] - 1 : 0;
+      const double value = read(i + n[0] * (j + n[1] * k));
+      seen.MergeValues(&value, 1);
+    }
+    std::copy_n(seen.Range, 2, range);
   }
-  const auto tenth = left.begin() + static_cast<std::ptrdiff_t>(Flattest * (left.size() - 1));
-  std::nth_element(left.begin(), tenth, left.end());
-  const double noise = std::sqrt(*tenth / (BlockSamples - Quadratic)) / ShareAtFlattest;
-  return noise > NoiseRounding * std::max(std::abs(range[0]), std::abs(range[1])) ? noise : 0.0;
+  return remainders.FindNoise(range);
 }
 
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld)

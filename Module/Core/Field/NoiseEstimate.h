@@ -33,6 +33,16 @@ bool IsLargeVolume(const std::int64_t dimensions[3]);
 bool IsLargeVolume(const int extent[6]);
 
 /**
+ * The largest number of samples of a volume whose range is that of all samples: 16 MiB of 16 bits,
+ * which take 10 ms if they are mapped from a file. The range of a larger one is that of its noise
+ * samples.
+ */
+constexpr std::int64_t MostSamplesRanged = std::int64_t{ 1 } << 23;
+
+/** Whether the range of a volume is that of all samples. */
+bool HasRangeOfAll(const std::int64_t dimensions[3]);
+
+/**
  * Boxes (extents) of a large volume that together hold all noise samples: one for each block, and
  * one for each corner.
  */
@@ -43,9 +53,9 @@ using SampleReader = std::function<double(std::int64_t)>;
 
 /**
  * Adds the samples of noise blocks and corners that one piece of a volume holds. The piece has a
- * sample for every index of `extent`; the indices count as those of `whole`. If the whole is
- * large, their range is merged, too; else the range of all samples of the piece is the caller's to
- * merge (NoiseSamples::MergeRange).
+ * sample for every index of `extent`; the indices count as those of `whole`. Unless the whole has
+ * the range of all samples (HasRangeOfAll), which is the caller's to merge, that of these is merged
+ * (NoiseSamples::MergeRange).
  */
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
@@ -59,6 +69,13 @@ void CollectNoiseSamples(
  * not complete do not count. 0 without noise, and for volumes of less than 5 samples along an axis.
  */
 double EstimateNoise(const NoiseSamples& samples);
+
+/**
+ * The same, to the bit, of a volume that is no piece, block by block: without a copy of its
+ * samples, whose pages take longer than the estimate. `range` is that of all samples, or, unless
+ * HasRangeOfAll(), becomes that of the noise samples; the first is the larger if there are none.
+ */
+double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2]);
 
 /** The first finite value among the corners of a volume that were given; 0 if there is none. */
 double FindBorderValue(const NoiseSamples& samples);

@@ -14,8 +14,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace VolumeHaptics
@@ -33,8 +35,9 @@ struct NoiseSamples
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * Smallest and largest value of all samples of the pieces, or, of a large volume, of those in
-   * Values; the first is the larger if there are none.
+   * Smallest and largest value of all samples of the pieces, or, of a volume whose range is not
+   * that of all samples (HasRangeOfAll), of those in Values; the first is the larger if there are
+   * none.
    */
   double Range[2] = { 1.0, 0.0 };
 
@@ -52,6 +55,20 @@ struct NoiseSamples
     this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());
     this->Values.insert(this->Values.end(), other.Values.begin(), other.Values.end());
     this->MergeRange(other.Range);
+  }
+
+  /** Merges the range of those values that are finite. */
+  void MergeValues(const double* values, std::size_t count)
+  {
+    double range[2] = { std::numeric_limits<double>::infinity(),
+      -std::numeric_limits<double>::infinity() };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const bool isFinite = std::isfinite(values[i]);
+      range[0] = isFinite && values[i] < range[0] ? values[i] : range[0];
+      range[1] = isFinite && values[i] > range[1] ? values[i] : range[1];
+    }
+    this->MergeRange(range);
   }
 
   void MergeRange(const double range[2])

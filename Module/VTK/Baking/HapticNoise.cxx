@@ -52,7 +52,7 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
 {
   CollectNoiseSamples(
     [=](std::int64_t i) { return scalars->GetComponent(i, component); }, extent, whole, samples);
-  if (!IsLargeVolume(samples.Dimensions))
+  if (HasRangeOfAll(samples.Dimensions))
   {
     double range[2];
     FindRange(scalars, component, range);
@@ -72,14 +72,13 @@ FoundNoise FindNoise(
   {
     return found->Found;
   }
-  const std::int64_t* const n = view.Dimensions;
-  const int extent[6] = { 0, static_cast<int>(n[0] - 1), 0, static_cast<int>(n[1] - 1), 0,
-    static_cast<int>(n[2] - 1) };
-  NoiseSamples samples;
-  CollectNoiseSamples(scalars, component, extent, extent, samples);
   FoundNoise noise;
-  noise.Noise = EstimateNoise(samples);
-  std::copy_n(samples.Range, 2, noise.Range);
+  if (HasRangeOfAll(view.Dimensions))
+  {
+    FindRange(scalars, component, noise.Range);
+  }
+  noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
+    view.Dimensions, noise.Range);
   // Arrays of other layouts note their range in themselves, which may move on their time of change.
   known[next] = { MakeNoiseKey(image, scalars, view, component), noise };
   next = (next + 1) % MostKnown;

@@ -27,7 +27,7 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
 struct FoundNoise
 {
   double Noise = 0.0; ///< its standard deviation (scalar units)
-  /** Of the values of a large volume: those of the samples. The first is larger without any. */
+  /** Of all values, or of the noise samples (HasRangeOfAll). The first is larger without any. */
   double Range[2] = { 1.0, 0.0 };
 };
 

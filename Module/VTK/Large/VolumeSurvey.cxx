@@ -56,7 +56,7 @@ void VolumeSurvey::Collect(const BoxExtent& box)
   const int* const whole = this->Volume.Extent.data();
   CollectNoiseSamples([values](std::int64_t i) { return static_cast<double>(values[i]); },
     box.data(), whole, this->Samples);
-  if (!IsLargeVolume(whole))
+  if (HasRangeOfAll(this->Samples.Dimensions))
   {
     const auto count = static_cast<std::size_t>(CountSamples(box));
     double range[2] = { 1.0, 0.0 };

@@ -72,13 +72,64 @@ TEST(NoiseEstimate, OfAnySizeIsTheNoiseThatIsThere)
   {
     Computed volume{ { n, n, n } };
     NoiseSamples samples = volume.Collect(0, n - 1);
-    if (!IsLargeVolume(volume.Size))
+    if (HasRangeOfAll(volume.Size))
     {
       const double range[2] = { Padding, 1500.0 + Amplitude };
       samples.MergeRange(range);
     }
     EXPECT_NEAR(EstimateNoise(samples), Sigma, 0.05 * Sigma) << n << "^3";
     EXPECT_EQ(FindBorderValue(samples), Padding);
+  }
+}
+
+TEST(NoiseEstimate, BlockByBlockIsTheSameToTheBit)
+{
+  for (const std::int64_t n : { 4, 5, 64, 203, 204, 406, 407, 1024 })
+  {
+    Computed volume{ { n, n + 1, n } };
+    NoiseSamples samples = volume.Collect(0, n - 1);
+    // With a hole in one block.
+    const std::int64_t hole = n / 2 + n * (n / 2 + (n + 1) * (n / 2));
+    const auto read = [&](std::int64_t number)
+    { return number == hole ? std::nan("") : volume.Sample(number); };
+    for (std::size_t s = 0; s < samples.Indices.size(); ++s)
+    {
+      samples.Values[s] = read(samples.Indices[s]);
+    }
+    double range[2] = { 1.0, 0.0 };
+    if (HasRangeOfAll(volume.Size))
+    {
+      range[0] = Padding;
+      range[1] = 1500.0 + Amplitude;
+      samples.MergeRange(range);
+    }
+    volume.Reads = 0;
+    EXPECT_EQ(EstimateNoise(read, volume.Size, range), EstimateNoise(samples)) << n;
+    EXPECT_EQ(range[0], samples.Range[0]) << n;
+    EXPECT_EQ(range[1], samples.Range[1]) << n;
+    EXPECT_LE(volume.Reads, 17 * 17 * 17 * 125 + 8) << n;
+  }
+  double range[2] = { 1.0, 0.0 };
+  const std::int64_t nothing[3] = { 0, 0, 0 };
+  EXPECT_EQ(EstimateNoise([](std::int64_t) { return 1.0; }, nothing, range), 0.0);
+}
+
+TEST(NoiseEstimate, OfALargerVolumeLooksForPaddingAmongItsOwnSamples)
+{
+  // Two values: the one is the padding's; the other one is smaller, in a single sample that no
+  // block has.
+  for (const std::int64_t n : { 203, 204 })
+  {
+    Computed volume{ { n, n, n } };
+    const std::int64_t lone = n * n * n / 2 + n - 2;
+    const auto read = [&](std::int64_t number)
+    { return number == lone ? Padding - 1.0 : volume.Sample(number); };
+    double range[2] = { Padding - 1.0, 1500.0 + Amplitude };
+    const double noise = EstimateNoise(read, volume.Size, range);
+    const bool isOfAll = HasRangeOfAll(volume.Size);
+    EXPECT_EQ(isOfAll, n == 203);
+    EXPECT_NEAR(noise, isOfAll ? 0.0 : Sigma, 0.05 * Sigma) << n << "^3";
+    EXPECT_EQ(range[0], isOfAll ? Padding - 1.0 : Padding);
   }
 }
 

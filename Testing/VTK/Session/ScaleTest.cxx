@@ -95,6 +95,26 @@ TEST_F(Scale, CallsReadNoMoreOfALargerVolume)
   }
 }
 
+TEST_F(Scale, TheFirstUpdateReadsThePlacesOfTheNoiseOnly)
+{
+  // 400^3 is almost the largest of which 16^3 blocks are looked at.
+  for (const int size : { 256, 400 })
+  {
+    const benchmarks::SparseVolume volume(size);
+    const double middle = volume.GetMiddle();
+    this->Filter->SetInputData(0, volume.GetImage());
+    this->Filter->SetPathData(
+      MakePath({ { middle, middle, middle }, { middle, middle, middle + 1.0 } }));
+    this->Filter->Update();
+    // The blocks lie in 16 times 5 slices, those around the tip in some more.
+    const std::size_t slice = sizeof(short) * size * size / 4096 + 1;
+    EXPECT_LT(this->CountPages(volume), (16 * 5 + 10) * slice) << size << "^3";
+    EXPECT_GT(this->CountPages(volume), 1000U) << "the noise was estimated";
+    this->Filter->SetInputData(0, this->Image);
+    this->Filter->Update();
+  }
+}
+
 TEST_F(Scale, LabelsOfFloatingPointAreCheckedInPlaces)
 {
   for (const int size : { 512, 640 })
