@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lowest bit that is set; see KernelInline.h.
+ * The lowest bit that is set, and masks of the lowest bits; see KernelInline.h.
  */
 #ifndef LowestBit_h
 #define LowestBit_h
 
 #include "Core/Math/KernelInline.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace VolumeHaptics
@@ -29,6 +30,12 @@ VOLUME_HAPTICS_INLINE int LowestBit(std::uint64_t bits)
   }
   return bit;
 #endif
+}
+
+/** The lowest `count` bits, 0 to 64. */
+VOLUME_HAPTICS_INLINE std::uint64_t FirstBits(std::size_t count)
+{
+  return count > 0 ? ~std::uint64_t{ 0 } >> (64 - count) : 0;
 }
 
 } // namespace

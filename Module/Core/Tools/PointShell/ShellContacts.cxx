@@ -266,8 +266,6 @@ void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& pl
       to.Marks[point / ShellBlock::Size] &= ~(std::uint64_t{ 1 } << point % ShellBlock::Size);
     }
   };
-  const auto allOf = [](std::size_t count)
-  { return count > 0 ? ~std::uint64_t{ 0 } >> (64 - count) : 0; };
   candidates.Pushing += batch.Count;
   this->Reader.Place(this->Frame, placement, batch);
   std::uint64_t there = this->Reader.FindFeet(this->Frame, batch);
@@ -281,7 +279,7 @@ void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& pl
       there &= ~(std::uint64_t{ isCutAway } << i);
     }
   }
-  if (const std::uint64_t all = allOf(batch.Count); there != all)
+  if (const std::uint64_t all = FirstBits(batch.Count); there != all)
   {
     leave(all & ~there);
     Compact(batch, there);
@@ -298,7 +296,7 @@ void ShellContactFinder::Append(Candidates& candidates, const ShellPlacement& pl
     const std::uint64_t held =
       this->Reader.Hold(candidates.Law, batch, next, candidates.Forces, sum);
     to.Count = static_cast<std::size_t>(next - to.List.data());
-    leave(allOf(batch.Count) & ~held);
+    leave(FirstBits(batch.Count) & ~held);
   }
   batch.Count = 0;
   batch.Solid = 0;

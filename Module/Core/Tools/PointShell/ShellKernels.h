@@ -8,6 +8,7 @@
 #ifndef ShellKernels_h
 #define ShellKernels_h
 
+#include "Core/Math/LowestBit.h"
 #include "Core/Tools/PointShell/FourCells.h"
 #include "Core/Tools/PointShell/ShellFootKernels.h"
 #include "Core/Tools/PointShell/ShellLawKernels.h"
@@ -105,7 +106,7 @@ std::uint64_t FindFeet(
   {
     there |= ComputeFeet(reading, frame, i, batch) << i;
   }
-  return batch.Count > 0 ? there & ~std::uint64_t{ 0 } >> (64 - batch.Count) : 0;
+  return there & FirstBits(batch.Count);
 }
 
 /** Some rows of the sums of AddFunction: as many as there are registers for. */

@@ -161,7 +161,7 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
   {
     late |= NotNegative(Spread(before.Now) - LoadDouble4(before.Until + i)) << i;
   }
-  late &= ~std::uint64_t{ 0 } >> (64 - points.Count);
+  late &= FirstBits(points.Count);
   return HasRows(reading.View) ? UpdateLate<T, true>(reading, points, map, before, late)
                                : UpdateLate<T, false>(reading, points, map, before, late);
 }
