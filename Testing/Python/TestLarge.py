@@ -246,9 +246,10 @@ def test_document(document, tmp_path, capsys):
     assert re.fullmatch(r"\d+\.\d+ N\n", capsys.readouterr().out)
 
 
-def feel_live(array, seconds=20.0):
+def feel_live(array, seconds=20.0, memory=67108864):
     """A device on a large volume, whose thread reads with Python's lock, until its samples are there."""
     large = open_large(array)
+    large.SetMemoryLimit(memory)
     haptics = vtkVolumeHapticsFilter()
     haptics.SetInputConnection(large.GetOutputPort())
     device = vtkHapticDevice()
@@ -271,6 +272,31 @@ def test_live_another_thread_reads():
     assert device.GetResidency() == 1.0 and large.GetStatusText() == ""
     assert len(sliced.threads) == 1 and threading.get_ident() not in sliced.threads
     assert haptics.GetInputDataObject(0, 0).GetNumberOfPoints() > 10000
+    device.Stop()
+
+
+def test_an_array_that_shrinks_while_it_is_felt_is_told_and_comes_back():
+    whole = make_bed()
+    sliced = Sliced(whole)
+    large, haptics, device = feel_live(sliced, memory=4194304)  # a region is a third of the array
+    assert device.GetResidency() == 1.0
+    errors = []
+    large.AddObserver("ErrorEvent", lambda *_: errors.append(large.GetStatusText()))
+
+    def lead(x, until):
+        device.SetVirtualTip(x, 30, 45)
+        end = time.monotonic() + 60
+        while not until() and time.monotonic() < end:
+            device.UpdateState()
+            time.sleep(0.005)
+        return until()
+
+    sliced._array = whole[:, :, :160]  # as a store that another program writes anew
+    assert lead(290, lambda: "its part is of shape" in large.GetStatusText()), large.GetStatusText()
+    assert errors and device.GetResidency() < 1.0
+    sliced._array = whole
+    assert lead(290, lambda: device.GetResidency() == 1.0 and not large.IsWaiting()), large.GetStatusText()
+    assert large.GetStatusText() == ""
     device.Stop()
 
 
