@@ -12,6 +12,7 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
+#include <vtkFloatArray.h>
 #include <vtkHapticRegionPlanner.h>
 #include <vtkHapticRegionSource.h>
 #include <vtkObjectFactory.h>
@@ -21,7 +22,11 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
+#include <random>
 #include <stdexcept>
 #include <thread>
 
@@ -35,8 +40,24 @@ struct Led
   std::atomic<bool> IsOpen{ true };
   std::atomic<bool> IsBroken{ false };
   std::atomic<bool> GivesNumbers{ true };
+  std::atomic<bool> GivesJunk{ false };
   std::atomic<int> Waiting{ 0 };
 };
+
+/// Any bits: numbers of all sizes, infinite ones, and what is none.
+void FillJunk(const int box[6], void* samples)
+{
+  std::mt19937 random(static_cast<unsigned>(box[0] + 2000 * (box[2] + 2000 * box[4])));
+  auto* to = static_cast<char*>(samples);
+  const std::int64_t slice =
+    std::int64_t{ box[1] - box[0] + 1 } * std::int64_t{ box[3] - box[2] + 1 };
+  for (std::int64_t n = slice * (box[5] - box[4] + 1); n > 0; --n)
+  {
+    const auto bits = static_cast<std::uint32_t>(random());
+    std::memcpy(to, &bits, sizeof(bits));
+    to += sizeof(bits);
+  }
+}
 
 /// A grid that waits until it is open, in all threads but the one of the test. Copies do so, too.
 class LedGrid : public vtkRectilinearGrid
@@ -80,6 +101,11 @@ protected:
         {
           throw std::runtime_error("the disk is on fire.");
         }
+        if (led->GivesJunk)
+        {
+          FillJunk(box, samples);
+          return true;
+        }
         const bool gives = led->GivesNumbers;
         auto* sample = static_cast<float*>(samples);
         for (int k = box[4]; k <= box[5]; ++k)
@@ -117,7 +143,8 @@ protected:
   {
     return this->Device->GetStatusText().find(words) != std::string::npos;
   }
-  /// All commands since the last call: none grows by more than the slew limit allows.
+  /// All commands since the last call: none is above the maximum, or grows by more than the slew
+  /// limit allows.
   void ExpectNoStep()
   {
     this->Device->DrainStates(this->States);
@@ -131,11 +158,25 @@ protected:
     };
     for (vtkIdType t = 1; t < command->GetNumberOfTuples(); ++t)
     {
+      EXPECT_LE(Norm(at(t)), this->Device->GetMaximumForce() * (1.0 + 1e-9));
       const double elapsed =
         std::max(0.001, time->GetComponent(t, 0) - time->GetComponent(t - 1, 0));
       EXPECT_LE(servotest::GrowthOf(at(t - 1), at(t)),
         this->Device->GetMaximumForceRate() * elapsed * (1.0 + 1e-6));
     }
+  }
+
+  /// The samples of the region that are no finite numbers.
+  int CountJunk()
+  {
+    auto* const samples =
+      vtkFloatArray::SafeDownCast(this->Source->GetOutput()->GetPointData()->GetScalars());
+    int count = 0;
+    for (vtkIdType i = 0; samples && i < samples->GetNumberOfTuples(); ++i)
+    {
+      count += std::isfinite(samples->GetValue(i)) ? 0 : 1;
+    }
+    return count;
   }
 
   const std::shared_ptr<Led> Reader = std::make_shared<Led>();
@@ -342,6 +383,36 @@ TEST_F(RegionSource, OfSamplesThatAreNotNumbersGivesNoForce)
   ASSERT_TRUE(this->WaitTicks(100));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE) << this->Device->GetStatusText();
   EXPECT_LT(Length(this->Device->GetForce()), 1e-9);
+  this->ExpectNoStep();
+}
+
+TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
+{
+  this->BeginInTheMiddle();
+  this->Press();
+  this->Reader->GivesJunk = true;
+  ASSERT_TRUE(this->Lead(1200.0, 1000.0, 1006.0));
+  ASSERT_TRUE(this->Wait([&] { return this->Device->GetResidency() == 1.0; }));
+  for (int i = 0; i < 40; ++i)
+  {
+    if (this->Device->GetStatus() == vtkHapticDevice::FAULT)
+    {
+      this->Device->Arm(); // as a person does who does not give up
+    }
+    ASSERT_TRUE(
+      this->Lead(1200.0 + 0.7 * (i % 7), 1000.0 + 0.9 * (i % 5), 1006.0 + 0.3 * (i % 11)));
+    ASSERT_TRUE(this->WaitTicks(5));
+  }
+  EXPECT_GT(this->CountJunk(), 0) << "samples that are not finite";
+  this->ExpectNoStep();
+  this->Reader->GivesJunk = false;
+  this->Source->Reload();
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 998.0));
+  this->BeginWayHere();
+  ASSERT_TRUE(
+    this->Wait([&] { return !this->Source->IsWaiting() && this->Device->GetResidency() == 1.0; }));
+  ASSERT_TRUE(this->ArmFully());
+  this->Press();
   this->ExpectNoStep();
 }
 
