@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlayingBenchmark.h"
 
+#include "Rigs/GivenImage.h"
 #include "WatchedHand.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticFrameSource.h>
 #include <vtkHapticProperty.h>
-#include <vtkImageAlgorithm.h>
 #include <vtkImageData.h>
-#include <vtkInformation.h>
-#include <vtkInformationVector.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeHapticsFilter.h>
@@ -60,22 +57,6 @@ vtkSmartPointer<vtkImageData> MakeFrame(int size, int number)
   }
   return image;
 }
-
-/** Gives frames as a reader of files does, which are copied one by one as time comes to them. */
-class StepReader : public vtkImageAlgorithm
-{
-public:
-  static StepReader* New() { VTK_STANDARD_NEW_BODY(StepReader); }
-  vtkTypeMacro(StepReader, vtkImageAlgorithm);
-
-protected:
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
-  {
-    vtkImageData::GetData(outputs)->ShallowCopy(vtkImageData::GetData(inputs[0]));
-    return 1;
-  }
-};
 
 /** What is watched in turns. */
 struct Row
@@ -187,7 +168,7 @@ void MeasurePlaying(int size)
   {
     source->AddFrame(MakeFrame(size, i), i);
   }
-  vtkNew<StepReader> reader;
+  vtkNew<apitest::GivenImage> reader; // its steps are copied as time comes to them
   reader->SetInputConnection(source->GetOutputPort());
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputConnection(0, source->GetOutputPort());

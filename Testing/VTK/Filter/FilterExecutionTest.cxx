@@ -6,6 +6,7 @@
  */
 
 #include "Rigs/ApiRig.h"
+#include "Rigs/EventCounter.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -19,28 +20,19 @@ namespace
 class FilterExecution : public ApiTest
 {
 protected:
-  FilterExecution()
-  {
-    this->Counter->SetClientData(&this->Executions);
-    this->Counter->SetCallback(
-      [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-    this->Filter->AddObserver(vtkCommand::EndEvent, this->Counter);
-    this->Run(51);
-    this->Executions = 0;
-  }
+  FilterExecution() { this->Run(51); }
 
   /// How often the filter runs for two updates after a change.
   int RunsAfter(const std::function<void()>& change)
   {
     change();
-    this->Executions = 0;
+    this->Executions.Count = 0;
     this->Filter->Update();
     this->Filter->Update();
-    return this->Executions;
+    return this->Executions.Count;
   }
 
-  vtkNew<vtkCallbackCommand> Counter;
-  int Executions = 0;
+  EventCounter Executions{ this->Filter, vtkCommand::EndEvent };
 };
 } // namespace
 

@@ -3,8 +3,8 @@
 // Points that are dragged and removed with the mouse change the function itself.
 #include "EditorMouse.h"
 #include "Factories.h"
+#include "Rigs/EventCounter.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkHapticProperty.h"
 
 // VTK's test driver initializes what draws volumes, not what draws charts and their text.
@@ -24,17 +24,13 @@ int TestFunctionEditorMouse(int, char*[])
   view.Window->Render();
   view.Check(editor->Contains(141, 31) && !editor->Contains(139, 31), "what the editor contains");
 
-  int interactions = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&interactions);
-  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
-  editor->AddObserver(vtkCommand::InteractionEvent, count);
+  const apitest::EventCounter interactions(editor, vtkCommand::InteractionEvent);
 
   vtkMTimeType before = property->GetMTime();
   view.Check(!view.Drag(Editor::LEFT_BUTTON, { 5, 5 }, { 9, 9 }), "events beside it are not taken");
   view.Check(property->GetMTime() == before, "and change nothing");
   view.Check(view.Drag(Editor::LEFT_BUTTON, view.At(50, 400), view.At(70, 800)), "a drag");
-  view.Check(property->GetMTime() > before && interactions > 0, "the property is modified");
+  view.Check(property->GetMTime() > before && interactions.Count > 0, "the property is modified");
   view.Check(
     stiffness->GetSize() == 3 && IsNode(stiffness, 1, 70, 800, 1.0, 20.0), "the point moved");
   before = property->GetMTime();

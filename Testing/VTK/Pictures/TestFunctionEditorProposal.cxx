@@ -3,8 +3,8 @@
 // Functions that the head phantom proposes: over its edges, dashed, beside those of a preset; taken
 // and dropped.
 #include "Factories.h"
+#include "Rigs/EventCounter.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
 #include "vtkNew.h"
@@ -47,12 +47,7 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   editor->SetInputData(head->GetOutput());
   editor->SetFunctionToSurfaceStrength();
   editor->SetRectangle(5, 5, 400, 280);
-  int edits = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&edits);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  editor->AddObserver(vtkCommand::InteractionEvent, count);
+  const apitest::EventCounter edits(editor, vtkCommand::InteractionEvent);
 
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.32, 0.34, 0.43);
@@ -69,12 +64,14 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   window->Render();
   passed &= Check(editor->DropProposal() && !editor->HasProposal(), "a proposal is dropped");
   window->Render();
-  passed &= Check(strength->GetSize() == points && !property->GetProposedBoundaries() && edits == 0,
-    "a proposal changes nothing until it is taken");
+  passed &=
+    Check(strength->GetSize() == points && !property->GetProposedBoundaries() && edits.Count == 0,
+      "a proposal changes nothing until it is taken");
   passed &= Check(editor->Propose(), "again");
   window->Render();
   const int picture = vtkRegressionTestImage(window);
-  passed &= Check(editor->TakeProposal() && !editor->HasProposal() && edits == 1, "it is taken");
+  passed &=
+    Check(editor->TakeProposal() && !editor->HasProposal() && edits.Count == 1, "it is taken");
   passed &= Check(strength == property->GetSurfaceStrength() &&
       strength->GetValue(-1000.0) == 0.0 && strength->GetValue(1500.0) == 12.0 &&
       property->GetProposedBoundaries() && property->GetProposedKernelRadius() >= 2,

@@ -4,8 +4,8 @@
 // compared with the table within a pixel, which is a hundredth of the slider or less.
 #include "EditorMouse.h"
 #include "Factories.h"
+#include "Rigs/EventCounter.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
@@ -123,11 +123,7 @@ void TestMaterials(LabelView& view)
   Editor* const editor = view.Shown;
   vtkHapticLabelTable* const table = view.Table;
   editor->SetLabelData(MakeSlices(VTK_SHORT, { 5, -3, 6 }));
-  int interactions = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&interactions);
-  count->SetCallback([](vtkObject*, unsigned long, void* n, void*) { ++*static_cast<int*>(n); });
-  const unsigned long observer = editor->AddObserver(vtkCommand::InteractionEvent, count);
+  const apitest::EventCounter interactions(editor, vtkCommand::InteractionEvent);
   view.Window->Render();
   double nowhere[2];
   view.Check(!editor->GetSliderPosition(Editor::FRICTION, 0.5, nowhere), "no sliders at first");
@@ -135,12 +131,12 @@ void TestMaterials(LabelView& view)
   vtkMTimeType before = table->GetMTime();
   view.Check(view.Click(view.AtLabel(-3, Editor::LABEL_NAME)), "a click is taken");
   view.Check(editor->HasSelectedLabel() && editor->GetSelectedLabel() == -3, "it selects");
-  view.Check(table->GetMTime() == before && interactions == 0, "and changes nothing");
+  view.Check(table->GetMTime() == before && interactions.Count == 0, "and changes nothing");
 
   view.Click(view.AtLabel(5, Editor::LABEL_FELT));
   view.Click(view.AtLabel(6, Editor::LABEL_FORBIDDEN));
   view.Check(!table->GetFelt(5) && table->GetFelt(6) && table->GetForbidden(6) &&
-      !table->GetForbidden(5) && interactions == 2,
+      !table->GetForbidden(5) && interactions.Count == 2,
     "boxes of two labels");
   view.Click(view.AtLabel(5, Editor::LABEL_FELT));
   view.Check(table->GetFelt(5) && editor->GetSelectedLabel() == 5, "felt again, and selected");
@@ -186,7 +182,6 @@ void TestMaterials(LabelView& view)
   const Place end = view.AtSlider(Editor::STIFFNESS, 1000.0);
   view.Click({ end[0] - 10, end[1] + (end[1] - view.AtSlider(Editor::FRICTION, 0.0)[1]) });
   view.Check(!table->HasMaterial(5), "by the functions again");
-  editor->RemoveObserver(observer);
 }
 
 void TestMany(LabelView& view)

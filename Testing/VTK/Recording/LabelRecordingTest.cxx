@@ -6,6 +6,7 @@
  * with the same labels, and neither without labels nor with others.
  */
 
+#include "Rigs/EventCounter.h"
 #include "Rigs/GatedArray.h"
 #include "Rigs/RecordingRig.h"
 
@@ -181,12 +182,7 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   this->Table->SetStandOff(1.5);
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 0.0);
   SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
-  int events = 0;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&events);
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  this->Device->AddObserver(vtkCommand::UserEvent, command);
+  const apitest::EventCounter events(this->Device, vtkCommand::UserEvent);
   this->Begin();
   ASSERT_TRUE(this->ArmFully());
   ASSERT_TRUE(this->LeadInto(9.5));
@@ -197,10 +193,10 @@ TEST_F(LabelRecording, AForbiddenLabelIsToldOnce)
   EXPECT_NEAR(this->Device->GetProxyPosition()[2], 10.0, 0.1);
   // x_s is 2 mm behind the wall, in the label of 700 N/m.
   EXPECT_NEAR(this->Device->GetComputedForce()[2], -700.0 * 0.002, 0.1);
-  EXPECT_EQ(events, 1);
+  EXPECT_EQ(events.Count, 1);
   ASSERT_TRUE(this->Lead(7.0, 7.0, 6.0));
   EXPECT_FALSE(this->Device->IsAtForbiddenLabel());
-  EXPECT_EQ(events, 1);
+  EXPECT_EQ(events.Count, 1);
 }
 
 TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)

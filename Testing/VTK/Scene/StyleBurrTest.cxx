@@ -7,7 +7,8 @@
 
 #include "StyleRig.h"
 
-#include <vtkCallbackCommand.h>
+#include "Rigs/EventCounter.h"
+
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkHapticBurr.h>
 #include <vtkHapticRemoval.h>
@@ -226,12 +227,7 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
   const vtkMTimeType uploaded = this->Ball->GetMTime();
   vtkHapticRemoval* const removal = this->Filter->GetRemoval();
   this->PushIn(32, 32);
-  vtkNew<vtkCallbackCommand> count;
-  int frames = 0;
-  count->SetClientData(&frames);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* frames, void*) { ++*static_cast<int*>(frames); });
-  this->Window->AddObserver(vtkCommand::EndEvent, count);
+  apitest::EventCounter frames(this->Window, vtkCommand::EndEvent);
   bool isInTime = false;
   for (int stroke = 0; stroke < 20 && !isInTime; ++stroke)
   {
@@ -258,7 +254,7 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
       if (removal->GetRemovedVolume() == volume)
       {
         begin = now;
-        frames = 0;
+        frames.Count = 0;
       }
       this->Style->DrawHaptics();
       isSeen =
@@ -269,11 +265,11 @@ TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
     this->Style->UpdateHaptics();
     const double delay = this->Device->GetTime() - begin;
     EXPECT_GT(delay, 0.0);
-    isInTime = delay <= 0.1 || frames <= 2;
-    std::cout << "stroke " << stroke << ": " << 1e3 * delay << " ms, " << frames << " frames\n";
+    isInTime = delay <= 0.1 || frames.Count <= 2;
+    std::cout << "stroke " << stroke << ": " << 1e3 * delay << " ms, " << frames.Count
+              << " frames\n";
   }
   this->Device->SpinningOff();
-  this->Window->RemoveObserver(count);
   EXPECT_TRUE(isInTime);
   EXPECT_EQ(mapper->GetInputDataObject(0, 0), this->Ball);
   EXPECT_EQ(this->Ball->GetMTime(), uploaded);

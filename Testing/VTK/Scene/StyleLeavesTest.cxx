@@ -8,6 +8,8 @@
 
 #include "StyleRig.h"
 
+#include "Rigs/EventCounter.h"
+
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 
@@ -20,18 +22,12 @@ TEST_F(StyleLeaves, DisarmsForAnotherStyle)
   this->PushIn();
   this->Run(5);
   ASSERT_GE(this->Device->GetStatus(), vtkHapticDevice::ARMED);
-  vtkNew<vtkCallbackCommand> count;
-  int changes = 0;
-  count->SetClientData(&changes);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* changes, void*) { ++*static_cast<int*>(changes); });
-  this->Style->AddObserver(vtkCommand::ModifiedEvent, count);
+  const apitest::EventCounter changes(this->Style, vtkCommand::ModifiedEvent);
 
   vtkNew<vtkInteractorStyleTrackballCamera> other;
   this->Interactor->SetInteractorStyle(other);
   EXPECT_FALSE(this->Style->GetTouchMode());
-  EXPECT_GT(changes, 0);
-  this->Style->RemoveObserver(count); // it counts in a variable of this function
+  EXPECT_GT(changes.Count, 0);
   this->Run(5);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
   EXPECT_TRUE(this->Device->IsRunning());

@@ -8,6 +8,8 @@
 
 #include "StyleRig.h"
 
+#include "Rigs/EventCounter.h"
+
 #include <vtkAutoInit.h>
 #include <vtkDataArray.h>
 #include <vtkHapticFunctionEditor.h>
@@ -54,11 +56,6 @@ protected:
         test.Shown.push_back(test.Display->GetText());
       });
     this->Renderer->AddObserver(vtkCommand::StartEvent, look);
-    vtkNew<vtkCallbackCommand> count;
-    count->SetClientData(&this->Works);
-    count->SetCallback(
-      [](vtkObject*, unsigned long, void* works, void*) { ++*static_cast<int*>(works); });
-    this->Device->AddObserver(vtkCommand::StartEvent, count);
   }
   /// The tip is 2 mm or so deep in the ball, and feels it.
   void Touch()
@@ -153,7 +150,7 @@ protected:
       EXPECT_EQ(number("Armed")[0], 1.0);
     }
     EXPECT_GT(forceless, 10);
-    EXPECT_EQ(this->Works, 1);
+    EXPECT_EQ(this->Works.Count, 1);
     EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
   }
 
@@ -161,7 +158,7 @@ protected:
   vtkNew<vtkHapticFunctionEditor> Editor;
   vtkNew<vtkTable> States;
   std::vector<std::string> Shown;
-  int Works = 0;
+  const apitest::EventCounter Works{ this->Device, vtkCommand::StartEvent };
 };
 } // namespace
 
@@ -183,7 +180,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfALargeVolume)
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &timer);
       return this->Editor->GetCountedShare() == 1.0;
     }));
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
 }
 
@@ -193,7 +190,7 @@ TEST_F(StyleLongWork, IsNotTheHistogramOfASmallVolume)
   ASSERT_NO_FATAL_FAILURE(this->Touch());
   this->Press("v");
   EXPECT_EQ(this->Editor->GetCountedShare(), 1.0) << "it is counted at once";
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
 }
 
@@ -214,7 +211,7 @@ TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
   EXPECT_EQ(this->Editor->GetCountedShare(), 1.0);
   EXPECT_EQ(property->GetProposedKernelRadius(), 0) << "nothing changes before it is taken";
   this->Run(20);
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->HasShown("Force is off"));
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
   this->Press("p");
@@ -222,7 +219,7 @@ TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
   EXPECT_EQ(property->GetProposedKernelRadius(), 5);
   EXPECT_EQ(this->Filter->GetKernelRadius(), 5);
   EXPECT_EQ(property->GetSurfaceStrength()->GetValue(100.0), 12.0);
-  EXPECT_EQ(this->Works, 0) << "to take it is no work";
+  EXPECT_EQ(this->Works.Count, 0) << "to take it is no work";
 }
 
 TEST_F(StyleLongWork, FindsTheSameFunctionsInTheBackground)
@@ -321,7 +318,7 @@ TEST_F(StyleLongWork, IsNotTheMeshOfTheNextMethod)
   EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
   EXPECT_STREQ(this->Display->GetNotice(), "");
   EXPECT_FALSE(this->HasShown("Force is off"));
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
 }
 
 TEST_F(StyleLongWork, IsForgottenIfTheDeviceIsTakenAwayMeanwhile)
@@ -344,7 +341,7 @@ TEST_F(StyleLongWork, IsForgottenIfTheDeviceIsTakenAwayMeanwhile)
     }))
     << "the device goes on with it";
   EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
 }
 
 TEST_F(StyleLongWork, LeavesTheMethodIfTheMeshIsThereAndCannotBeFelt)
@@ -419,7 +416,7 @@ TEST_F(StyleLongWork, IsNotTheMeshThatTheTouchModeLooksFor)
   this->Device->Arm();
   this->Filter->SetMethodToSurfaceProxy();
   this->Style->TouchModeOn();
-  EXPECT_EQ(this->Works, 0);
+  EXPECT_EQ(this->Works.Count, 0);
   EXPECT_FALSE(this->Device->IsPublished()) << "nothing waited for the mesh";
   this->Run(20);
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);

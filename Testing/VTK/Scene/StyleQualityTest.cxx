@@ -8,6 +8,8 @@
 
 #include "QualityRig.h"
 
+#include "Rigs/EventCounter.h"
+
 #include <vtkHapticFrameSource.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkSmartVolumeMapper.h>
@@ -228,17 +230,12 @@ TEST_F(StyleQualityTest, AnApplicationWithoutTimersDrawsWhatTheTimerWould)
   this->Window->SetOffScreenRendering(1);
   this->Show(mapper.GetPointer());
   this->Draw(AtRest, 1);
-  int frames = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&frames);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  this->Interactor->AddObserver(vtkCommand::RenderEvent, count);
+  const apitest::EventCounter frames(this->Interactor, vtkCommand::RenderEvent);
   EXPECT_FALSE(this->Style->DrawHaptics()) << "nothing has happened";
-  EXPECT_EQ(frames, 0);
+  EXPECT_EQ(frames.Count, 0);
   ASSERT_TRUE(this->Device->Open("virtual"));
   ASSERT_TRUE(this->Device->Start());
   this->Device->SetVirtualTip(40.0, 0.0, 0.0);
   ASSERT_TRUE(Eventually([this] { return this->Style->DrawHaptics(); }));
-  EXPECT_GT(frames, 0);
+  EXPECT_GT(frames.Count, 0);
 }

@@ -7,6 +7,7 @@
  */
 
 #include "Rigs/DeviceRig.h"
+#include "Rigs/EventCounter.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -132,17 +133,12 @@ TEST_F(Clutch, KeepsAFault)
 
 TEST_F(Clutch, TellsObserversThatItDisarms)
 {
-  int told = 0;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&told);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* times, void*) { ++*static_cast<int*>(times); });
-  this->Device->AddObserver(vtkCommand::DisableEvent, observer);
+  apitest::EventCounter told(this->Device, vtkCommand::DisableEvent);
   this->Press();
   this->Device->SetClutch(false);
-  told = 0;
+  told.Count = 0;
   this->Device->SetClutch(true);
   this->Device->SetClutch(true);
   this->Device->SetClutch(false);
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(told.Count, 1);
 }

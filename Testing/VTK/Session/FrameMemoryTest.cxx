@@ -7,13 +7,12 @@
  */
 
 #include "Rigs/DeviceRig.h"
+#include "Rigs/GivenImage.h"
 #include "Rigs/TimeSource.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkHapticFrameSource.h>
-#include <vtkImageAlgorithm.h>
 #include <vtkImageData.h>
-#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -46,22 +45,6 @@ protected:
 
 private:
   const bool Counts = !OfSource;
-};
-
-/// Gives what it gets.
-class Stage : public vtkImageAlgorithm
-{
-public:
-  static Stage* New() { VTK_STANDARD_NEW_BODY(Stage); }
-  vtkTypeMacro(Stage, vtkImageAlgorithm);
-
-protected:
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
-  {
-    vtkImageData::GetData(outputs)->ShallowCopy(vtkImageData::GetData(inputs[0]));
-    return 1;
-  }
 };
 
 class FrameMemory : public DeviceTest
@@ -322,7 +305,7 @@ TEST_F(FrameMemory, KeepsNoFrameOfAnotherVolume)
 /// Nor if an algorithm before the last one gives others.
 TEST_F(FrameMemory, KeepsNoFrameOfAnEarlierStage)
 {
-  const vtkNew<Stage> stage;
+  const vtkNew<apitest::GivenImage> stage;
   stage->SetInputConnection(this->Source->GetOutputPort());
   this->Filter->SetInputConnection(stage->GetOutputPort());
   this->Begin();

@@ -7,6 +7,7 @@
  */
 
 #include "Rigs/DeviceRig.h"
+#include "Rigs/EventCounter.h"
 #include "Rigs/GatedArray.h"
 #include "VTK/Filter/HapticBaker.h"
 
@@ -55,19 +56,7 @@ void Sleep(int milliseconds)
 class LongWork : public DeviceTest
 {
 protected:
-  LongWork()
-  {
-    const auto count = [](vtkObject*, unsigned long, void* times, void*)
-    { ++*static_cast<int*>(times); };
-    vtkNew<vtkCallbackCommand> starts, ends;
-    starts->SetClientData(&this->Starts);
-    starts->SetCallback(count);
-    ends->SetClientData(&this->Ends);
-    ends->SetCallback(count);
-    this->Device->AddObserver(vtkCommand::StartEvent, starts);
-    this->Device->AddObserver(vtkCommand::EndEvent, ends);
-    this->Device->SetAttentionTime(2.0);
-  }
+  LongWork() { this->Device->SetAttentionTime(2.0); }
   /// Presses the ramp with 1.5 N, and keeps all states from then on.
   void Press()
   {
@@ -156,8 +145,8 @@ protected:
   }
 
   vtkNew<vtkTable> States;
-  int Starts = 0;
-  int Ends = 0;
+  apitest::EventCounter Starts{ this->Device, vtkCommand::StartEvent };
+  apitest::EventCounter Ends{ this->Device, vtkCommand::EndEvent };
   double Force = 0.0;
   double Tick = 0.0;
   double Time = 0.0;
@@ -171,7 +160,7 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   this->Press();
   this->ExpectForce();
   this->Device->BeginLongWork("the test sleeps");
-  EXPECT_EQ(this->Starts, 1);
+  EXPECT_EQ(this->Starts.Count, 1);
   ASSERT_TRUE(this->WaitRest());
   EXPECT_TRUE(this->Says("Force is off while the test sleeps")) << this->Device->GetStatusText();
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
@@ -180,9 +169,9 @@ TEST_F(LongWork, IsWithoutForceThatComesBackWithARamp)
   this->Device->UpdateState();
   EXPECT_GT(this->CountForceless(), 10);
   EXPECT_EQ(this->Force, 0.0);
-  EXPECT_EQ(this->Ends, 0);
+  EXPECT_EQ(this->Ends.Count, 0);
   this->Device->EndLongWork();
-  EXPECT_EQ(this->Ends, 1);
+  EXPECT_EQ(this->Ends.Count, 1);
   EXPECT_FALSE(this->Says("Force is off"));
   ASSERT_TRUE(this->PressAgain());
   EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
@@ -251,8 +240,8 @@ TEST_F(LongWork, Nests)
   EXPECT_GE(this->CountForceless(), 100);
   EXPECT_EQ(this->Force, 0.0);
   this->Device->EndLongWork();
-  EXPECT_EQ(this->Starts, 1);
-  EXPECT_EQ(this->Ends, 1);
+  EXPECT_EQ(this->Starts.Count, 1);
+  EXPECT_EQ(this->Ends.Count, 1);
   EXPECT_TRUE(this->PressAgain());
   EXPECT_TRUE(this->Log.Errors.empty());
   this->Device->EndLongWork();
@@ -269,12 +258,12 @@ TEST_F(LongWork, ThatIsShortIsNotFelt)
   this->Device->EndLongWork();
   ASSERT_TRUE(this->WaitTicks(10));
   this->ExpectForce();
-  EXPECT_EQ(this->Starts, 0);
-  EXPECT_EQ(this->Ends, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
+  EXPECT_EQ(this->Ends.Count, 0);
   // A program that wants to be watched more closely has less time.
   this->Device->SetAttentionTime(0.8);
   this->Device->BeginLongWork("the test waits", 0.2);
-  EXPECT_EQ(this->Starts, 1);
+  EXPECT_EQ(this->Starts.Count, 1);
   this->Device->EndLongWork();
 }
 
@@ -327,7 +316,7 @@ TEST_F(LongWork, IsNotMeshingWhatHasManyTriangles)
   ASSERT_TRUE(this->Device->Publish());
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_TRUE(this->PressAgain());
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
 }
 
 TEST_F(LongWork, IsNotMeshingALargeVolume)
@@ -381,7 +370,7 @@ TEST_F(LongWork, IsNotMeshingALargeVolume)
   EXPECT_FALSE(isMeshing());
   ASSERT_TRUE(this->WaitPressed()) << "the same surface goes on";
   EXPECT_TRUE(this->CountForceless() == 0 || this->HasPaused);
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
 
   vtkNew<vtkVolumeHapticsFilter> other;
   other->SetMethodToSurfaceProxy();
@@ -411,7 +400,7 @@ TEST_F(LongWork, IsNotMeshingWhenTheServoStarts)
   EXPECT_TRUE(this->WaitPressed());
   values->IsOpen = true;
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
 }
 
 TEST_F(LongWork, IsNotPreparingAGivenSurfaceOfManyTriangles)
@@ -433,7 +422,7 @@ TEST_F(LongWork, IsNotPreparingAGivenSurfaceOfManyTriangles)
   this->ExpectForce();
   ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
   EXPECT_EQ(this->Device->GetMethodText(), "Surface proxy");
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
   vtkNew<vtkVolumeHapticsFilter> other;
   other->SetMethodToSurfaceProxy();
   other->SetInputData(0, this->Image);
@@ -481,7 +470,7 @@ TEST_F(LongWork, IsNotMeshingASmallVolume)
   ASSERT_TRUE(this->Device->Publish());
   ASSERT_TRUE(this->Device->StartRecording(this->File("LongWorkSmall.vtp").c_str()));
   ASSERT_TRUE(this->Device->StopRecording());
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
 }
 
 TEST_F(LongWork, IsNotHashingALargeVolume)
@@ -505,6 +494,6 @@ TEST_F(LongWork, IsNotHashingALargeVolume)
   this->ExpectForce();
   EXPECT_TRUE(this->Wait([this] { return !this->Says("is hashed"); }));
   EXPECT_TRUE(this->Device->StopRecording());
-  EXPECT_EQ(this->Starts, 0);
+  EXPECT_EQ(this->Starts.Count, 0);
   EXPECT_TRUE(this->Log.Warnings.empty());
 }

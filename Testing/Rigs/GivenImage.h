@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A stage of a pipeline that changes nothing.
+ */
+#ifndef GivenImage_h
+#define GivenImage_h
+
+#include <vtkImageAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+
+namespace apitest
+{
+
+/**
+ * Gives the image that it gets, with its time steps. Behind a source whose frames are felt where
+ * they are, it stands for a reader of files: its steps are copied one by one as time comes to them.
+ */
+class GivenImage : public vtkImageAlgorithm
+{
+public:
+  static GivenImage* New() { VTK_STANDARD_NEW_BODY(GivenImage); }
+  vtkTypeMacro(GivenImage, vtkImageAlgorithm);
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    vtkImageData::GetData(outputs)->ShallowCopy(vtkImageData::GetData(inputs[0]));
+    return 1;
+  }
+};
+
+} // namespace apitest
+
+#endif
