@@ -165,7 +165,7 @@ Table MeasureCost(const Effort& effort, std::vector<Plot>& plots)
   table.Columns.insert(table.Columns.end(),
     { "a (us)", "paper's 35 us / a", "b (ns a tap)", "fit: RMS error", "worst error" });
   Plot plot{ "cost", "A tick in contact against the kernel's radius, fitted",
-    "kernel radius (voxels)", "median time of a tick (us)", {}, true };
+    "kernel radius (voxels)", "median time of a tick (us)", {}, LegendPlace::TopLeft };
   Scene scene(SampleImage([](const Vector3& x)
                 { return BlurredStep(BallRadius - Norm(x - OddCentre), 1.5, 1000.0); },
                 29.0),

@@ -85,9 +85,9 @@ void DrawPlot(const Plot& plot, const std::string& folder)
   chart->SetShowLegend(true);
   SetFont(chart->GetLegend()->GetLabelProperties(), 13);
   chart->GetLegend()->SetHorizontalAlignment(
-    plot.IsLegendLeft ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
+    plot.Legend == LegendPlace::TopLeft ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(
-    plot.IsLegendLeft ? vtkChartLegend::TOP : vtkChartLegend::CENTER);
+    plot.Legend == LegendPlace::Right ? vtkChartLegend::CENTER : vtkChartLegend::TOP);
   SetAxis(chart->GetAxis(vtkAxis::BOTTOM), plot.XLabel);
   SetAxis(chart->GetAxis(vtkAxis::LEFT), plot.YLabel);
   if (!plot.XTicks.empty())

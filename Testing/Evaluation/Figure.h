@@ -49,6 +49,14 @@ struct Curve
   float Width = 2.0f;
 };
 
+/** Where no curve of a plot is. */
+enum class LegendPlace
+{
+  Right, ///< in the middle of the height
+  TopLeft,
+  TopRight
+};
+
 /** The content of a plot in the report. */
 struct Plot
 {
@@ -57,7 +65,7 @@ struct Plot
   std::string XLabel;
   std::string YLabel;
   std::vector<Curve> Curves;
-  bool IsLegendLeft = false; ///< at the top; else at the right
+  LegendPlace Legend = LegendPlace::Right;
   /// the ticks of an axis that is not counted evenly
   std::vector<std::pair<double, std::string>> XTicks = {};
 };

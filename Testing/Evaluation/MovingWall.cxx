@@ -493,7 +493,8 @@ std::vector<Plot> PlotMovingWalls()
   for (const auto& [number, file] : shown)
   {
     const MovingCase& c = cases[number];
-    Plot plot{ file, std::string("A tip that rests: ") + c.Name, "time (s)", "force (N)", {} };
+    Plot plot{ file, std::string("A tip that rests: ") + c.Name, "time (s)", "force (N)", {},
+      LegendPlace::TopRight };
     const auto add = [&](const char* name, const std::vector<double>& forces)
     {
       Curve curve{ name, {}, {} };
