@@ -178,6 +178,7 @@ class HapticBaker;
 class HapticModel;
 class RegionSeries;
 class ResampledInput;
+struct BakedVolume;
 struct HapticCut;
 } // namespace VolumeHaptics
 #endif
@@ -321,7 +322,7 @@ private:
 
   int TouchPath(vtkImageData* image, vtkPolyData* path, vtkPolyData* output, vtkIdType& ticks);
 
-  std::weak_ptr<const VolumeHaptics::HapticModel> LastBaked; // valid while anything uses it
+  std::weak_ptr<const VolumeHaptics::BakedVolume> LastBaked; // valid while anything uses it
   vtkMTimeType LastBakedTime = 0;
   std::unique_ptr<VolumeHaptics::BakePreparation> Preparation;
   std::unique_ptr<VolumeHaptics::ResampledInput> Resampled;

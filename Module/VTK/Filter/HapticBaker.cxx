@@ -122,12 +122,13 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
       labels ? labels->GetMTime() : 0, labelArray ? labelArray->GetMTime() : 0 });
   };
   Affine3 placement;
-  auto model = this->Filter->LastBaked.lock();
-  const bool isCurrent = model && !isMoving && getTime() == this->Filter->LastBakedTime &&
-    model->Baked->Settings.TickPeriod == 1.0 / rate;
+  const std::shared_ptr<const BakedVolume> baked = this->Filter->LastBaked.lock();
+  const bool isCurrent = baked && !isMoving && getTime() == this->Filter->LastBakedTime &&
+    baked->Settings.TickPeriod == 1.0 / rate;
+  std::shared_ptr<const HapticModel> model;
   if (isCurrent && this->ReadPlacement(deviceToWorld, placement, error))
   {
-    model = std::make_shared<const HapticModel>(*model, placement, deviceCaps);
+    model = std::make_shared<const HapticModel>(baked, placement, deviceCaps);
   }
   else if (error.empty())
   {
@@ -139,7 +140,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
     vtkErrorWithObjectMacro(this->Filter, << Printable(error) << hint);
     return nullptr;
   }
-  this->Filter->LastBaked = isMoving ? nullptr : model;
+  // The volume, not the model: one that is baked for a moment would take it along.
+  this->Filter->LastBaked = isMoving || !model ? nullptr : model->Baked;
   // Afterwards: the first bake makes what the property lacks.
   this->Filter->LastBakedTime = getTime();
   return model;

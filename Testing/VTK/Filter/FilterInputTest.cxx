@@ -7,6 +7,9 @@
 
 #include "Rigs/ApiRig.h"
 
+#include "Core/Model/HapticModel.h"
+#include "VTK/Filter/HapticBaker.h"
+
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
@@ -97,4 +100,18 @@ TEST_F(FilterInput, InputsAreLeftAlone)
   EXPECT_EQ(std::memcmp(this->Scalars()->GetVoidPointer(0),
               before->GetPointData()->GetScalars()->GetVoidPointer(0), 16 * 16 * 16 * 8),
     0);
+}
+
+// While a hand is led over a surface, each motion looks for the surface ahead with a model that is
+// gone at once.
+TEST_F(FilterInput, IsBakedOnceForModelsThatComeAndGo)
+{
+  const auto bake = [this]
+  { return VolumeHaptics::HapticBaker(this->Filter).Bake(1000.0, {}, nullptr); };
+  const auto held = bake();
+  ASSERT_TRUE(held);
+  EXPECT_EQ(bake()->Baked, held->Baked);
+  EXPECT_EQ(bake()->Baked, held->Baked) << "the model before is gone";
+  this->Scalars()->Modified();
+  EXPECT_NE(bake()->Baked, held->Baked);
 }
