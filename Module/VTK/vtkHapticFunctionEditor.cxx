@@ -5,6 +5,7 @@
 #include "VTK/Charts/EditHistory.h"
 #include "VTK/Charts/EditorPages.h"
 #include "VTK/Charts/HapticDrawing.h"
+#include "VTK/Charts/HapticPixels.h"
 #include "VTK/Docks/EditorDock.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 
@@ -34,8 +35,9 @@ struct vtkHapticFunctionEditor::vtkInternals
   VolumeHaptics::EditorPages Pages;
   VolumeHaptics::EditHistory History;
   VolumeHaptics::EditorDock Dock;
-  int Held = 0;     // the button, between press and release
-  int CanDraw = -1; // not known yet
+  int Held = 0;       // the button, between press and release
+  int CanDraw = -1;   // not known yet
+  double Scale = 1.0; // pixels for each point of letters
   bool IsCounting = false;
   bool WaitsForProposal = false;
 
@@ -385,7 +387,7 @@ void vtkHapticFunctionEditor::UpdatePage()
 {
   auto& d = *this->Internals;
   this->Update();
-  d.Pages.Show(d.Dock.GetRectangle().data(), d.Held != 0);
+  d.Pages.Show(d.Dock.GetRectangle().data(), d.Held != 0, d.Scale);
 }
 
 //------------------------------------------------------------------------------
@@ -570,6 +572,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
   {
     return 0;
   }
+  d.Scale = VolumeHaptics::PixelsPerPoint(viewport);
   this->UpdatePage();
   int drawn = 0;
   for (vtkContextActor* const actor : d.Pages.GetActors())

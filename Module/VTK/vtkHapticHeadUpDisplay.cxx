@@ -10,7 +10,9 @@
 #include "VTK/Charts/HapticModeList.h"
 #include "VTK/Charts/HapticOverlayPicture.h"
 #include "VTK/Charts/HapticOverlays.h"
+#include "VTK/Charts/HapticPixels.h"
 #include "VTK/Charts/HapticTextLook.h"
+#include "VTK/Charts/HapticTextPace.h"
 #include "VTK/Charts/HapticWrappedText.h"
 #include "VTK/Scene/DisplayText.h"
 #include "VTK/Scene/HapticSceneSettings.h"
@@ -73,6 +75,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   std::chrono::steady_clock::time_point Due; // of the next picture
   vtkNew<vtkTextActor> Text;
   HapticWrappedText Wrapped;
+  HapticTextPace TextPace;
   double TextHeight = 0.0; // pixels
   vtkNew<vtkTextActor> Hint;
   vtkNew<HapticKeySheet> Keys;
@@ -328,7 +331,7 @@ int vtkHapticHeadUpDisplay::FindMode(int x, int y)
 //------------------------------------------------------------------------------
 int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
 {
-  if (!VolumeHaptics::IsDrawing(viewport))
+  if (!VolumeHaptics::IsDrawing(viewport) || VolumeHaptics::IsGivenUp(viewport))
   {
     return 0;
   }
@@ -354,13 +357,16 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
   const bool isFault = this->Device && this->Device->GetStatus() == vtkHapticDevice::FAULT;
   SetLook(this->Text->GetTextProperty(), isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92,
     isFault ? 0.45 : 0.95, viewport);
-  const std::string text = self.GetText();
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+  const std::string& text =
+    this->TextPace.Choose(self.GetText(), VolumeHaptics::IsMoving(viewport), now.count());
   int drawn = 0;
   double size[2] = { 0.0, 0.0 };
   if (!text.empty())
   {
     const int* const view = viewport->GetSize();
-    const std::array<int, 2> panel = HapticForceChart::PanelSize(view[0], view[1]);
+    const std::array<int, 2> panel =
+      HapticForceChart::PanelSize(view[0], view[1], PixelsPerPoint(viewport));
     const int plot =
       self.PlotVisibility ? FindFreeCorner(viewport, panel[0], panel[1])[1] + panel[1] : 0;
     this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
@@ -392,13 +398,15 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int largest = 16; // points
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
+  // It stands in the middle, and ends before what other renderers draw beside it.
+  const double room = 2.0 * FindTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   double size[2];
   for (int letters = largest; letters >= smallest; --letters)
   {
     this->Hint->GetTextProperty()->SetFontSize(letters);
     this->Hint->GetSize(viewport, size);
-    if (size[0] + 2 * Gap <= view[0])
+    if (size[0] + 2 * Gap <= room)
     {
       break;
     }
@@ -440,9 +448,10 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
   const int* const size = viewport->GetSize();
-  const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1]);
+  const double scale = PixelsPerPoint(viewport);
+  const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1], scale);
   const std::array<int, 2> from = FindFreeCorner(viewport, panel[0], panel[1]);
-  const bool isMoved = this->Chart.Fit(size[0], size[1], from);
+  const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale);
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now >= this->Due;
@@ -476,7 +485,8 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
   // Below the text, unless this leaves less than half of the height.
   const int* const size = viewport->GetSize();
   const int below = this->FindTextEnd(self, viewport) - Gap;
-  this->Keys->Show(self.HelpText, size[0], 2 * below > size[1] ? below : size[1]);
+  this->Keys->Show(
+    self.HelpText, size[0], 2 * below > size[1] ? below : size[1], PixelsPerPoint(viewport));
   return this->Help->RenderOverlay(viewport);
 }
 

@@ -452,7 +452,7 @@ int vtkHapticRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 //------------------------------------------------------------------------------
 int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
 {
-  if (!VolumeHaptics::IsDrawing(viewport))
+  if (!VolumeHaptics::IsDrawing(viewport) || VolumeHaptics::IsGivenUp(viewport))
   {
     return 0;
   }

@@ -385,9 +385,11 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   {
     return;
   }
-  if (this->Internals->Interaction.MoveMouse())
+  auto& interaction = this->Internals->Interaction;
+  if (interaction.MoveMouse())
   {
-    if (this->Internals->Interaction.Frames.IsLate())
+    const double travel = interaction.Scene.Device ? interaction.Touch.GetTravelTime() : 0.0;
+    if (interaction.Frames.AwaitLateMotion(travel))
     {
       this->DrawHaptics();
     }

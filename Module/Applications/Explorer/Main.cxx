@@ -103,6 +103,7 @@ vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
   window->SetMultiSamples(0);
   window->SetSize(options.Width, HeightOf(options.Width));
   window->SetWindowName("VTK Volume Haptics");
+  Explore::FollowScreen(window);
   return window;
 }
 

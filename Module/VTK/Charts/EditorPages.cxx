@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/EditorPages.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkCommand.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticLabelTable.h"
@@ -160,16 +162,18 @@ HapticMaterialSheet* EditorPages::GetSheet()
 }
 
 //------------------------------------------------------------------------------
-void EditorPages::Show(const int rectangle[4], bool isDragged)
+void EditorPages::Show(const int rectangle[4], bool isDragged, double scale)
 {
+  const int sheet = ScalePixels(scale, SheetWidth);
   this->HasBoth = !this->IsSheetPage() && this->Has(Editor::TISSUES) &&
-    rectangle[2] >= LeastChartWidth + SheetWidth && rectangle[3] >= LeastSheetHeight;
-  const int sheetWidth = this->HasBoth ? SheetWidth : this->IsSheetPage() ? rectangle[2] : 0;
+    rectangle[2] >= ScalePixels(scale, LeastChartWidth) + sheet &&
+    rectangle[3] >= ScalePixels(scale, LeastSheetHeight);
+  const int sheetWidth = this->HasBoth ? sheet : this->IsSheetPage() ? rectangle[2] : 0;
   this->Split = rectangle[0] + rectangle[2] - sheetWidth;
-  if (HapticMaterialSheet* const sheet = this->GetSheet())
+  if (HapticMaterialSheet* const shown = this->GetSheet())
   {
     const int place[4] = { this->Split, rectangle[1], sheetWidth, rectangle[3] };
-    sheet->Place(place);
+    shown->Place(place, scale);
   }
   if (this->IsSheetPage())
   {
@@ -177,7 +181,7 @@ void EditorPages::Show(const int rectangle[4], bool isDragged)
   }
   const int place[4] = { rectangle[0], rectangle[1], rectangle[2] - sheetWidth, rectangle[3] };
   vtkPiecewiseFunction* const function = this->GetFunction();
-  this->Chart.Place(place);
+  this->Chart.Place(place, scale);
   this->Proposed.ShowFunction(Pages[this->Page].Get);
   this->Chart.ShowFunction(function, Pages[this->Page].Quantity, isDragged);
   this->Chart.ShowTissues(this->Proposed.Property);

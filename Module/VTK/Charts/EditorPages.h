@@ -60,7 +60,7 @@ public:
   ///@}
 
   /** Fits the page into a rectangle: left, bottom, width and height. */
-  void Show(const int rectangle[4], bool isDragged);
+  void Show(const int rectangle[4], bool isDragged, double scale = 1.0);
   /** What draws the page. */
   std::vector<vtkContextActor*> GetActors();
   std::vector<vtkContextActor*> GetAllActors();

@@ -24,11 +24,12 @@ HapticCurveNames::HapticCurveNames() = default;
 HapticCurveNames::~HapticCurveNames() = default;
 
 //------------------------------------------------------------------------------
-void HapticCurveNames::Place(float left, float top, int letters)
+void HapticCurveNames::Place(float left, float top, int letters, float scale)
 {
   this->Left = left;
   this->Top = top;
   this->Letters = letters;
+  this->Scale = scale;
 }
 
 //------------------------------------------------------------------------------
@@ -52,7 +53,7 @@ bool HapticCurveNames::Paint(vtkContext2D* painter)
     look->SetColor(TitleInk[0], TitleInk[1], TitleInk[2]);
     painter->DrawString(this->Left, this->Top, this->Title);
   }
-  const auto size = static_cast<float>(this->Letters);
+  const float size = this->Scale * static_cast<float>(this->Letters);
   float x = this->Left;
   for (const Name& name : this->Names)
   {

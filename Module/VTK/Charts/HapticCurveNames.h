@@ -29,7 +29,7 @@ public:
   void SetTitle(const std::string& title) { this->Title = title; }
   void SetNames(const std::vector<Name>& names) { this->Names = names; }
   /** Where the first letter begins, and the upper edge (pixels); the size of letters (points). */
-  void Place(float left, float top, int letters);
+  void Place(float left, float top, int letters, float scale = 1.0f);
   /** The height that both lines take up (pixels). */
   static float GetHeight(int letters);
 
@@ -48,6 +48,7 @@ private:
   float Left = 0.0f;
   float Top = 0.0f;
   int Letters = 10;
+  float Scale = 1.0f; ///< pixels for each point
 };
 
 #endif

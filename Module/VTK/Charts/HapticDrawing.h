@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a window is being drawn.
+ * Whether a window is being drawn, and for somebody to see.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h
@@ -21,6 +21,23 @@ inline bool IsDrawing(vtkViewport* viewport)
 {
   auto* const window = viewport ? vtkRenderWindow::SafeDownCast(viewport->GetVTKWindow()) : nullptr;
   return window && window->CheckInRenderStatus();
+}
+
+/**
+ * Whether the frame of the viewport's window was given up, so that it will not be shown: what is
+ * still to be drawn would only delay the next one.
+ */
+inline bool IsGivenUp(vtkViewport* viewport)
+{
+  auto* const window = viewport ? vtkRenderWindow::SafeDownCast(viewport->GetVTKWindow()) : nullptr;
+  return window && window->GetAbortRender() != 0;
+}
+
+/** Whether the viewport's window draws a frame of a motion: it wants more than one a second. */
+inline bool IsMoving(vtkViewport* viewport)
+{
+  auto* const window = viewport ? vtkRenderWindow::SafeDownCast(viewport->GetVTKWindow()) : nullptr;
+  return window && window->GetDesiredUpdateRate() > 1.0;
 }
 
 } // namespace VolumeHaptics

@@ -3,6 +3,7 @@
 #include "VTK/Charts/HapticForceChart.h"
 
 #include "VTK/Charts/HapticChartText.h"
+#include "VTK/Charts/HapticPixels.h"
 
 #include "vtkAxis.h"
 #include "vtkBlockItem.h"
@@ -263,22 +264,26 @@ void HapticForceChart::SetLetters(int size)
   SetChartText(this->Chart->GetLegend()->GetLabelProperties(), size - (isPage ? 0 : 1), colour);
 }
 
-std::array<int, 2> HapticForceChart::PanelSize(int width, int height)
+std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double scale)
 {
   // Beside what is in the middle of the viewport, not over it.
-  return { Margin + std::min(width - 2 * Margin, std::clamp(width * 3 / 10, 210, 330)),
-    Margin + std::clamp(height * 22 / 100, 120, 180) };
+  const auto fit = [scale](int pixels, int least, int most)
+  { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
+  return { Margin + std::min(width - 2 * Margin, fit(width * 3 / 10, 210, 330)),
+    Margin + fit(height * 22 / 100, 120, 180) };
 }
 
-bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from)
+bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from, double scale)
 {
-  if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From)
+  if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From &&
+    scale == this->Scale)
   {
     return false; // a chart whose size is set lays itself out again
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
   this->From = from;
+  this->Scale = scale;
   if (this->On == Ground::Page)
   {
     this->SetLetters(std::max(9, height / 36));
@@ -288,19 +293,20 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
     std::copy(this->Viewport, this->Viewport + 2, this->Corner);
     return true;
   }
-  const std::array<int, 2> size = HapticForceChart::PanelSize(width, height);
+  const std::array<int, 2> size = HapticForceChart::PanelSize(width, height, scale);
   const auto across = static_cast<float>(size[0] - Margin);
   const auto up = static_cast<float>(size[1] - Margin);
   const auto left = static_cast<float>(from[0] + Margin);
   const auto bottom = static_cast<float>(from[1] + Margin);
   constexpr int letters = 10;
-  constexpr float gap = 6.0f;
-  const float names = HapticCurveNames::GetHeight(letters);
+  const auto pixels = static_cast<float>(scale);
+  const float gap = 6.0f * pixels;
+  const float names = HapticCurveNames::GetHeight(letters) * pixels;
   this->SetLetters(letters);
   this->Panel->SetDimensions(left, bottom, across, up);
-  this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters);
-  // A chart has a wide border above it, which the names can use.
-  constexpr float border = 10.0f;
+  this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters, pixels);
+  // A chart has a wide border above it, which the names can use where its upper number does not.
+  const float border = 15.0f - 5.0f * pixels;
   this->Height = up - names + border;
   this->Chart->SetSize(vtkRectf(left, bottom, across, static_cast<float>(this->Height)));
   this->Corner[0] = from[0] + size[0];

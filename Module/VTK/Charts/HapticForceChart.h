@@ -62,12 +62,12 @@ public:
    */
   void SetModes(const std::vector<std::string>& names);
   /** The size of a panel in a viewport of this size, with the margin at its left and below it. */
-  static std::array<int, 2> PanelSize(int width, int height);
+  static std::array<int, 2> PanelSize(int width, int height, double scale = 1.0);
   /**
    * Fits the chart into a viewport of this size (pixels). `from`: the lower left corner of a panel
    * with its margins. Returns whether that changes the chart.
    */
-  bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 });
+  bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
   /** The upper right corner of what it takes up (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
@@ -95,6 +95,7 @@ private:
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
   vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
   std::vector<std::string> Modes;
+  double Scale = 1.0;         ///< pixels for each point
   int Viewport[2] = { 0, 0 }; ///< pixels, as the next three
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };

@@ -5,6 +5,8 @@
 #include "VTK/Charts/HapticAxisTop.h"
 #include "VTK/Charts/HapticChartText.h"
 #include "VTK/Charts/HapticHistogram.h"
+#include "VTK/Charts/HapticPixels.h"
+#include "VTK/Charts/HapticValueName.h"
 
 #include "vtkAxis.h"
 #include "vtkBrush.h"
@@ -94,12 +96,12 @@ HapticFunctionChart::HapticFunctionChart()
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::Place(const int rectangle[4])
+void HapticFunctionChart::Place(const int rectangle[4], double scale)
 {
   const vtkRectf area(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
   this->Panel->SetDimensions(area[0], area[1], area[2], area[3]);
   this->Chart->SetSize(area);
-  const int font = std::clamp(rectangle[3] / 18, 8, 16);
+  const int font = FitLetters(rectangle[3], 18, scale, 8, 16);
   this->Letters = font;
   SetChartText(this->Chart->GetTitleProperties(), font + 2, DarkText);
   for (const int side : { vtkAxis::LEFT, vtkAxis::BOTTOM })
@@ -134,8 +136,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   {
     this->Counted = nullptr;
   }
-  const char* const name = this->Counted ? this->Counted->GetName() : nullptr;
-  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(name && *name ? name : "Value");
+  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(NameValues(this->Counted));
   if (this->Counted && IsQuicklySwept(this->Counted))
   {
     counts = *CountAllValues(this->Counted, component, [](double) { return true; });

@@ -64,7 +64,7 @@ public:
   vtkContextActor* GetActor() { return this->Actor; }
 
   /** The rectangle in pixels of the viewport: x, y, width, height. */
-  void Place(const int rectangle[4]);
+  void Place(const int rectangle[4], double scale = 1.0);
 
   ///@{
   /**

@@ -38,15 +38,17 @@ HapticKeySheet::HapticKeySheet() = default;
 HapticKeySheet::~HapticKeySheet() = default;
 
 //------------------------------------------------------------------------------
-void HapticKeySheet::Show(const std::string& text, int width, int height)
+void HapticKeySheet::Show(const std::string& text, int width, int height, double scale)
 {
-  if (text == this->Text && width == this->Viewport[0] && height == this->Viewport[1])
+  if (text == this->Text && width == this->Viewport[0] && height == this->Viewport[1] &&
+    static_cast<float>(scale) == this->Scale)
   {
     return;
   }
   this->Text = text;
   this->Viewport[0] = width;
   this->Viewport[1] = height;
+  this->Scale = static_cast<float>(scale);
   this->Letters = 0;
   this->Lines.clear();
   std::istringstream lines(text);
@@ -112,7 +114,7 @@ void HapticKeySheet::Measure(vtkContext2D* painter, Column& column) const
     painter->ComputeStringBounds(part, bounds);
     return bounds[2];
   };
-  const auto size = static_cast<float>(this->Letters);
+  const float size = this->GetLetterHeight();
   float title = 0.0f;
   float meaning = 0.0f;
   column.KeyWidth = 0.0f;
@@ -137,7 +139,7 @@ bool HapticKeySheet::Fit(vtkContext2D* painter)
   for (int letters = LargestLetters; letters >= SmallestLetters; --letters)
   {
     this->Letters = letters;
-    const auto size = static_cast<float>(letters);
+    const float size = this->GetLetterHeight();
     for (int count = 1; count <= MostColumns; ++count)
     {
       this->Columns = this->Divide(static_cast<std::size_t>(count));
@@ -164,7 +166,7 @@ bool HapticKeySheet::Fit(vtkContext2D* painter)
 void HapticKeySheet::PaintColumn(
   vtkContext2D* painter, const Column& column, float left, float top) const
 {
-  const auto size = static_cast<float>(this->Letters);
+  const float size = this->GetLetterHeight();
   vtkTextProperty* const look = painter->GetTextProp();
   float y = top;
   for (std::size_t i = column.Begin; i < column.End; ++i)
@@ -195,7 +197,7 @@ bool HapticKeySheet::Paint(vtkContext2D* painter)
   {
     this->Fit(painter);
   }
-  const auto size = static_cast<float>(this->Letters);
+  const float size = this->GetLetterHeight();
   float width = -ColumnGap * size;
   float height = 0.0f;
   for (const Column& column : this->Columns)

@@ -22,7 +22,7 @@ public:
    * Titles, and lines of a key, a tab and its meaning; and the size of the viewport (pixels). The
    * letters are as large as fits, up to 14 points.
    */
-  void Show(const std::string& text, int width, int height);
+  void Show(const std::string& text, int width, int height, double scale = 1.0);
 
   bool Paint(vtkContext2D* painter) override;
 
@@ -59,7 +59,10 @@ private:
   std::vector<Line> Lines;
   std::string Text; ///< of the lines
   int Viewport[2] = { 0, 0 };
-  int Letters = 0; ///< points; 0 before Fit
+  float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
+
+  float Scale = 1.0f; ///< pixels for each point
+  int Letters = 0;    ///< points; 0 before Fit
   std::vector<Column> Columns;
 };
 

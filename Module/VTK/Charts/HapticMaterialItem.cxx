@@ -130,8 +130,9 @@ HapticMaterialItem::HapticMaterialItem()
 HapticMaterialItem::~HapticMaterialItem() = default;
 
 //------------------------------------------------------------------------------
-void HapticMaterialItem::Show(const HapticMaterialList& list, const int rectangle[4])
+void HapticMaterialItem::Show(const HapticMaterialList& list, const int rectangle[4], double scale)
 {
+  this->Scale = scale;
   this->List = &list;
   std::copy_n(rectangle, 4, this->Rectangle);
 }
@@ -144,7 +145,7 @@ bool HapticMaterialItem::Paint(vtkContext2D* painter)
     return true;
   }
   const HapticMaterialList& list = *this->List;
-  const HapticMaterialLayout layout(this->Rectangle, list);
+  const HapticMaterialLayout layout(this->Rectangle, list, this->Scale);
   const int font = layout.GetFontSize();
   const vtkIdType rows = list.GetNumberOfRows();
   PaintText(painter, layout.GetTitle(), list.GetTitle(), Side::Left, font, Ink);

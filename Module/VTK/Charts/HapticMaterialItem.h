@@ -20,7 +20,9 @@ public:
   vtkTypeMacro(HapticMaterialItem, vtkContextItem);
 
   /** The list to draw, and its rectangle; the list has to outlive the item. */
-  void Show(const VolumeHaptics::HapticMaterialList& list, const int rectangle[4]);
+  /** `scale`: pixels for each point of letters. */
+  void Show(
+    const VolumeHaptics::HapticMaterialList& list, const int rectangle[4], double scale = 1.0);
 
   bool Paint(vtkContext2D* painter) override;
 
@@ -40,6 +42,7 @@ private:
 
   const VolumeHaptics::HapticMaterialList* List = nullptr;
   int Rectangle[4] = { 0, 0, 1, 1 };
+  double Scale = 1.0; ///< pixels for each point of letters
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "VTK/Charts/HapticMaterialLayout.h"
 
 #include "VTK/Charts/HapticMaterialList.h"
+#include "VTK/Charts/HapticPixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +25,14 @@ bool Holds(const vtkRectf& r, float x, float y)
 } // namespace
 
 //------------------------------------------------------------------------------
-HapticMaterialLayout::HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list)
+HapticMaterialLayout::HapticMaterialLayout(
+  const int rectangle[4], const HapticMaterialList& list, double scale)
   : List(list)
   , Area(static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
       static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]))
-  , Font(std::clamp(std::min(rectangle[2], rectangle[3]) / 21, 8, 14))
-  , Line(std::round(1.6f * static_cast<float>(Font)))
+  , Font(FitLetters(std::min(rectangle[2], rectangle[3]), 21, scale, 8, 14))
+  , Letter(static_cast<float>(scale * Font))
+  , Line(std::round(1.6f * Letter))
 {
   const float lines = (this->Area.GetHeight() - 3.0f * Margin) / this->Line;
   this->Room = std::max<vtkIdType>(1, static_cast<vtkIdType>(lines) - 1 - FooterLines);
@@ -61,7 +64,7 @@ vtkRectf HapticMaterialLayout::GetTitle() const
 
 vtkRectf HapticMaterialLayout::GetHead(MaterialPart::KindType column) const
 {
-  const float width = 3.1f * static_cast<float>(this->Font);
+  const float width = 3.1f * this->Letter;
   const float fromRight = column == MaterialPart::Felt ? 2.0f : 1.0f;
   return { this->Area.GetRight() - Margin - BarWidth - fromRight * width, this->GetLineTop(1),
     width, this->Line };
@@ -94,7 +97,7 @@ vtkRectf HapticMaterialLayout::GetName(vtkIdType row) const
 vtkRectf HapticMaterialLayout::GetBox(vtkIdType row, MaterialPart::KindType column) const
 {
   const vtkRectf head = this->GetHead(column);
-  const float size = static_cast<float>(this->Font);
+  const float size = this->Letter;
   const vtkRectf r = this->GetRow(row);
   return { std::round(head.GetLeft() + 0.5f * (head.GetWidth() - size)),
     std::round(r.GetBottom() + 0.5f * (this->Line - size)), size, size };
@@ -145,7 +148,7 @@ vtkRectf HapticMaterialLayout::GetSelectedName() const
 
 vtkRectf HapticMaterialLayout::GetByFunctions() const
 {
-  const float width = 7.0f * static_cast<float>(this->Font);
+  const float width = 7.0f * this->Letter;
   return { this->Area.GetRight() - Margin - width, this->GetFooterTop() - this->Line + 1.0f, width,
     this->Line - 2.0f };
 }
@@ -153,8 +156,8 @@ vtkRectf HapticMaterialLayout::GetByFunctions() const
 vtkRectf HapticMaterialLayout::GetQuantityTitle(int quantity) const
 {
   return { this->Area.GetLeft() + Margin,
-    this->GetFooterTop() - static_cast<float>(quantity + 2) * this->Line,
-    8.5f * static_cast<float>(this->Font), this->Line };
+    this->GetFooterTop() - static_cast<float>(quantity + 2) * this->Line, 8.5f * this->Letter,
+    this->Line };
 }
 
 vtkRectf HapticMaterialLayout::GetSlider(int quantity) const

@@ -42,7 +42,8 @@ struct MaterialPart
 class HapticMaterialLayout
 {
 public:
-  HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list);
+  /** `scale`: pixels for each point of letters. */
+  HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list, double scale = 1.0);
 
   int GetFontSize() const { return this->Font; }
   /** How many rows there is room for. */
@@ -72,7 +73,8 @@ private:
 
   const HapticMaterialList& List;
   vtkRectf Area;
-  int Font;
+  int Font;     ///< points
+  float Letter; ///< pixels, of their height
   float Line;
   vtkIdType Room;
 };

@@ -31,13 +31,14 @@ HapticMaterialSheet::HapticMaterialSheet(HapticMaterialList& list)
 }
 
 //------------------------------------------------------------------------------
-void HapticMaterialSheet::Place(const int rectangle[4])
+void HapticMaterialSheet::Place(const int rectangle[4], double scale)
 {
+  this->Scale = scale;
   std::copy_n(rectangle, 4, this->Rectangle);
   this->Panel->SetDimensions(static_cast<float>(rectangle[0]), static_cast<float>(rectangle[1]),
     static_cast<float>(rectangle[2]), static_cast<float>(rectangle[3]));
   this->List.SetVisibleRows(this->GetLayout().GetRoom());
-  this->Item->Show(this->List, this->Rectangle);
+  this->Item->Show(this->List, this->Rectangle, scale);
   if (this->Held.Kind != MaterialPart::Slider)
   {
     this->List.FitEnds();

@@ -27,8 +27,8 @@ public:
   vtkContextActor* GetActor() { return this->Actor; }
 
   /** The rectangle in pixels of the viewport: x, y, width, height. */
-  void Place(const int rectangle[4]);
-  HapticMaterialLayout GetLayout() const { return { this->Rectangle, this->List }; }
+  void Place(const int rectangle[4], double scale = 1.0);
+  HapticMaterialLayout GetLayout() const { return { this->Rectangle, this->List, this->Scale }; }
 
   /**
    * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
@@ -60,6 +60,7 @@ private:
   vtkNew<vtkBlockItem> Panel;
   vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
+  double Scale = 1.0;
   MaterialPart Held; ///< from press to release: the scroll bar or a slider
 };
 

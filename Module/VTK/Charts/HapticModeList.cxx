@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticModeList.h"
 
+#include "VTK/Charts/HapticPixels.h"
 #include "VTK/Charts/HapticTextLook.h"
 
 #include "vtkTextActor.h"
@@ -34,6 +35,7 @@ HapticModeList::~HapticModeList() = default;
 
 int HapticModeList::Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport)
 {
+  const int height = ScalePixels(PixelsPerPoint(viewport), LinePixels);
   this->Count = std::min(lines.size(), this->Lines.size());
   const int left = viewport->GetSize()[0] / 50; // as the head-up display's text
   int drawn = 0;
@@ -44,8 +46,8 @@ int HapticModeList::Render(const std::vector<ModeLine>& lines, int top, vtkViewp
     const bool isActive = lines[i].IsActive;
     SetLook(line.Text->GetTextProperty(), isActive ? c[0] / 255.0 : Inactive,
       isActive ? c[1] / 255.0 : Inactive, isActive ? c[2] / 255.0 : Inactive, viewport);
-    line.High = top - static_cast<int>(i) * LinePixels;
-    line.Low = line.High - LinePixels;
+    line.High = top - static_cast<int>(i) * height;
+    line.Low = line.High - height;
     line.Text->SetInput(lines[i].Text.c_str());
     line.Text->SetDisplayPosition(left, line.Low);
     double size[2] = { 0.0, 0.0 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Charts/HapticOverlays.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -70,6 +72,7 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
 std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
 {
   double corner[2] = { 0.0, 0.0 };
+  const int scaleWidth = ScalePixels(PixelsPerPoint(viewport), ScaleWidth);
   const std::vector<ViewportBox> overlays = FindOverlays(viewport);
   for (std::size_t tries = 0; tries <= overlays.size(); ++tries)
   {
@@ -80,7 +83,7 @@ std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
     {
       break;
     }
-    const bool isRoom = (*covering)[1] + width + ScaleWidth <= viewport->GetSize()[0];
+    const bool isRoom = (*covering)[1] + width + scaleWidth <= viewport->GetSize()[0];
     corner[0] = isRoom ? (*covering)[1] : 0.0;
     corner[1] = isRoom ? corner[1] : (*covering)[3];
   }

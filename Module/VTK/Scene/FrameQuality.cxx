@@ -7,6 +7,7 @@
 #include "VTK/Scene/PendingInput.h"
 #include "VTK/Scene/SmartMapperParts.h"
 #include "VTK/Scene/SoftwareOpenGL.h"
+#include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -15,11 +16,10 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkRendererCollection.h"
 #include "vtkSmartVolumeMapper.h"
 #include "vtkVolume.h"
-#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,7 @@ namespace
 
 constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
 constexpr double LeastRate = 20.0;    // Hz, in motion
+constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame and for a whole one
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
@@ -44,26 +45,6 @@ double AutomaticDistance(vtkImageData* image)
 {
   const double* const spacing = image->GetSpacing();
   return (spacing[0] + spacing[1] + spacing[2]) / 6.0;
-}
-
-template <typename Visit>
-void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
-{
-  vtkRendererCollection* const renderers = window->GetRenderers();
-  vtkCollectionSimpleIterator at;
-  renderers->InitTraversal(at);
-  while (vtkRenderer* const renderer = renderers->GetNextRenderer(at))
-  {
-    vtkVolumeCollection* const volumes = renderer->GetVolumes();
-    for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
-    {
-      auto* const volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
-      if (volume && volume->GetVisibility() && volume->GetMapper())
-      {
-        visit(renderer, volume);
-      }
-    }
-  }
 }
 
 } // namespace
@@ -85,6 +66,10 @@ FrameQuality::FrameQuality(std::function<Touch()> touch)
           break;
         case vtkCommand::EndEvent:
           quality->End();
+          break;
+        case vtkCommand::ConfigureEvent:
+        case vtkCommand::ExposeEvent:
+          quality->IsExposed = true;
           break;
         case vtkCommand::VolumeMapperRenderStartEvent:
           quality->FollowProgress(caller, 0.0);
@@ -116,12 +101,24 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
   {
     this->Window->RemoveObserver(this->Observer);
   }
+  if (this->Interactor)
+  {
+    this->Interactor->RemoveObserver(this->Observer);
+  }
   this->Restore();
   this->Window = window;
   this->InMotion = RayPace();
   this->AtRest = RayPace();
   this->CoarseTime = 0.0;
+  this->DrawnSize = {};
   this->OnProcessor.reset();
+  this->Interactor = window ? window->GetInteractor() : nullptr;
+  if (this->Interactor)
+  {
+    // Before the interactor draws.
+    this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this->Observer);
+    this->Interactor->AddObserver(vtkCommand::ExposeEvent, this->Observer);
+  }
   if (window)
   {
     window->AddObserver(vtkCommand::StartEvent, this->Observer);
@@ -213,7 +210,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   else
   {
-    const double rate = std::max(LeastRate, this->Window->GetDesiredUpdateRate());
+    const double rate = std::max(AimedRate, this->Window->GetDesiredUpdateRate());
     const double distance = moves ? this->InMotion.Next(DrawingShare / rate)
                                   : this->AtRest.Next(isInterruptible ? LongestRest : LongestWait);
     next.ImageDistance = std::max(own.ImageDistance, distance);
@@ -328,7 +325,11 @@ void FrameQuality::Begin()
     return;
   }
   const Touch touch = this->AskTouch();
-  this->Moves = this->Window->GetDesiredUpdateRate() > SlowestMotion;
+  const int* const size = this->Window->GetSize();
+  const bool isQuick = this->AtRest.IsKnown && this->AtRest.Time <= LongestWait;
+  this->IsResized = std::exchange(this->IsExposed, false) && !isQuick && this->DrawnSize[0] > 0 &&
+    !std::equal(size, size + 2, this->DrawnSize.begin());
+  this->Moves = this->IsResized || this->Window->GetDesiredUpdateRate() > SlowestMotion;
   this->IsArmed = touch == Touch::Armed;
   this->IsGivenUp = false;
   this->IsFine = false;
@@ -383,6 +384,8 @@ void FrameQuality::End()
     }
     return;
   }
+  std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
+  this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
   // Only frames that cast all rays tell how long these take.
   bool castsAll = false;
   bool keepsRays = false;

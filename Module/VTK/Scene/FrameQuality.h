@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -23,6 +24,7 @@ class vtkCallbackCommand;
 class vtkFixedPointVolumeRayCastMapper;
 class vtkObject;
 class vtkRenderWindow;
+class vtkRenderWindowInteractor;
 class vtkRenderer;
 class vtkSmartVolumeMapper;
 class vtkVolume;
@@ -48,6 +50,8 @@ class KeptRays;
  *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
  *   meanwhile nobody reads the device, and its force fades after AttentionTime. As soon as a frame
  *   is seen to take more than 1 s, it is given up and drawn again with fewer rays, at once.
+ * - Somebody who changes the window's size would see nothing until the frame at rest is done. So
+ *   if that takes long, a frame as in motion comes first.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
@@ -80,10 +84,11 @@ public:
   enum class Interruption
   {
     None,
-    Input, ///< has come meanwhile
-    Slow   ///< it would have taken too long: the next one casts fewer rays
+    Input,  ///< has come meanwhile
+    Slow,   ///< it would have taken too long: the next one casts fewer rays
+    Resized ///< the window, so that it was drawn coarsely first
   };
-  /** Why a frame was interrupted since the last call. */
+  /** Why a frame is to be drawn again since the last call. */
   Interruption TakeInterruption();
 
 private:
@@ -150,7 +155,9 @@ private:
   std::vector<Caster> Casters;
   std::vector<Smart> SmartMappers;
   std::chrono::steady_clock::time_point Start;
-  std::optional<bool> OnProcessor; ///< empty: not known yet
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< that is observed
+  std::array<int, 2> DrawnSize{};                       ///< of the window, by the last frame
+  std::optional<bool> OnProcessor;                      ///< empty: not known yet
   RayPace InMotion;
   RayPace AtRest;
   unsigned long Frame = 0;
@@ -158,6 +165,8 @@ private:
   int SlowFrames = 0;
   double CoarseTime = 0.0; ///< s, of frames in motion with coarse kept rays
   bool IsFine = false;     ///< the frame in motion keeps the fine rays of rest
+  bool IsExposed = false;  ///< the interactor is about to draw the window
+  bool IsResized = false;  ///< the frame is drawn as in motion for that
   bool Moves = false;
   bool IsArmed = false;
   bool IsGivenUp = false; ///< the frame, because it takes too long

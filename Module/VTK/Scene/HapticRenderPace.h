@@ -37,6 +37,8 @@ public:
   static constexpr double LongestPeriod = 0.02; ///< s: slower frames are late by that of a timer
   static constexpr double LongestStep = 0.05;   ///< s between motions of one stroke
   static constexpr double FeltTime = 0.004;     ///< s, of several ticks
+  static constexpr double LongestAwaited =
+    0.03; ///< s: the hand's way before a stroke's first frame
 
   /**
    * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
@@ -70,8 +72,7 @@ public:
 
   /**
    * Whether a motion of the mouse is to draw, because timers are late: those of VTK on X11 wait for
-   * all of their period after a frame. The motion before has been felt meanwhile; the first one
-   * after a rest has not, and is left to the timer.
+   * all of their period after a frame. The motion before has been felt meanwhile.
    */
   bool IsLate(double now) const
   {
@@ -80,7 +81,17 @@ public:
       elapsed <= LongestStep;
   }
 
-  /** Call it after a frame that was interrupted: it becomes due again. */
+  /**
+   * Whether a motion of the mouse is the first one after a rest, and timers are late, as above: it
+   * is to be drawn FeltTime after it.
+   */
+  bool IsFirst(double now) const
+  {
+    return this->QuickCost > LongestPeriod &&
+      (this->IsStill || now - this->LastDrawn > LongestStep);
+  }
+
+  /** Call it after a frame that was interrupted or coarse: it becomes due again after a rest. */
   void Interrupted(double now)
   {
     this->LastDrawn = now;

@@ -12,6 +12,9 @@
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace VolumeHaptics
@@ -93,6 +96,7 @@ bool SceneFrames::DrawIfDue(bool isNew)
   switch (this->Quality.TakeInterruption())
   {
     case FrameQuality::Interruption::Input:
+    case FrameQuality::Interruption::Resized:
       this->Pace.Interrupted(now);
       break;
     case FrameQuality::Interruption::Slow:
@@ -117,10 +121,21 @@ bool SceneFrames::IsIdle() const
   return KnowsInput(window) && !HasPendingInput(window);
 }
 
-bool SceneFrames::IsLate() const
+bool SceneFrames::AwaitLateMotion(double travel) const
 {
-  return this->Scene.Device && this->Scene.Style->GetTouchMode() &&
-    this->Pace.IsLate(vtkTimerLog::GetUniversalTime()) && this->IsIdle();
+  if (!this->Scene.Device || !this->Scene.Style->GetTouchMode() || !this->IsIdle())
+  {
+    return false;
+  }
+  const double now = vtkTimerLog::GetUniversalTime();
+  const bool isFirst = this->Pace.IsFirst(now);
+  if (isFirst)
+  {
+    // A slow frame of a hand half way would take more time than the rest of the way.
+    std::this_thread::sleep_for(std::chrono::duration<double>(
+      std::min(HapticRenderPace::FeltTime + travel, HapticRenderPace::LongestAwaited)));
+  }
+  return isFirst || this->Pace.IsLate(now);
 }
 
 bool SceneFrames::HasMoved() const

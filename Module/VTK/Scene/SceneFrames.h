@@ -42,8 +42,12 @@ public:
    * new state.
    */
   bool DrawIfDue(bool isNew);
-  /** Whether a motion of the mouse that touches is to draw at once: HapticRenderPace::IsLate. */
-  bool IsLate() const;
+  /**
+   * Whether a motion of the mouse that touches is to draw now, because timers are late:
+   * HapticRenderPace::IsLate. If it is the first one after a rest, waits until it has been felt,
+   * and for the hand to arrive, which takes the time `travel` (s).
+   */
+  bool AwaitLateMotion(double travel) const;
   /** Notes an event that the next frame has to show. */
   void NoteEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/TouchMode.h"
 
+#include "Devices/Virtual/VirtualDevice.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/HapticViewRay.h"
@@ -182,6 +183,13 @@ void TouchMode::MoveInPlane(const int from[2], const int to[2])
   const Vector3 target = this->Lead + this->GetFineness() * motion;
   const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
   this->LeadTo(follows ? this->FollowSurface(renderer, target) : target);
+}
+
+double TouchMode::GetTravelTime() const
+{
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // for each world unit
+  return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualDynamics().HandSpeed;
 }
 
 bool TouchMode::HasSurfaces() const

@@ -45,6 +45,8 @@ public:
   void LeadTo(const Vector3& world);
   /** Where the tip is led to (world). */
   const Vector3& GetLead() const { return this->Lead; }
+  /** How long the hand takes from the tip that was last seen to there, s. */
+  double GetTravelTime() const;
   /** Moves along the line of sight, away from the viewer; one step is one of the wheel. */
   void MoveInDepth(double steps);
   /**

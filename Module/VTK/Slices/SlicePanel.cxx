@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Slices/SlicePanel.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -275,17 +277,18 @@ void SlicePanel::PlaceCrosshair()
 //------------------------------------------------------------------------------
 void SlicePanel::PlaceTexts(const int size[2])
 {
-  constexpr int edge = 7; // pixels
-  const int letters = std::clamp(std::min(size[0], size[1]) / 15, 9, 14);
+  const double scale = PixelsPerPoint(this->Renderer);
+  const int edge = ScalePixels(scale, 7);
+  const int letters = FitLetters(std::min(size[0], size[1]), 15, scale, 9, 14);
   for (vtkTextActor* const text : { this->Title.Get(), this->Facts.Get(), this->Below.Get() })
   {
     text->GetTextProperty()->SetFontSize(letters);
   }
   this->Title->SetPosition(edge, size[1] - edge + 2);
-  this->Facts->SetPosition(edge, size[1] - edge + 2 - 1.45 * letters);
+  this->Facts->SetPosition(edge, size[1] - edge + 2 - 1.45 * scale * letters);
   this->Below->SetPosition(edge, edge);
   const bool hasRoom = size[0] >= LeastLettered && size[1] >= LeastLettered;
-  const double inset = 0.8 * letters;
+  const double inset = 0.8 * scale * letters;
   const double places[4][2] = { { inset, 0.5 * size[1] }, { size[0] - inset, 0.5 * size[1] },
     { 0.5 * size[0], inset }, { 0.5 * size[0], size[1] - inset } };
   for (int side = 0; side < 4; ++side)

@@ -9,6 +9,7 @@
 #include "VTK/Charts/ArraySweep.h"
 #include "VTK/Charts/HapticHistogram.h"
 #include "VTK/Charts/HapticPresentLabels.h"
+#include "VTK/Charts/HapticValueName.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -205,4 +206,21 @@ TEST(Counts, OfLabelsAreThoseOfASet)
   EXPECT_TRUE(std::is_sorted(spread.begin(), spread.end()));
   EXPECT_TRUE(std::includes(expected.begin(), expected.end(), spread.begin(), spread.end()));
   EXPECT_GT(spread.size(), 1000U);
+}
+
+TEST(ValueName, IsWhatValuesMeanAndNotWhoHasReadThem)
+{
+  EXPECT_EQ(NameValues(nullptr), "Value");
+  vtkNew<vtkIntArray> values;
+  EXPECT_EQ(NameValues(values), "Value");
+  values->SetName("density");
+  EXPECT_EQ(NameValues(values), "density");
+  values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "HU");
+  EXPECT_EQ(NameValues(values), "density (HU)");
+  values->SetName("HU");
+  EXPECT_EQ(NameValues(values), "HU");
+  values->SetName("MetaImage"); // of vtkMetaImageReader
+  EXPECT_EQ(NameValues(values), "HU");
+  values->GetInformation()->Remove(vtkDataArray::UNITS_LABEL());
+  EXPECT_EQ(NameValues(values), "Value");
 }

@@ -8,6 +8,7 @@
 
 #include "StyleRig.h"
 
+#include "VTK/Charts/HapticTextPace.h"
 #include "VTK/Scene/HapticRenderPace.h"
 #include "VTK/Scene/RayProgress.h"
 
@@ -123,6 +124,10 @@ TEST(RenderPace, HasNoGapWhereNothingWaits)
   EXPECT_FALSE(pace.IsLate(1.002)) << "the motion before is not felt yet";
   EXPECT_TRUE(pace.IsLate(1.005));
   EXPECT_FALSE(pace.IsLate(1.3)) << "the first motion after a rest is not felt yet";
+  EXPECT_TRUE(pace.IsFirst(1.3));
+  EXPECT_FALSE(pace.IsFirst(1.01)) << "the stroke goes on";
+  pace.Drawn(false, 1.6, 0.4);
+  EXPECT_TRUE(pace.IsFirst(1.601)) << "a motion that has interrupted a frame at rest";
   pace.Drawn(true, 2.0, 0.015);
   EXPECT_FALSE(pace.IsLate(2.015)) << "timers are quick enough for quick frames";
 }
@@ -138,6 +143,21 @@ TEST(RenderPace, AFrameThatWasGivenUpIsDueAtOnceAndAnInterruptedOneAfterARest)
   pace.GivenUp();
   EXPECT_EQ(pace.Next(1.02, false, true), Frame::Still);
   EXPECT_EQ(pace.Next(1.02, true, true), Frame::Quick) << "the hand comes first";
+}
+
+TEST(TextPace, FiguresWaitInMotionAndWordsDoNot)
+{
+  VolumeHaptics::HapticTextPace pace;
+  EXPECT_EQ(pace.Choose("fat, 0.6 N", false, 1.0), "fat, 0.6 N");
+  EXPECT_EQ(pace.Choose("fat, 0.7 N", false, 1.001), "fat, 0.7 N") << "at rest";
+  EXPECT_EQ(pace.Choose("fat, 10.8 N", true, 2.0), "fat, 0.7 N") << "the first of a motion";
+  EXPECT_EQ(pace.Choose("fat, 0.9 N", true, 2.03), "fat, 0.9 N");
+  EXPECT_EQ(pace.Choose("fat, 1.0 N", true, 2.12), "fat, 0.9 N");
+  EXPECT_EQ(pace.Choose("bone, 1.1 N", true, 2.125), "bone, 1.1 N");
+  EXPECT_EQ(pace.Choose("bone, 1.2 N", true, 2.22), "bone, 1.1 N");
+  EXPECT_EQ(pace.Choose("bone, 1.3 N", true, 2.23), "bone, 1.3 N");
+  EXPECT_EQ(pace.Choose("bone, 1.4 N", false, 2.24), "bone, 1.4 N");
+  EXPECT_EQ(pace.Choose("", true, 2.25), "");
 }
 
 TEST(RayProgress, TellsTheTimeOfAllRowsByThoseThatAreDone)

@@ -163,6 +163,46 @@ TEST_F(StyleRaysTest, FineRaysAreKeptWhereCoarseOnesAreAsSlow)
   EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
 }
 
+TEST_F(StyleRaysTest, AWindowOfANewSizeIsDrawnCoarselyFirst)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetNumberOfThreads(1);
+  this->Show(mapper.GetPointer());
+  SlowRows rows(mapper, 20); // 15 of them take 0.3 s
+  this->Draw(AtRest, 1);
+  ASSERT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+  this->Window->SetSize(140, 130);
+  this->Interactor->InvokeEvent(vtkCommand::ExposeEvent, nullptr);
+  this->Draw(AtRest, 1); // as the interactor does then
+  EXPECT_GT(mapper->GetImageSampleDistance(), 1.0f);
+  const auto isFine = [&]
+  {
+    this->Style->DrawHaptics();
+    return mapper->GetImageSampleDistance() == 1.0f;
+  };
+  EXPECT_FALSE(isFine()) << "more sizes may come";
+  EXPECT_TRUE(Eventually(isFine)) << "after a rest";
+  // A script that sets the size and draws gets what it has asked for.
+  this->Window->SetSize(120, 120);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+}
+
+TEST_F(StyleRaysTest, AWindowOfANewSizeThatIsQuickIsFineAtOnce)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->AutoAdjustSampleDistancesOff();
+  this->Show(mapper.GetPointer());
+  this->Draw(AtRest, 1); // the first frame makes gradients
+  this->Renderer->GetActiveCamera()->Azimuth(10.0);
+  this->Draw(AtRest, 1);
+  this->Window->SetSize(140, 130);
+  this->Interactor->InvokeEvent(vtkCommand::ExposeEvent, nullptr);
+  this->Draw(AtRest, 1);
+  EXPECT_EQ(mapper->GetImageSampleDistance(), 1.0f);
+}
+
 TEST_F(StyleRaysTest, AMapperOfTwoRenderersKeepsNoRays)
 {
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;

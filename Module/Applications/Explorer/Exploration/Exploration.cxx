@@ -10,8 +10,12 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Path/SurfaceMap.h"
 
+#include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTimerLog.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -52,6 +56,11 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   tell("Finding the body", 0.4);
   result.Input = volume;
   result.Values = AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  if (result.Values.Kind == VolumeKind::CT && scalars)
+  {
+    scalars->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "HU");
+  }
   vtkNew<vtkVolumeHapticsFilter> filter;
   result.Materials = ApplyMaterials(settings.Preset, result.Values, volume.Image, filter);
   FitThresholds(filter->GetProperty(), result.Values);

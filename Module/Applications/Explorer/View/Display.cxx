@@ -7,7 +7,51 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <string>
+
+#if defined(__linux__)
+#include <dlfcn.h>
+#endif
+
+namespace
+{
+/// Per inch, of a screen of X11; 0 if it does not tell. VTK 9.1 asks other systems only.
+double FindDots([[maybe_unused]] vtkRenderWindow* window)
+{
+  double dots = 0.0;
+#if defined(__linux__)
+  // Of the library that VTK has loaded, in case it has. X11's header defines macros with common
+  // names.
+  void* const library = window->IsA("vtkXOpenGLRenderWindow")
+    ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD)
+    : nullptr;
+  if (!library)
+  {
+    return dots;
+  }
+  using Text = char* (*)(void* display, const char* program, const char* option);
+  using Number = int (*)(void* display, int screen);
+  const auto getDefault = reinterpret_cast<Text>(dlsym(library, "XGetDefault"));
+  const auto getHeight = reinterpret_cast<Number>(dlsym(library, "XDisplayHeight"));
+  const auto getMillimetres = reinterpret_cast<Number>(dlsym(library, "XDisplayHeightMM"));
+  window->GetScreenSize(); // opens the display
+  void* const display = window->GetGenericDisplayId();
+  if (display && getDefault && getHeight && getMillimetres)
+  {
+    constexpr double inch = 25.4; // mm
+    const char* const chosen = getDefault(display, "Xft", "dpi");
+    const int millimetres = getMillimetres(display, 0);
+    const double reported = millimetres > 0 ? inch * getHeight(display, 0) / millimetres : 0.0;
+    dots = chosen ? std::strtod(chosen, nullptr) : reported;
+  }
+  dlclose(library);
+#endif
+  return dots;
+}
+} // namespace
 
 namespace Explore
 {
@@ -17,5 +61,16 @@ bool HasDisplay()
   const bool needsX = std::string(window->GetClassName()) == "vtkXOpenGLRenderWindow";
   std::string display;
   return !needsX || (vtksys::SystemTools::GetEnv("DISPLAY", display) && !display.empty());
+}
+
+void FollowScreen(vtkRenderWindow* window)
+{
+  constexpr int ownDots = 72;
+  constexpr double usual = 96.0;
+  constexpr double least = 105.0;
+  constexpr double most = 300.0;
+  const double dots = window->DetectDPI() ? window->GetDPI() : FindDots(window);
+  window->SetDPI(
+    dots > least ? static_cast<int>(std::lround(ownDots * std::min(dots, most) / usual)) : ownDots);
 }
 } // namespace Explore

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/ListOverlay.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkTextProperty.h"
 
 #include <algorithm>
@@ -104,7 +106,8 @@ void ListOverlay::Write()
   const int* const size = this->Overlay->GetSize();
   const int* const origin = this->Overlay->GetOrigin();
   vtkTextProperty* const look = this->Text->GetTextProperty();
-  look->SetFontSize(std::clamp(size[1] / 34, 11, 18));
+  look->SetFontSize(
+    VolumeHaptics::FitLetters(size[1], 34, VolumeHaptics::PixelsPerPoint(this->Overlay), 11, 18));
   this->Text->SetInput(text.c_str());
   this->Text->SetPosition(origin[0] + 0.08 * size[0], origin[1] + 0.5 * size[1]);
 }

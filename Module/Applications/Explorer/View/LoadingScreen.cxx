@@ -27,7 +27,7 @@ LoadingScreen::LoadingScreen(vtkRenderWindow* window)
   this->Renderer->SetBackground(0.07, 0.09, 0.12);
   this->Renderer->SetBackground2(0.24, 0.29, 0.36);
   vtkTextProperty* const text = this->Text->GetTextProperty();
-  text->SetFontSize(std::max(12, window->GetSize()[1] / 32));
+  text->SetFontSize(std::max(12, window->GetSize()[1] * 72 / window->GetDPI() / 32));
   text->SetColor(0.93, 0.95, 0.98);
   text->SetJustificationToCentered();
   this->Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How many pixels of a screen a length takes.
+ */
+#ifndef HapticPixels_h
+#define HapticPixels_h
+
+#include "vtkViewport.h"
+#include "vtkWindow.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Pixels for each point of letters. Lengths of layouts are multiplied by it: it is 1 at the dots
+ * per inch (72) that a vtkWindow has by itself.
+ */
+inline double PixelsPerPoint(vtkViewport* viewport)
+{
+  constexpr double own = 72.0;
+  vtkWindow* const window = viewport ? viewport->GetVTKWindow() : nullptr;
+  return window ? window->GetDPI() / own : 1.0;
+}
+
+inline int ScalePixels(double scale, int pixels)
+{
+  return static_cast<int>(std::lround(scale * pixels));
+}
+
+/**
+ * Letters (points) of a layout that grows with its room: one for each `share` of its pixels. Where
+ * a point takes more pixels than 1, the least letters may be smaller.
+ */
+inline int FitLetters(int pixels, int share, double scale, int least, int most)
+{
+  const int smallest =
+    scale > 1.0 ? std::max(6, static_cast<int>(static_cast<double>(least) / scale)) : least;
+  return std::clamp(static_cast<int>(pixels / (share * scale)), std::min(smallest, most), most);
+}
+
+} // namespace VolumeHaptics
+
+#endif

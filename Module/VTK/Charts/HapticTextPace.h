@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How often the figures of a text are drawn.
+ */
+#ifndef HapticTextPace_h
+#define HapticTextPace_h
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Figures of a text, such as a force, change from frame to frame while the hand moves. With a
+ * software renderer, setting their letters takes a tenth of a frame's time, and nobody reads them
+ * so quickly. So they change ten times a second at most in motion, and not in its first frame,
+ * which the hand waits for. Words change at once, as all does at rest.
+ */
+class HapticTextPace
+{
+public:
+  static constexpr double Shortest = 0.1; ///< s between figures
+
+  /** The text to draw now (s). `moves`: the frame is one of a motion. */
+  const std::string& Choose(const std::string& text, bool moves, double now)
+  {
+    const bool waits = moves && (!this->Moved || now < this->Last + Shortest);
+    this->Moved = moves;
+    if (!waits || GetWords(text) != GetWords(this->Shown))
+    {
+      this->Shown = text;
+      this->Last = now;
+    }
+    return this->Shown;
+  }
+
+private:
+  static std::string GetWords(std::string text)
+  {
+    const auto isFigure = [](unsigned char c) { return std::isdigit(c) != 0 || c == '.'; };
+    text.erase(std::remove_if(text.begin(), text.end(), isFigure), text.end());
+    return text;
+  }
+
+  std::string Shown;
+  double Last = 0.0;
+  bool Moved = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif
