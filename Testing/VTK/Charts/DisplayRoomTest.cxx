@@ -203,3 +203,30 @@ TEST_F(DisplayRoom, PlotHasItsCurvesInAPartOfTheWindow)
   this->Draw(700, 560);
   EXPECT_NEAR(sum(this->Pixels(0, 700, 196, 560)), alone, 1e-3 * alone);
 }
+
+// On a screen of twice the dots per inch, a window of twice the pixels looks the same.
+TEST_F(DisplayRoom, TwiceTheDotsPerInchDrawTwiceAsLarge)
+{
+  this->Display->SetHint("Put the pointer on the volume and press t to touch it");
+  const auto panelRight = [this]
+  {
+    int right = 0;
+    for (double box[4] = { 0.0, 1.0, 30.0, 31.0 }; this->Display->Covers(box); ++right)
+    {
+      box[0] = right + 1.0;
+      box[1] = right + 2.0;
+    }
+    return right;
+  };
+  const Ink small = this->Read(700, 560);
+  const int panel = panelRight();
+  ASSERT_GT(panel, 200);
+  this->Window->SetDPI(2 * this->Window->GetDPI());
+  const Ink large = this->Read(1400, 1120);
+  constexpr double rounding = 16.0; // pixels: margins stay as wide, and letters fit into pixels
+  EXPECT_NEAR(panelRight(), 2 * panel, 2 * rounding);
+  EXPECT_NEAR(large.Left, 2 * small.Left, rounding);
+  EXPECT_NEAR(large.Right, 2 * small.Right, rounding);
+  EXPECT_NEAR(large.Top, 2 * small.Top, rounding);
+  ExpectInside(large, 1400, 1120);
+}
