@@ -7,6 +7,7 @@ from __future__ import annotations
 import atexit
 import ctypes
 import itertools
+import mmap
 import os
 import time
 import weakref
@@ -88,6 +89,21 @@ _IN_CPP = (".vtkhdf", ".mhd", ".mha", ".nhdr", ".nrrd")  # read without Python
 _MOST_COARSE = 2**22  # voxels of a coarse level
 
 
+def _expect_in_file(part: np.ndarray) -> None:
+    """An error if the file that a part is mapped from ends before it: reading it would end the program (SIGBUS)."""
+    mapped = part
+    while isinstance(mapped.base, np.ndarray):
+        mapped = mapped.base
+    if not (isinstance(mapped, np.memmap) and isinstance(mapped.base, mmap.mmap)):
+        return
+    ahead = sum((count - 1) * stride for count, stride in zip(part.shape, part.strides) if stride > 0)
+    end = mapped.offset + part.ctypes.data + ahead + part.itemsize - mapped.ctypes.data
+    size = mapped.base.size()
+    if end > size:
+        raise OSError(f"{mapped.filename or 'the file'} ends at byte {size}, and the samples at byte {end}: it was cut off "
+                      "after it was opened. Cure: write it anew")
+
+
 def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
     """Puts a box of an array into memory."""
     x0, x1, y0, y1, z0, z1 = extent[:6]
@@ -95,6 +111,7 @@ def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
     part = np.asarray(array[z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1])
     if part.shape != shape:
         raise ValueError(f"its part is of shape {part.shape}, not {shape}")
+    _expect_in_file(part)
     memory = (ctypes.c_char * (dtype.itemsize * part.size)).from_address(samples)
     np.copyto(np.frombuffer(memory, dtype).reshape(shape), part, casting="same_kind")
 
