@@ -488,13 +488,19 @@ std::vector<Plot> PlotMovingWalls()
 {
   std::vector<Plot> plots;
   const std::vector<MovingCase> cases = MakeMovingCases();
-  const std::pair<std::size_t, const char*> shown[] = { { 0, "moving-held" },
-    { 1, "moving-slipping" }, { 5, "moving-leap" } };
-  for (const auto& [number, file] : shown)
+  struct Shown
+  {
+    std::size_t Number;
+    const char* File;
+    LegendPlace Legend;
+  };
+  const Shown all[] = { { 0, "moving-held", LegendPlace::TopRight },
+    { 1, "moving-slipping", LegendPlace::TopRight }, { 5, "moving-leap", LegendPlace::TopLeft } };
+  for (const auto& [number, file, legend] : all)
   {
     const MovingCase& c = cases[number];
     Plot plot{ file, std::string("A tip that rests: ") + c.Name, "time (s)", "force (N)", {},
-      LegendPlace::TopRight };
+      legend };
     const auto add = [&](const char* name, const std::vector<double>& forces)
     {
       Curve curve{ name, {}, {} };
