@@ -412,7 +412,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
     }
   }
   const double top = this->FindTextEnd(self, viewport) - Gap;
-  this->Hint->SetDisplayPosition(view[0] / 2, static_cast<int>(top));
+  this->Hint->SetPosition(view[0] / 2, static_cast<int>(top)); // in the viewport, as all of these
   this->Covered.push_back(
     { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, top - size[1], top });
   this->Hint->RenderOpaqueGeometry(viewport);

@@ -49,7 +49,7 @@ int HapticModeList::Render(const std::vector<ModeLine>& lines, int top, vtkViewp
     line.High = top - static_cast<int>(i) * height;
     line.Low = line.High - height;
     line.Text->SetInput(lines[i].Text.c_str());
-    line.Text->SetDisplayPosition(left, line.Low);
+    line.Text->SetPosition(left, line.Low);
     double size[2] = { 0.0, 0.0 };
     line.Text->GetSize(viewport, size);
     line.Width = left + static_cast<int>(size[0]);
