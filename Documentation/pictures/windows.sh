@@ -111,8 +111,7 @@ explore editor << 'END'
 1.5 key V        # below the scene
 2.5 key n
 3.2 key n
-4.0 key n
-4.8 key n        # the function that is shown
+4.0 key n        # surface strength
 5.2 key g
 5.5 key t
 7.0 wheel 4

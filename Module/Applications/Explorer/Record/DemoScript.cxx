@@ -161,6 +161,7 @@ void DemoScript::Play()
 
 void DemoScript::Do(const DemoEvent& event)
 {
+  this->Point();
   const bool isLeft = event.Name == "left";
   switch (event.What)
   {
@@ -201,15 +202,22 @@ void DemoScript::MoveTo(double x, double y)
   const double way = std::hypot((x - this->At[0]) * size[0], (y - this->At[1]) * size[1]);
   const int steps = this->Stroke ? std::max(1, static_cast<int>(std::ceil(way / step))) : 1;
   const double from[2] = { this->At[0], this->At[1] };
+  this->Point();
   for (int i = 1; i <= steps; ++i)
   {
     this->At[0] = from[0] + (x - from[0]) * i / steps;
     this->At[1] = from[1] + (y - from[1]) * i / steps;
-    this->Interactor->SetEventInformation(
-      static_cast<int>(std::lround(this->At[0] * (size[0] - 1))),
-      static_cast<int>(std::lround(this->At[1] * (size[1] - 1))));
+    this->Point();
     this->Interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
   }
+}
+
+void DemoScript::Point()
+{
+  // The real pointer may have entered the window, and said where it is.
+  const int* const size = this->Interactor->GetRenderWindow()->GetSize();
+  this->Interactor->SetEventInformation(static_cast<int>(std::lround(this->At[0] * (size[0] - 1))),
+    static_cast<int>(std::lround(this->At[1] * (size[1] - 1))));
 }
 
 void DemoScript::Press(const std::string& key)

@@ -59,6 +59,8 @@ private:
   void Play();
   void Do(const DemoEvent& event);
   void MoveTo(double x, double y);
+  /// Tells the interactor where the mouse is.
+  void Point();
   void Press(const std::string& key);
 
   std::vector<DemoEvent> Events;
