@@ -411,7 +411,10 @@ TEST_F(RegionSource, OfJunkStaysWithinTheLimitsAndIsFeltAgainWhenItIsMended)
   this->BeginWayHere();
   ASSERT_TRUE(
     this->Wait([&] { return !this->Source->IsWaiting() && this->Device->GetResidency() == 1.0; }));
-  ASSERT_TRUE(this->ArmFully());
+  // The hand leaves the place, and waits until all of the force flows again.
+  this->Device->Arm();
+  ASSERT_TRUE(this->Lead(1000.0, 1000.0, 990.0));
+  ASSERT_TRUE(this->WaitFullyArmed());
   this->Press();
   this->ExpectNoStep();
 }
