@@ -109,7 +109,7 @@ double Remainder(const double* block)
   return std::max(0.0, left);
 }
 
-/** What is left of blocks of samples after their best quadratics are subtracted. */
+/** The Remainder() of each block of a volume, and the values of the blocks that are flat. */
 class Remainders
 {
 public:

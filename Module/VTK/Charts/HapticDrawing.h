@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether a window is being drawn, and for somebody to see.
+ * Whether a window is being drawn, and whether the frame will be shown.
  */
 #ifndef HapticDrawing_h
 #define HapticDrawing_h

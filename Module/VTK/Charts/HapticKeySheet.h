@@ -55,12 +55,12 @@ private:
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
   void SetLetters(vtkContext2D* painter, bool isBold) const;
+  /** Pixels. */
+  float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
 
   std::vector<Line> Lines;
   std::string Text; ///< of the lines
   int Viewport[2] = { 0, 0 };
-  float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
-
   float Scale = 1.0f; ///< pixels for each point
   int Letters = 0;    ///< points; 0 before Fit
   std::vector<Column> Columns;

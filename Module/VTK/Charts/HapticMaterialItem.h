@@ -19,8 +19,10 @@ public:
   static HapticMaterialItem* New();
   vtkTypeMacro(HapticMaterialItem, vtkContextItem);
 
-  /** The list to draw, and its rectangle; the list has to outlive the item. */
-  /** `scale`: pixels for each point of letters. */
+  /**
+   * The list to draw, which has to outlive the item; its rectangle; and the pixels for each point
+   * of letters.
+   */
   void Show(
     const VolumeHaptics::HapticMaterialList& list, const int rectangle[4], double scale = 1.0);
 

@@ -16,9 +16,9 @@ namespace VolumeHaptics
 
 /**
  * Figures of a text, such as a force, change from frame to frame while the hand moves. With a
- * software renderer, setting their letters takes a tenth of a frame's time, and nobody reads them
- * so quickly. So they change ten times a second at most in motion, and not in its first frame,
- * which the hand waits for. Words change at once, as all does at rest.
+ * software renderer, setting their letters takes a tenth of a frame's time, and they would change
+ * faster than one can read. So in motion they change ten times a second at most, and not in its
+ * first frame, which the hand waits for. Words change at once, as all does at rest.
  */
 class HapticTextPace
 {

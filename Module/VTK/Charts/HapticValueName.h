@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the values of an array are called.
+ * The name of an array's values.
  */
 #ifndef HapticValueName_h
 #define HapticValueName_h
