@@ -100,13 +100,16 @@ allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Filter VTK/Trace VTK/Recording VTK/Work)
 allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Measure VTK/Session VTK/Work)
 allow(VTK/Docks)
-allow(VTK/Slices VTK/Filter VTK/Scene/CarvedImage.h VTK/Scene/FilterCarving.h)
+# Letters are sized to the screen's dots per inch everywhere.
+set(pixels VTK/Charts/HapticPixels.h)
+allow(VTK/Slices VTK/Filter VTK/Scene/CarvedImage.h VTK/Scene/FilterCarving.h ${pixels})
 allow(VTK/Charts VTK/Baking/HapticFunctions.h VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# a header whether OpenGL runs on the processor, shows a CT as the plugin does, and reads the heads of files and places grids as the library does.
+# a header whether OpenGL runs on the processor, sizes letters, shows a CT as the plugin does, and reads the heads of files
+# and places grids as the library does.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
@@ -117,13 +120,13 @@ set(software VTK/Scene/SoftwareOpenGL.h)
 set(look VTK/Scene/CTLook.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${look} ${header} ${parts})
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${header} ${parts})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts})
 allow(${explorer}/Record ${explorer}/Errors)
 allow(${explorer}/Analysis)
-allow(${explorer}/View ${explorer}/Errors)
+allow(${explorer}/View ${explorer}/Errors ${pixels})
 allow(${explorer}/Path ${explorer}/Analysis ${explorer}/View)
 set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${explorer}/View ${explorer}/Path)
 list(APPEND exploration ${explorer}/Sound)

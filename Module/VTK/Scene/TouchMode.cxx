@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/TouchMode.h"
 
-#include "Devices/Virtual/VirtualDevice.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/HapticViewRay.h"
@@ -10,6 +9,7 @@
 #include "VTK/Scene/HeldTool.h"
 #include "VTK/Scene/WorkspaceControl.h"
 #include "VTK/Session/HapticLongWork.h"
+#include "VTK/Session/VirtualTip.h"
 
 #include "vtkCamera.h"
 #include "vtkInteractorStyleHaptic.h"
@@ -189,7 +189,7 @@ double TouchMode::GetTravelTime() const
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // for each world unit
-  return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualDynamics().HandSpeed;
+  return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualTip::GetSpeed();
 }
 
 bool TouchMode::HasSurfaces() const

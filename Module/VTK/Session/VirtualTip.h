@@ -32,6 +32,8 @@ public:
   std::string Lead(const Vector3& world, const Affine3& deviceToWorld);
   std::string Place(const Vector3& world, const Affine3& deviceToWorld);
   ///@}
+  /** Of the tip on its way to where it is led, without dynamics (m/s). */
+  static double GetSpeed() { return VirtualDynamics().HandSpeed; }
   /** To an orientation in the world, of any norm; all zero takes it away. */
   std::string Turn(Quaternion world, const Affine3& deviceToWorld);
   /** The same for the hand of any device: see vtkHapticDevice::SetTipOrientation. */
