@@ -13,8 +13,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** 8 s at 1 kHz, in case the recorder is delayed; 17 MiB, which every start has to clear. */
-constexpr std::size_t TraceCapacity = 1 << 13;
+/**
+ * The ticks of at least this time (s) wait for their collector, which looks every 5 ms. They are
+ * few: every start has to clear their memory, and to lock it a user has 8 MiB by default.
+ */
+constexpr double LongestWait = 0.4;
+constexpr double LeastTicks = 1024.0;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
 /** A new model carries the proxy no farther than this (m): beyond, it begins at the tip. */
@@ -34,7 +38,7 @@ ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   : Backend(backend)
   , Period(static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond / rate + 0.5))
   , Timing(backend.GetLimits().LeastMotion)
-  , Trace(TraceCapacity)
+  , Trace(static_cast<std::size_t>(std::max(LeastTicks, LongestWait * rate)))
 {
 }
 
