@@ -6,11 +6,11 @@
 #
 # usage: Testing/run.sh [--full] [BUILD_DIR]
 #
-# Without --full, there is a short form of the sanitizer runs and of the fuzzer, there are no benchmarks and no analyzer
-# of clang-tidy, and tests with the label "full" are left out, which are slow for what they tell; with it, all C++
-# tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of the device, the
-# scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five minutes, the
-# benchmarks print their ratios, and the evaluation its whole table.
+# Without --full, there is a short form of the sanitizer runs and of the fuzzer, benchmarks are built and not run,
+# there is no analyzer of clang-tidy, and tests with the label "full" are left out, which are slow for what they tell;
+# with it, all C++ tests and the calls in any order run under the address and undefined-behaviour sanitizers, those of
+# the device, the scene, the servo and several paths also under the thread sanitizer, the fuzzer searches for five
+# minutes, the benchmarks print their ratios, and the evaluation its whole table.
 #
 # Without --full, it ends within 20 minutes: on a machine that is so slow that the wheel, ParaView's plugin,
 # clang-tidy, the site, the fuzzer, or the sanitizers on more than the servo and its safety stage would not end by then,
@@ -44,7 +44,6 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   python3-venv python3-dev doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
 
 jobs=$(nproc)
-benchmarks=OFF
 left_out='device|full' # labels of tests that ran before, or do not run
 left_out_of_device=full
 optimised=(-DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG) # takes two thirds of the time of -O3 to compile
@@ -54,7 +53,6 @@ fuzz_options=-O0
 unity=ON
 if [ $full = yes ]; then
   unity=OFF
-  benchmarks=ON
   left_out=device
   left_out_of_device=none
   optimised=()
@@ -205,7 +203,7 @@ start lint "$root/Testing/lint.sh" format columns spelling python shell document
 echo "== Building in $build_dir"
 build_seconds=$SECONDS
 configure release "$build_dir" -DVolumeHaptics_WHEEL_FOLDER="$wheel_dir" \
-  -DVolumeHaptics_BUILD_BENCHMARKS="$benchmarks" -DCMAKE_UNITY_BUILD=$unity "${optimised[@]}" "$cache"
+  -DVolumeHaptics_BUILD_BENCHMARKS=ON -DCMAKE_UNITY_BUILD=$unity "${optimised[@]}" "$cache"
 finish lint
 cmake --build "$build_dir" -j "$jobs"
 build_seconds=$((SECONDS - build_seconds))

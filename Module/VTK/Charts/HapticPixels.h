@@ -16,15 +16,17 @@
 namespace VolumeHaptics
 {
 
+/** The dots per inch that a vtkWindow has by itself: as many as an inch has points. */
+constexpr int OwnDotsPerInch = 72;
+
 /**
- * Pixels for each point of letters. Lengths of layouts are multiplied by it: it is 1 at the dots
- * per inch (72) that a vtkWindow has by itself.
+ * Pixels for each point of letters. Lengths of layouts are multiplied by it: it is 1 at
+ * OwnDotsPerInch.
  */
 inline double PixelsPerPoint(vtkViewport* viewport)
 {
-  constexpr double own = 72.0;
   vtkWindow* const window = viewport ? viewport->GetVTKWindow() : nullptr;
-  return window ? window->GetDPI() / own : 1.0;
+  return window ? static_cast<double>(window->GetDPI()) / OwnDotsPerInch : 1.0;
 }
 
 inline int ScalePixels(double scale, int pixels)

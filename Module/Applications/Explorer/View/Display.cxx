@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/Display.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
@@ -65,12 +67,13 @@ bool HasDisplay()
 
 void FollowScreen(vtkRenderWindow* window)
 {
-  constexpr int ownDots = 72;
+  using VolumeHaptics::OwnDotsPerInch;
   constexpr double usual = 96.0;
   constexpr double least = 105.0;
   constexpr double most = 300.0;
   const double dots = window->DetectDPI() ? window->GetDPI() : FindDots(window);
-  window->SetDPI(
-    dots > least ? static_cast<int>(std::lround(ownDots * std::min(dots, most) / usual)) : ownDots);
+  window->SetDPI(dots > least
+      ? static_cast<int>(std::lround(OwnDotsPerInch * std::min(dots, most) / usual))
+      : OwnDotsPerInch);
 }
 } // namespace Explore

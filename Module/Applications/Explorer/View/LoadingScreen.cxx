@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/LoadingScreen.h"
 
+#include "VTK/Charts/HapticPixels.h"
+
 #include "vtkCoordinate.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
@@ -27,7 +29,8 @@ LoadingScreen::LoadingScreen(vtkRenderWindow* window)
   this->Renderer->SetBackground(0.07, 0.09, 0.12);
   this->Renderer->SetBackground2(0.24, 0.29, 0.36);
   vtkTextProperty* const text = this->Text->GetTextProperty();
-  text->SetFontSize(std::max(12, window->GetSize()[1] * 72 / window->GetDPI() / 32));
+  const int points = window->GetSize()[1] * VolumeHaptics::OwnDotsPerInch / window->GetDPI();
+  text->SetFontSize(std::max(12, points / 32));
   text->SetColor(0.93, 0.95, 0.98);
   text->SetJustificationToCentered();
   this->Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
