@@ -47,7 +47,8 @@ struct Led
 /// Any bits: numbers of all sizes, infinite ones, and what is none.
 void FillJunk(const int box[6], void* samples)
 {
-  std::mt19937 random(static_cast<unsigned>(box[0] + 2000 * (box[2] + 2000 * box[4])));
+  const std::int64_t place = box[0] + 2000 * (box[2] + std::int64_t{ 2000 } * box[4]);
+  std::mt19937 random(static_cast<unsigned>(place));
   auto* to = static_cast<char*>(samples);
   const std::int64_t slice =
     std::int64_t{ box[1] - box[0] + 1 } * std::int64_t{ box[3] - box[2] + 1 };
