@@ -207,7 +207,8 @@ TEST_F(StyleLongWork, IsNotTheSearchForFunctions)
   EXPECT_TRUE(this->Editor->IsProposing()) << "there is nothing to take yet";
   ASSERT_TRUE(this->EndsProposing());
   EXPECT_TRUE(this->Editor->HasProposal());
-  EXPECT_STREQ(this->Display->GetNotice(), "");
+  this->Style->UpdateHaptics();
+  EXPECT_STREQ(this->Display->GetNotice(), "") << "once the style has seen the end";
   EXPECT_EQ(this->Editor->GetCountedShare(), 1.0);
   EXPECT_EQ(property->GetProposedKernelRadius(), 0) << "nothing changes before it is taken";
   this->Run(20);
