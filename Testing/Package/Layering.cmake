@@ -108,8 +108,8 @@ allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# a header whether OpenGL runs on the processor, sizes letters, shows a CT as the plugin does, and reads the heads of files
-# and places grids as the library does.
+# a header whether OpenGL runs on the processor, sizes letters, shows a CT as the plugin does, and reads the heads of
+# files and places grids as the library does.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)

@@ -14,8 +14,9 @@ namespace
 {
 
 /**
- * The ticks of at least this time (s) wait for their collector, which looks every 5 ms. They are
- * few: every start has to clear their memory, and to lock it a user has 8 MiB by default.
+ * The ring of ticks has room for this time (s), and for so many ticks at least; its collector looks
+ * every 5 ms. It has no more, since every start clears its memory and locks it, for which a user
+ * has 8 MiB by default.
  */
 constexpr double LongestWait = 0.4;
 constexpr double LeastTicks = 1024.0;

@@ -31,10 +31,8 @@ TEST_F(Recorder, TakesBoundedMemoryAndAtMost300BytesATick)
 {
   constexpr int ticks = 60000;
   // In memory these ticks were 110 MB.
-#if defined(__SANITIZE_ADDRESS__)
-  constexpr double most = 1e9; // it keeps what is freed
-#elif defined(__SANITIZE_THREAD__)
-  constexpr double most = 64e6; // it takes some itself
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  constexpr double most = 64e6; // which take some themselves
 #else
   constexpr double most = 16e6;
 #endif
