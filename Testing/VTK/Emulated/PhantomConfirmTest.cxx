@@ -5,6 +5,7 @@
  * The first arming of an emulated Falcon, whose motors are wired right or the other way round.
  */
 
+#include "DevicesFile.h"
 #include "PhantomFalconRig.h"
 
 #include <fstream>
@@ -14,13 +15,20 @@ using namespace emulated;
 
 namespace
 {
-class PhantomConfirm : public PhantomFalcon
+struct OwnDevices
+{
+  const DevicesFile Memory;
+};
+
+class PhantomConfirm
+  : public OwnDevices
+  , public PhantomFalcon
 {
 protected:
   PhantomConfirm()
     : PhantomFalcon(true)
   {
-    setenv("VOLUMEHAPTICS_DEVICES", this->File.c_str(), 1);
+    this->Memory.Clear();
   }
   /// The hand holds it in front of the face, and arms it.
   void ArmInTheHand()
@@ -35,11 +43,9 @@ protected:
   std::string ReadMemory() const
   {
     std::ostringstream text;
-    text << std::ifstream(this->File).rdbuf();
+    text << std::ifstream(this->Memory.Path).rdbuf();
     return text.str();
   }
-
-  const std::string File = TemporaryPath("memory/devices.txt");
 };
 } // namespace
 
@@ -66,8 +72,7 @@ TEST_F(PhantomConfirm, ItIsFeltAndRememberedOnceItMovedWithTheForce)
 
 TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
 {
-  std::filesystem::create_directories(std::filesystem::path(this->File).parent_path());
-  std::ofstream(this->File) << "falcon:port:1-2 confirmed=2026-11-01\n";
+  std::ofstream(this->Memory.Path) << "falcon:port:1-2 confirmed=2026-11-01\n";
   ASSERT_TRUE(this->Device->Open("falcon"));
   EXPECT_EQ(this->Device->GetCalibrationText(), "uncalibrated");
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);

@@ -6,6 +6,7 @@
  * SpaceMouse, without any; and the first arming of a stick with two motors.
  */
 
+#include "DevicesFile.h"
 #include "Emulators/EmulatedHid.h"
 #include "Emulators/ModelClock.h"
 #include "Emulators/OpenFfboardModel.h"
@@ -14,7 +15,6 @@
 #include "Rigs/TemporaryFolder.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -28,13 +28,8 @@ class PhantomJoystick : public testing::Test
 protected:
   PhantomJoystick()
   {
-    setenv("VOLUMEHAPTICS_DEVICES", this->File.c_str(), 1);
+    this->Memory.Clear();
     this->Hand.Device->SetNewtonsPerFullScale(FfbHandle::FullScale, FfbHandle::FullScale);
-  }
-  ~PhantomJoystick() override
-  {
-    unsetenv("VOLUMEHAPTICS_DEVICES");
-    std::filesystem::remove(this->File);
   }
   /// Until the check has a verdict. The largest force (N) along each axis of the device meanwhile.
   void Arm(double largest[3])
@@ -60,11 +55,11 @@ protected:
   }
   std::string ReadMemory() const
   {
-    std::ifstream file(this->File);
+    std::ifstream file(this->Memory.Path);
     return { std::istreambuf_iterator<char>(file), {} };
   }
 
-  const std::string File = TemporaryPath("joystick-" + std::to_string(getpid()) + ".txt");
+  const DevicesFile Memory;
   const Phantom Face;
   OpenFfboardModel Stick{ OpenFfboardModel::Kind::Joystick };
   EmulatedHid Hid{ this->Stick };

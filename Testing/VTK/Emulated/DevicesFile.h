@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A file of one's own that keeps what is known of devices.
+ *
+ * It has to be made before an emulator and outlive it: the emulator's threads read the environment
+ * with each call that umockdev looks at, which must not happen while a variable is set.
+ */
+#ifndef DevicesFile_h
+#define DevicesFile_h
+
+#include "Rigs/TemporaryFolder.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace emulated
+{
+class DevicesFile
+{
+public:
+  DevicesFile()
+  {
+    this->Clear();
+    setenv("VOLUMEHAPTICS_DEVICES", this->Path.c_str(), 1);
+  }
+  ~DevicesFile()
+  {
+    setenv("VOLUMEHAPTICS_DEVICES", this->Others.c_str(), 1);
+    this->Clear();
+  }
+  DevicesFile(const DevicesFile&) = delete;
+  DevicesFile& operator=(const DevicesFile&) = delete;
+
+  /** Forgets what emulators that were made meanwhile have noted as confirmed. */
+  void Clear() const noexcept
+  {
+    std::error_code ignored;
+    std::filesystem::remove(this->Path, ignored);
+  }
+
+  const std::string Path = TemporaryPath("devices-" + std::to_string(getpid()) + ".txt");
+
+private:
+  const std::string Others = std::getenv("VOLUMEHAPTICS_DEVICES"); // EmulatedMain.cxx names it
+};
+} // namespace emulated
+
+#endif
