@@ -40,6 +40,7 @@ ServoLoop::ServoLoop(DeviceBackend& backend, double rate)
   , Period(static_cast<std::int64_t>(ServoClock::NanosecondsPerSecond / rate + 0.5))
   , Timing(backend.GetLimits().LeastMotion)
   , Trace(static_cast<std::size_t>(std::max(LeastTicks, LongestWait * rate)))
+  , Sleep(this->Period)
 {
 }
 
@@ -487,7 +488,7 @@ void ServoLoop::Run() noexcept
         std::memory_order_relaxed);
       planned += missed * this->Period;
     }
-    ServoClock::SleepUntil(planned);
+    this->Sleep.SleepUntil(planned);
   }
   this->Backend.Send({});
 }

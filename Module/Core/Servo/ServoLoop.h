@@ -38,6 +38,7 @@
 #include "Core/Servo/TorqueStage.h"
 #include "Core/Servo/TraceRing.h"
 #include "Core/Servo/TripleBuffer.h"
+#include "Core/Servo/WatchedSleep.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 
 #include <atomic>
@@ -95,6 +96,10 @@ public:
    * RequestStop.
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
+  /** Wakes Run up on another processor if its own does not in time. Until RequestStop. */
+  void WatchSleep() noexcept { this->Sleep.Watch(); }
+  /** How often WatchSleep has woken Run up. */
+  std::uint64_t GetRescues() const noexcept { return this->Sleep.GetRescues(); }
   /** Seeks a real-time class for Run if the kernel refuses it: see ServoPriority. */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   /**
@@ -107,6 +112,7 @@ public:
     this->StopRequested.store(true, std::memory_order_release);
     this->Fitter.RequestStop();
     this->Priority.RequestStop();
+    this->Sleep.RequestStop();
     this->Samples.RequestStop();
   }
 
@@ -425,6 +431,7 @@ private:
   std::atomic<std::uint64_t> AbsentTicks{ 0 };
   std::atomic<double> TickRate{ 0.0 };
   ServoPriority Priority;
+  WatchedSleep Sleep;
   std::atomic<Privilege> LockedMemory{ Privilege::Unknown };
 };
 

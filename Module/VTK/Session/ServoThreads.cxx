@@ -44,6 +44,7 @@ ServoThreads::ServoThreads(DeviceBackend& backend, double rate, const SafetyLimi
   this->FitterThread = this->Threader->SpawnThread(&ServoThreads::RunFitter, this);
   this->SampleThread = this->Threader->SpawnThread(&ServoThreads::RunSampleKeeper, this);
   this->KeeperThread = this->Threader->SpawnThread(&ServoThreads::RunKeeper, this);
+  this->WatchThread = this->Threader->SpawnThread(&ServoThreads::RunWatch, this);
   this->RequestThread = this->Threader->SpawnThread(&ServoThreads::RunRequest, this);
 }
 
@@ -63,6 +64,7 @@ void ServoThreads::End()
   this->Threader->TerminateThread(this->LoopThread);
   this->Threader->TerminateThread(this->FitterThread);
   this->Threader->TerminateThread(this->SampleThread);
+  this->Threader->TerminateThread(this->WatchThread);
   this->Threader->TerminateThread(this->RequestThread);
   this->KeeperStop.store(true);
   this->Threader->TerminateThread(this->KeeperThread);
@@ -90,6 +92,13 @@ VTK_THREAD_RETURN_TYPE ServoThreads::RunSampleKeeper(void* info)
 VTK_THREAD_RETURN_TYPE ServoThreads::RunKeeper(void* info)
 {
   UserData<ServoThreads>(info)->Keep();
+  return VTK_THREAD_RETURN_VALUE;
+}
+
+VTK_THREAD_RETURN_TYPE ServoThreads::RunWatch(void* info)
+{
+  ServoClock::BlockSignals();
+  UserData<ServoThreads>(info)->Loop.WatchSleep();
   return VTK_THREAD_RETURN_VALUE;
 }
 

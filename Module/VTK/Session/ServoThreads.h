@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A running servo: the loop on a thread of its own, and four threads beside it.
+ * A running servo: the loop on a thread of its own, and five threads beside it.
  *
  * The fitter thread computes local surfaces. The sample thread keeps the samples around the tip in
  * memory. The keeper thread does the work that must not run in the loop and must not wait for the
  * GUI: it collects ticks for a recording or a display, and quenches the device if the loop does not
- * answer. A fourth one asks RealtimeKit for a real-time class for the loop if the kernel refuses
- * it, and ends.
+ * answer. The watch thread wakes the loop up on another processor if the loop's own does not in
+ * time. The last one asks RealtimeKit for a real-time class for the loop if the kernel refuses it,
+ * and ends.
  */
 #ifndef ServoThreads_h
 #define ServoThreads_h
@@ -63,6 +64,7 @@ private:
   static VTK_THREAD_RETURN_TYPE RunFitter(void* info);
   static VTK_THREAD_RETURN_TYPE RunSampleKeeper(void* info);
   static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
+  static VTK_THREAD_RETURN_TYPE RunWatch(void* info);
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
@@ -80,6 +82,7 @@ private:
   int FitterThread = -1;
   int SampleThread = -1;
   int KeeperThread = -1;
+  int WatchThread = -1;
   int RequestThread = -1;
   std::atomic<bool> KeeperStop{ false };
   std::atomic<bool> HasEnded{ false };

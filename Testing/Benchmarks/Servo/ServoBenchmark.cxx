@@ -107,11 +107,11 @@ class RunningLoop
 {
 public:
   RunningLoop(double rate, bool plain, std::shared_ptr<const HapticModel> model)
-    : RunningLoop(std::make_unique<Slide>(plain), rate, std::move(model))
+    : RunningLoop(std::make_unique<Slide>(plain), rate, std::move(model), !plain)
   {
   }
-  RunningLoop(
-    std::unique_ptr<DeviceBackend> device, double rate, std::shared_ptr<const HapticModel> model)
+  RunningLoop(std::unique_ptr<DeviceBackend> device, double rate,
+    std::shared_ptr<const HapticModel> model, bool isWatched = true)
     : Device(std::move(device))
     , Loop(*this->Device, rate)
   {
@@ -121,6 +121,10 @@ public:
     this->Loop.Publish(std::move(model));
     this->Loop.Arm();
     this->Thread = std::thread([this] { this->Loop.Run(); });
+    if (isWatched)
+    {
+      this->Watcher = std::thread([this] { this->Loop.WatchSleep(); });
+    }
     this->Wait(0.1);
     this->Loop.ResetStatistics();
   }
@@ -128,6 +132,10 @@ public:
   {
     this->Loop.RequestStop();
     this->Thread.join();
+    if (this->Watcher.joinable())
+    {
+      this->Watcher.join();
+    }
   }
   void Wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
   ServoLoop* operator->() { return &this->Loop; }
@@ -136,6 +144,7 @@ private:
   std::unique_ptr<DeviceBackend> Device;
   ServoLoop Loop;
   std::thread Thread;
+  std::thread Watcher;
 };
 
 double Median(std::vector<double> values)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A loop that hangs in its device is cut off from outside.
+ * A loop that hangs in its device is cut off from outside, and one that its processor lets wait is
+ * woken up on another.
  */
 
 #include "VTK/Session/ServoThreads.h"
@@ -10,9 +11,16 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <memory>
 #include <thread>
 #include <vector>
+
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
 
 using namespace VolumeHaptics;
 using devicetest::Eventually;
@@ -53,6 +61,21 @@ public:
   std::atomic<int> Reads{ 0 };
   std::atomic<int> Quenches{ 0 };
 };
+
+#if defined(__linux__)
+/// Lets its thread wait for all others that compute on its processor.
+class LowlyDevice : public HangingDevice
+{
+public:
+  DeviceState Read(double time, DeviceSample& sample) noexcept override
+  {
+    // Each time: RealtimeKit may raise it meanwhile.
+    const sched_param none{};
+    EXPECT_EQ(pthread_setschedparam(pthread_self(), SCHED_IDLE, &none), 0);
+    return HangingDevice::Read(time, sample);
+  }
+};
+#endif
 
 } // namespace
 
@@ -104,3 +127,36 @@ TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
     devices[i].Hangs.store(false);
   }
 }
+
+#if defined(__linux__)
+TEST(ServoThreads, WakeALoopThatWaitsForItsProcessor)
+{
+  cpu_set_t processors;
+  if (sched_getaffinity(0, sizeof(processors), &processors) != 0 || CPU_COUNT(&processors) < 2 ||
+    sched_setaffinity(0, sizeof(processors), &processors) != 0)
+  {
+    GTEST_SKIP() << "This process can't choose among processors.";
+  }
+  LowlyDevice device;
+  ServoThreads servo(device, 1000.0, SafetyLimits{}, nullptr);
+  ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 0; }));
+  std::atomic<bool> stop{ false };
+  std::vector<std::thread> busy;
+  for (int i = 0; i < CPU_COUNT(&processors) + 1; ++i)
+  {
+    busy.emplace_back(
+      [&stop]
+      {
+        while (!stop.load())
+        {
+        }
+      });
+  }
+  EXPECT_TRUE(Eventually([&] { return servo.GetLoop().GetRescues() > 5; }));
+  stop.store(true);
+  for (std::thread& thread : busy)
+  {
+    thread.join();
+  }
+}
+#endif
