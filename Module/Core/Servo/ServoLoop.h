@@ -98,7 +98,7 @@ public:
   void RunFitter() noexcept { this->Fitter.Run(); }
   /** Wakes Run up on another processor if its own does not in time. Until RequestStop. */
   void WatchSleep() noexcept { this->Sleep.Watch(); }
-  /** How often WatchSleep has woken Run up. */
+  /** See WatchedSleep::GetRescues. */
   std::uint64_t GetRescues() const noexcept { return this->Sleep.GetRescues(); }
   /** Seeks a real-time class for Run if the kernel refuses it: see ServoPriority. */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }

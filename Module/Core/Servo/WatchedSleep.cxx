@@ -25,7 +25,7 @@ namespace
 /** The watcher's longest patience (ns). */
 constexpr std::int64_t MostPatience = 300000;
 /**
- * The watcher's shortest and longest pause between two looks (ns): it takes little of its
+ * The watcher's shortest and longest pause between two looks (ns), so that it takes little of its
  * processor, and soon sees a request to stop.
  */
 constexpr std::int64_t LeastPause = 250000;
@@ -89,7 +89,8 @@ void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
   if (this->State.load(std::memory_order_relaxed) == bound &&
     this->State.compare_exchange_strong(bound, Binding::Ending, std::memory_order_acquire))
   {
-    this->State.store(this->GiveBack() ? Binding::None : Binding::Bound, std::memory_order_release);
+    this->GiveBack(); // if that fails, the watcher does it
+    this->State.store(Binding::None, std::memory_order_release);
   }
 }
 
@@ -99,31 +100,31 @@ void WatchedSleep::Watch() noexcept
   cpu_set_t own;
   if (!GetProcessors(0, own))
   {
-    return;
+    return; // there are too many
   }
   std::int64_t counted = 0;
   while (!this->StopRequested.load(std::memory_order_acquire))
   {
-    this->Unbind();
+    this->EndBinding();
     const bool isApart = this->StandApart();
     const std::int64_t planned = this->Planned.load(std::memory_order_acquire);
-    const std::int64_t now = ServoClock::Now();
-    if (isApart && planned != 0 && now >= planned + this->Patience && this->WakeHere(planned) &&
-      planned != counted)
+    if (isApart && planned != 0 && ServoClock::Now() >= planned + this->Patience &&
+      this->WakeHere(planned) && planned != counted)
     {
       this->Rescues.fetch_add(1);
       counted = planned;
     }
+    const std::int64_t now = ServoClock::Now();
     const std::int64_t next = this->Planned.load(std::memory_order_relaxed) + this->Patience;
     ServoClock::SleepUntil(
       isApart ? std::clamp(next, now + LeastPause, now + MostPause) : now + MostPause);
   }
-  this->Unbind();
+  this->EndBinding();
 }
 
 /**
- * Goes to a processor that is not the sleeper's, but one on which it may run. False if there is
- * none.
+ * Moves the watcher to a processor other than the sleeper's, on which the sleeper may run. False if
+ * there is none.
  */
 bool WatchedSleep::StandApart() noexcept
 {
@@ -134,8 +135,7 @@ bool WatchedSleep::StandApart() noexcept
     return false;
   }
   const int processor = this->Processor.load(std::memory_order_relaxed);
-  const int here = sched_getcpu();
-  if (here != processor && Contains(allowed, here))
+  if (this->Left == processor && Contains(allowed, sched_getcpu()))
   {
     return true;
   }
@@ -143,15 +143,17 @@ bool WatchedSleep::StandApart() noexcept
   {
     CPU_CLR(processor, &allowed);
   }
-  return CPU_COUNT(&allowed) > 0 && SetProcessors(0, allowed);
+  const bool isApart = CPU_COUNT(&allowed) > 0 && SetProcessors(0, allowed);
+  this->Left = isApart ? processor : -1;
+  return isApart;
 }
 
-/** Wakes the sleeper up on the calling thread's processor, if it may run there. */
+/** Wakes the sleeper up on the watcher's processor, if it may run there. */
 bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
 {
   const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
   const int here = sched_getcpu();
-  if (this->State.load(std::memory_order_acquire) != Binding::None ||
+  if (this->IsOwing || this->State.load(std::memory_order_acquire) != Binding::None ||
     !GetProcessors(sleeper, this->Allowed) || !Contains(this->Allowed, here))
   {
     return false;
@@ -169,35 +171,36 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
     this->Wakes.fetch_add(1, std::memory_order_release);
     syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
   }
-  // Even if the sleeper says that the binding has ended: it may have looked before it began.
+  // Even if State is None again: the sleeper may have looked before the binding took effect.
+  this->IsOwing = true;
   this->EndBinding();
   return isBound;
 }
 
-/** By the watcher. If it fails, Unbind tries again. */
+/** By the watcher, until it succeeds. */
 void WatchedSleep::EndBinding() noexcept
 {
-  const bool isFree = this->GiveBack();
-  Binding before = isFree ? Binding::Bound : Binding::None;
-  this->State.compare_exchange_strong(
-    before, isFree ? Binding::None : Binding::Bound, std::memory_order_acq_rel);
-}
-
-void WatchedSleep::Unbind() noexcept
-{
-  if (this->State.load(std::memory_order_acquire) == Binding::Bound)
+  if (this->IsOwing && this->GiveBack())
   {
-    this->EndBinding();
+    this->IsOwing = false;
+    Binding bound = Binding::Bound;
+    this->State.compare_exchange_strong(bound, Binding::None, std::memory_order_acq_rel);
   }
 }
 
-/** Both threads may do this at the same time, with the same effect. */
+/**
+ * Both threads may do this at the same time, with the same effect. True if the sleeper is no longer
+ * bound.
+ */
 bool WatchedSleep::GiveBack() const noexcept
 {
   const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
   cpu_set_t now;
-  return !GetProcessors(sleeper, now) || !CPU_EQUAL(&now, &this->Here) ||
-    SetProcessors(sleeper, this->Allowed);
+  if (!GetProcessors(sleeper, now))
+  {
+    return errno == ESRCH; // its thread has ended
+  }
+  return !CPU_EQUAL(&now, &this->Here) || SetProcessors(sleeper, this->Allowed);
 }
 
 #else

@@ -6,21 +6,27 @@
  *
  * A processor may keep a thread from running at its time: the scheduler lets a busy thread go on,
  * the kernel is busy with interrupts off, or the host of a virtual machine has taken the processor
- * away. Such delays take milliseconds, and rarely come to two processors at a time. So a watcher on
- * another processor looks after each planned time whether the sleeper has woken up. If it has not,
- * the watcher moves it to its own processor and wakes it up there. This needs no privilege.
+ * away. Such delays last milliseconds, and rarely come to two processors at a time. So, after a
+ * planned time, a watcher on another processor checks whether the sleeper has woken up. If it has
+ * not, the watcher moves it to the watcher's processor and wakes it up there. This needs no
+ * privilege.
  *
  *   WatchedSleep sleep(period);
- *   sleep.SleepUntil(time); // the servo's thread, one and the same
+ *   sleep.SleepUntil(time); // always the same thread
  *   sleep.Watch();          // meanwhile on another thread, until RequestStop
  *
- * The pause is that of ServoClock::SleepUntil without a watcher, with one processor, if the sleeper
- * may run on one only, if the kernel does not allow threads to be moved or has more than 1024
- * processors, and on systems other than Linux. A delay within a tick is not shortened.
+ * The pause is that of ServoClock::SleepUntil if
  *
- * To be moved, the sleeper is bound to the watcher's processor. Whichever of the two runs first
- * after that gives it back the processors that it had, unless someone else has bound it meanwhile.
- * Processors that the system gets later are then not among them.
+ * - there is no watcher,
+ * - the sleeper may run on one processor only,
+ * - the kernel does not allow threads to be moved, or has more than 1024 processors,
+ * - the system is not Linux.
+ *
+ * A delay within a tick is not shortened.
+ *
+ * To be moved, the sleeper is bound to the watcher's processor. Both threads then give back the
+ * processors that it had, unless someone else has changed them after the binding. Processors that
+ * the system gets later are not among them.
  */
 #ifndef WatchedSleep_h
 #define WatchedSleep_h
@@ -46,6 +52,10 @@ public:
   /** For tests: the same with an alarm that comes too late, so that only a watcher is in time. */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
+  /**
+   * By one thread, which gets the priority of a servo (ServoPriority::RaiseThread) and leaves the
+   * sleeper's processor. Returns after RequestStop, for good.
+   */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
 
@@ -59,27 +69,31 @@ private:
   std::atomic<bool> StopRequested{ false };
 
 #if defined(__linux__)
-  /** Whether the watcher has bound the sleeper to its own processor. */
+  /** Whether the sleeper is bound to the watcher's processor. */
   enum class Binding : std::uint8_t
   {
-    None,  ///< set by either; only in this state the watcher changes Allowed and Here
-    Bound, ///< set by the watcher, or if the binding could not be ended
+    None,  ///< set by either; the watcher changes Allowed and Here in this state only
+    Bound, ///< set by the watcher before it binds
     Ending ///< set by the sleeper, which reads Allowed and Here in this state only
   };
 
   bool StandApart() noexcept;
   bool WakeHere(std::int64_t planned) noexcept;
-  void Unbind() noexcept;
   void EndBinding() noexcept;
   bool GiveBack() const noexcept;
 
-  const std::int64_t Patience;            // ns; the sleeper is woken up if it is so late
+  const std::int64_t Patience;            // ns; the sleeper is woken up if it is this late
   std::atomic<std::int64_t> Sleeper{ 0 }; // the kernel's number of the thread
   std::atomic<int> Processor{ -1 };       // on which it fell asleep
   std::atomic<std::uint32_t> Wakes{ 0 };  // the sleeper waits for a change of it
   std::atomic<Binding> State{ Binding::None };
   cpu_set_t Allowed{}; // where the sleeper may run, and
   cpu_set_t Here{};    // the one to which it is bound
+  ///@{
+  /** The watcher's own: whether it has to end a binding, and the processor that it has left. */
+  bool IsOwing = false;
+  int Left = -1;
+  ///@}
 #endif
 };
 
