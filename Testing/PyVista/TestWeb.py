@@ -17,6 +17,7 @@ import pytest
 web = pytest.importorskip("volumehaptics.web", reason="needs trame: pip install trame trame-vuetify trame-rca")
 pytest.importorskip("selenium", reason="pip install selenium")
 from selenium import webdriver  # noqa: E402
+from selenium.common.exceptions import StaleElementReferenceException  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
@@ -57,8 +58,14 @@ class Page:
         return await asyncio.to_thread(function, *arguments)
 
     async def wait_for_page(self, holds, what):
+        def holds_now():
+            try:
+                return holds()
+            except StaleElementReferenceException:  # the page has drawn it anew meanwhile
+                return False
+
         end = time.monotonic() + PATIENCE
-        while not await self.do(holds):
+        while not await self.do(holds_now):
             assert time.monotonic() < end, what
             await asyncio.sleep(0.05)
 
@@ -75,9 +82,15 @@ class Page:
             found = [item for item in self.driver.find_elements(By.CSS_SELECTOR, ".v-list-item") if item.text == choice]
             return found[0] if found and found[0].is_displayed() else None
 
+        def pick():
+            item = entry()
+            if item:
+                item.click()
+            return item
+
         await self.wait_for_page(entry, f"no {choice} to choose")
         await asyncio.sleep(0.4)  # the list opens with an animation, and moves
-        await self.do(lambda: entry().click())
+        await self.wait_for_page(pick, f"{choice} is not to be chosen")
 
     async def move(self, right, down):
         """The pointer, from the middle of the scene (pixels), without a button."""

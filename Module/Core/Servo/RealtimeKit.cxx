@@ -195,14 +195,12 @@ private:
 class Bus
 {
 public:
-  Bus(const Library& library, const std::atomic<bool>& stop)
+  Bus(const Library& library, const char* address, const std::atomic<bool>& stop)
     : Functions(library)
     , Stop(stop)
   {
-    const char* const address = std::getenv("DBUS_SYSTEM_BUS_ADDRESS");
     library.ChangeSigpipe(0); // it is the program's
-    this->Wire =
-      library.Open(address ? address : "unix:path=/var/run/dbus/system_bus_socket", nullptr);
+    this->Wire = library.Open(address, nullptr);
   }
   ~Bus()
   {
@@ -293,22 +291,26 @@ bool LimitTime(std::int64_t most) noexcept
   return setrlimit(RLIMIT_RTTIME, &limit) == 0;
 }
 
-bool IsWanted()
-{
-  const char* const wish = std::getenv("VOLUMEHAPTICS_RTKIT");
-  return !wish || std::strcmp(wish, "off") != 0;
-}
-
 } // namespace
 
-Answer MakeRealTime(std::int64_t thread, const std::atomic<bool>& stop) noexcept
+Wish ReadEnvironment()
 {
-  const Library* const library = IsWanted() ? Library::Get() : nullptr;
+  Wish wish;
+  const char* const named = std::getenv("VOLUMEHAPTICS_RTKIT");
+  wish.IsAsked = !named || std::strcmp(named, "off") != 0;
+  const char* const address = std::getenv("DBUS_SYSTEM_BUS_ADDRESS");
+  wish.Bus = address ? address : "unix:path=/var/run/dbus/system_bus_socket";
+  return wish;
+}
+
+Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept
+{
+  const Library* const library = wish.IsAsked ? Library::Get() : nullptr;
   if (!library)
   {
     return Answer::Absent;
   }
-  Bus bus(*library, stop);
+  Bus bus(*library, wish.Bus.c_str(), stop);
   if (!bus.SayHello())
   {
     return Answer::Absent;
@@ -329,7 +331,12 @@ Answer MakeRealTime(std::int64_t thread, const std::atomic<bool>& stop) noexcept
 
 #else
 
-Answer MakeRealTime(std::int64_t, const std::atomic<bool>&) noexcept
+Wish ReadEnvironment()
+{
+  return {};
+}
+
+Answer MakeRealTime(std::int64_t, const Wish&, const std::atomic<bool>&) noexcept
 {
   return Answer::Absent;
 }

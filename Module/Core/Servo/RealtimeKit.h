@@ -19,6 +19,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 namespace VolumeHaptics
 {
@@ -32,12 +33,25 @@ enum class Answer : std::uint8_t
   Refused ///< or it did not answer
 };
 
+/** What the environment tells of the service. */
+struct Wish
+{
+  bool IsAsked = true;
+  std::string Bus; ///< its address
+};
+
+/**
+ * By a thread that may read the environment: on many systems the process crashes if another thread
+ * changes a variable meanwhile, as a script may do once the servo runs.
+ */
+Wish ReadEnvironment();
+
 /**
  * Asks for a real-time class for a thread of this process, which the kernel's number names. Waits
  * for the service, which may have to be started, at most 10 s for each of three answers; returns
  * within milliseconds once `stop` is set.
  */
-Answer MakeRealTime(std::int64_t thread, const std::atomic<bool>& stop) noexcept;
+Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept;
 
 } // namespace RealtimeKit
 } // namespace VolumeHaptics

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/ServoPriority.h"
 
-#include "Core/Servo/RealtimeKit.h"
 #include "Core/Servo/ServoClock.h"
 
 #if defined(__unix__)
@@ -128,8 +127,8 @@ void ServoPriority::AskRealtimeKit() noexcept
     return;
   }
   RealTimeGrant grant = RealTimeGrant::NoService;
-  switch (
-    RealtimeKit::MakeRealTime(this->Thread.load(std::memory_order_relaxed), this->StopRequested))
+  switch (RealtimeKit::MakeRealTime(
+    this->Thread.load(std::memory_order_relaxed), this->Environment, this->StopRequested))
   {
     case RealtimeKit::Answer::Granted:
       grant = RealTimeGrant::RealtimeKit;

@@ -21,6 +21,8 @@
 #ifndef ServoPriority_h
 #define ServoPriority_h
 
+#include "Core/Servo/RealtimeKit.h"
+
 #include <atomic>
 #include <cstdint>
 
@@ -59,6 +61,8 @@ public:
   RealTimeGrant GetGrant() const noexcept { return this->Grant.load(std::memory_order_acquire); }
 
 private:
+  /** Read by the thread that makes this object. */
+  const RealtimeKit::Wish Environment = RealtimeKit::ReadEnvironment();
   std::atomic<RealTimeGrant> Grant{ RealTimeGrant::Unknown };
   std::atomic<std::int64_t> Thread{ 0 }; ///< the kernel's number of the servo's thread
   std::atomic<bool> StopRequested{ false };

@@ -53,7 +53,11 @@ protected:
     }
   }
 
-  Answer Ask() { return RealtimeKit::MakeRealTime(ThisThread(), this->Stop); }
+  Answer Ask() { return this->Ask(ThisThread()); }
+  Answer Ask(std::int64_t thread)
+  {
+    return RealtimeKit::MakeRealTime(thread, RealtimeKit::ReadEnvironment(), this->Stop);
+  }
 
   PlayedBus Bus;
   std::atomic<bool> Stop{ false };
@@ -103,7 +107,7 @@ TEST_F(RealtimeKitService, MayRefuse)
 TEST_F(RealtimeKitService, DoesNotGetAThreadOfAnotherProcess)
 {
   PlayedRealtimeKit service;
-  EXPECT_EQ(RealtimeKit::MakeRealTime(getppid(), this->Stop), Answer::Refused);
+  EXPECT_EQ(this->Ask(getppid()), Answer::Refused);
   EXPECT_EQ(service.ReadCalls().back(), "refused");
 }
 
@@ -221,6 +225,26 @@ TEST_F(RealtimeKitService, IsMissedByALoopWithoutPrivileges)
   EXPECT_EQ(priority.GetGrant(), RealTimeGrant::Asked);
   priority.AskRealtimeKit();
   EXPECT_EQ(priority.GetGrant(), RealTimeGrant::NoService);
+}
+
+TEST_F(RealtimeKitService, IsAskedAsTheEnvironmentWasWhenTheServoWasMade)
+{
+  ASSERT_TRUE(AllowPriority(0));
+  PlayedRealtimeKit service;
+  ASSERT_TRUE(service.IsThere());
+  setenv("VOLUMEHAPTICS_RTKIT", "off", 1);
+  ServoPriority priority;
+  unsetenv("VOLUMEHAPTICS_RTKIT");
+  std::thread(
+    [&]
+    {
+      DropPrivileges();
+      priority.Raise();
+    })
+    .join();
+  priority.AskRealtimeKit();
+  EXPECT_EQ(priority.GetGrant(), RealTimeGrant::NoService);
+  EXPECT_EQ(service.ReadCalls(), Lines());
 }
 
 TEST(ServoPriority, DoesNotWaitForALoopThatNeverBegins)
