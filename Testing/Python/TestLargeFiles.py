@@ -34,11 +34,11 @@ class Hdf5:
     def __init__(self):
         name = ctypes.util.find_library("hdf5_serial") or ctypes.util.find_library("hdf5")
         assert name, "the tests need HDF5's library, which VTK's vtkIOHDF brings along"
-        self.library = ctypes.CDLL(name)
-        assert self.library.H5open() >= 0
+        self.hdf5 = ctypes.CDLL(name)
+        assert self.hdf5.H5open() >= 0
 
     def __getattr__(self, name):
-        function = getattr(self.library, "H5" + name)
+        function = getattr(self.hdf5, "H5" + name)
         function.restype = ids
 
         def call(*values):
@@ -49,7 +49,7 @@ class Hdf5:
         return call
 
     def known(self, name):
-        return ids.in_dll(self.library, f"H5{name}_g").value
+        return ids.in_dll(self.hdf5, f"H5{name}_g").value
 
     def sizes(self, numbers):
         return (ctypes.c_uint64 * len(numbers))(*numbers)

@@ -33,7 +33,7 @@ enum class Answer : std::uint8_t
   Refused ///< or it did not answer
 };
 
-/** What the environment tells of the service. */
+/** What the user has set for RealtimeKit with environment variables. */
 struct Wish
 {
   bool IsAsked = true;

@@ -15,10 +15,10 @@
 
 #include "Core/Servo/ServoClock.h"
 #include "Core/Servo/ServoLoop.h"
+#include "Rigs/BusyThreads.h"
 #include "Rigs/CoreScene.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -217,42 +217,6 @@ void PrintHandOff(const std::shared_ptr<const HapticModel>& model)
     sizeof(ServoSnapshot), Median(reads), sum == 0 ? " (?)" : "");
 }
 
-/** Threads that compute without pause, as those of a software renderer do. */
-class BusyThreads
-{
-public:
-  explicit BusyThreads(unsigned count)
-  {
-    for (unsigned i = 0; i < count; ++i)
-    {
-      this->Threads.emplace_back(
-        [this]
-        {
-          volatile double value = 1.0;
-          while (!this->Stop.load())
-          {
-            for (int k = 0; k < 10000; ++k)
-            {
-              value = std::sin(value) + 1.0;
-            }
-          }
-        });
-    }
-  }
-  ~BusyThreads()
-  {
-    this->Stop.store(true);
-    for (std::thread& thread : this->Threads)
-    {
-      thread.join();
-    }
-  }
-
-private:
-  std::atomic<bool> Stop{ false };
-  std::vector<std::thread> Threads;
-};
-
 const char* NameScheduling(bool plain, RealTimeGrant grant)
 {
   return plain                            ? "SCHED_OTHER"
@@ -288,7 +252,7 @@ void PrintTimeKeeping(
     {
       for (const bool plain : { false, true })
       {
-        const BusyThreads load(busy);
+        const devicetest::BusyThreads load(busy);
         RunningLoop loop(rate, plain, model);
         loop.Wait(seconds / turns);
         Punctuality& kind = kinds[plain ? 1 : 0];

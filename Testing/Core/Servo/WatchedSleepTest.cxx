@@ -8,6 +8,7 @@
 
 #include "Core/Servo/WatchedSleep.h"
 #include "Core/Servo/ServoClock.h"
+#include "Rigs/Processors.h"
 
 #include <gtest/gtest.h>
 
@@ -80,13 +81,10 @@ class WatchedSleepElsewhere : public testing::Test
 protected:
   void SetUp() override
   {
-    cpu_set_t processors;
-    if (sched_getaffinity(0, sizeof(processors), &processors) != 0 || CPU_COUNT(&processors) < 2 ||
-      sched_setaffinity(0, sizeof(processors), &processors) != 0)
+    if (!devicetest::MayChooseProcessor(this->Before))
     {
       GTEST_SKIP() << "This process can't choose among processors.";
     }
-    this->Before = processors;
   }
   void TearDown() override { sched_setaffinity(0, sizeof(this->Before), &this->Before); }
 

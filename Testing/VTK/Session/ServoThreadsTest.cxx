@@ -7,6 +7,7 @@
  */
 
 #include "VTK/Session/ServoThreads.h"
+#include "Rigs/BusyThreads.h"
 #include "Rigs/Eventually.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,9 @@
 #include <vector>
 
 #if defined(__linux__)
+#include "Rigs/Processors.h"
+
 #include <pthread.h>
-#include <sched.h>
 #endif
 
 using namespace VolumeHaptics;
@@ -132,31 +134,14 @@ TEST(ServoThreads, QuenchTellsAllBeforeItWaitsForOne)
 TEST(ServoThreads, WakeALoopThatWaitsForItsProcessor)
 {
   cpu_set_t processors;
-  if (sched_getaffinity(0, sizeof(processors), &processors) != 0 || CPU_COUNT(&processors) < 2 ||
-    sched_setaffinity(0, sizeof(processors), &processors) != 0)
+  if (!devicetest::MayChooseProcessor(processors))
   {
     GTEST_SKIP() << "This process can't choose among processors.";
   }
   LowlyDevice device;
   ServoThreads servo(device, 1000.0, SafetyLimits{}, nullptr);
   ASSERT_TRUE(Eventually([&] { return device.Reads.load() > 0; }));
-  std::atomic<bool> stop{ false };
-  std::vector<std::thread> busy;
-  for (int i = 0; i < CPU_COUNT(&processors) + 1; ++i)
-  {
-    busy.emplace_back(
-      [&stop]
-      {
-        while (!stop.load())
-        {
-        }
-      });
-  }
+  const devicetest::BusyThreads busy(static_cast<unsigned>(CPU_COUNT(&processors)) + 1);
   EXPECT_TRUE(Eventually([&] { return servo.GetLoop().GetRescues() > 5; }));
-  stop.store(true);
-  for (std::thread& thread : busy)
-  {
-    thread.join();
-  }
 }
 #endif
