@@ -229,6 +229,12 @@ std::string vtkHapticFunctionEditor::GetTitle()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHapticFunctionEditor::GetWarning()
+{
+  return this->Internals->Pages.FindWarning();
+}
+
+//------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
 {
   return this->Internals->Pages.GetFunction();

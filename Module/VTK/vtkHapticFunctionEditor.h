@@ -233,6 +233,13 @@ public:
   /** Its name and unit, as the title shows them: "Stiffness (N/m)". */
   std::string GetTitle();
 
+  /**
+   * What the title shows beside stiffness and viscosity if the drag of a value is too strong for
+   * the stiffness there: the proxy would stay more than 10 mm behind, and the drag is limited
+   * instead. Empty if nothing is wrong.
+   */
+  std::string GetWarning();
+
   /** The function itself; nullptr for LABELS and TISSUES, or if its property is not set. */
   vtkPiecewiseFunction* GetPiecewiseFunction();
 

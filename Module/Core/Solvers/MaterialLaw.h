@@ -153,6 +153,45 @@ inline Surface FindSurface(const HapticModel& model, const FieldAtTime& field, c
                                        : FindFieldSurface(model, field, index);
 }
 
+/** The voxels along the normal over which a drag may hold a proxy, however soft the material is. */
+constexpr double DragVoxels = 3.0;
+
+/**
+ * Limits the drag R: it holds the proxy no farther from the tip than it would by the coupling
+ * stiffness, or than three voxels along the normal if they are longer.
+ *
+ * A k near 0 with an R above 0 is a mistake of the functions, or noise on a ramp of k: without the
+ * limit, the proxy would stay R/k behind, where the hand goes through a surface unfelt. PAPER keeps
+ * the drag as published.
+ *
+ * @param slack m, the part of the distance over which the spring (PassiveSpring.h) does not pull
+ */
+inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& point) noexcept
+{
+  const double k = point.Stiffness;
+  const double drag = point.Viscosity;
+  // With the smallest spacing: few materials need the root below.
+  if (!(drag > k * (DragVoxels / model.MostVoxelsPerMeter - slack)))
+  {
+    return;
+  }
+  // Without a gradient, the normal only stands in for one.
+  const double voxelsPerMeter = point.GradientMagnitude > 0.0
+    ? Norm(model.DeviceToIndex.Linear * point.Normal)
+    : model.MostVoxelsPerMeter;
+  double longest = DragVoxels / voxelsPerMeter;
+  const double coupling = Capped(model.Baked->Settings.CouplingStiffness, model.Caps.Stiffness);
+  if (coupling > 0.0)
+  {
+    if (slack == 0.0 && k >= coupling)
+    {
+      return; // R/k is not longer, whatever rounding says
+    }
+    longest = std::max(longest, drag / coupling);
+  }
+  point.Viscosity = std::clamp(k * (longest - slack), 0.0, drag);
+}
+
 /** Of the wall in front of a forbidden label: N, and N/m at least. */
 constexpr double ForbiddenStrength = 1e6;
 constexpr double ForbiddenStiffness = 500.0;

@@ -40,8 +40,10 @@ constexpr double Impenetrable = 1e6;
 constexpr double Solid = 12.0;
 
 /**
- * The stiffness of all that is felt: most desktop devices hold it. A change of stiffness would be
- * felt as relief, and as a step of the force where V(x_s) wanders from one tissue to another.
+ * The stiffness of everything: most desktop devices hold it. A change of stiffness would be felt as
+ * relief, and as a step of the force where V(x_s) wanders from one tissue to another. Air has it,
+ * too: on a ramp from 0, noise would read a stiffness near 0 beside a drag, which would leave the
+ * proxy far behind.
  */
 constexpr double K = 400.0;
 
@@ -55,7 +57,7 @@ const std::vector<Preset>& Presets()
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
-        { "air", -1024, -955, 0, 0.00, 0.00, 0.0 },
+        { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
         { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
         { "fluid", -10, 10, K, 0.12, 0.15, 1.5 },
@@ -66,7 +68,7 @@ const std::vector<Preset>& Presets()
       8, 40, vtkHapticProperty::HIGHER },
     { "CT physical",
       {
-        { "air", -1024, -955, 0, 0.00, 0.00, 0.00 },
+        { "air", -1024, -955, 8, 0.00, 0.00, 0.00 },
         { "lung", -950, -500, 8, 0.46, 0.01, 0.05 },
         { "fat", -150, -30, 16, 0.46, 0.02, 0.15 },
         { "fluid", -10, 15, 4, 0.05, 0.02, 0.01 },
@@ -78,7 +80,7 @@ const std::vector<Preset>& Presets()
     // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
     { "CT angiography",
       {
-        { "air", -1024, -955, 0, 0.00, 0.00, 0.0 },
+        { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
         { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
         { "muscle, organ", 30, 100, K, 0.30, 0.50, 2.0 },
@@ -89,7 +91,7 @@ const std::vector<Preset>& Presets()
     // Lung has strengths of its own; fluid is not told apart in the noise of a chest.
     { "CT chest",
       {
-        { "air", -1024, -980, 0, 0.00, 0.00, 0.0 },
+        { "air", -1024, -980, K, 0.00, 0.00, 0.0 },
         { "lung", -920, -750, K, 0.10, 0.10, 0.6 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
         { "muscle, organ, blood", 20, 80, K, 0.30, 0.50, 2.2 },
@@ -97,10 +99,9 @@ const std::vector<Preset>& Presets()
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       8, 40, vtkHapticProperty::HIGHER },
-    // Surfaces are felt from both sides here, so that the background can be inside one: it is as
-    // stiff as tissue, since the drag of tissue on a soft spring would leave the proxy far behind.
-    // Two surfaces of opposite sides are often a few voxels apart (scalp and skull): distinctness
-    // rises slowly, so that the one does not take over from the other in a step.
+    // Surfaces are felt from both sides here. Two surfaces of opposite sides are often a few voxels
+    // apart (scalp and skull): distinctness rises slowly, so that the one does not take over from
+    // the other in a step.
     { "MRI",
       {
         { "background", 0, 12, K, 0.00, 0.00, 0.0 },
@@ -115,7 +116,7 @@ const std::vector<Preset>& Presets()
     // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
     { "Labels",
       {
-        { "no label", 0, 0.25, 0, 0.00, 0.00, 0.0 },
+        { "no label", 0, 0.25, K, 0.00, 0.00, 0.0 },
         { "any label", 0.75, 1, K, 0.25, 0.20, 3.0 },
       },
       0, 0, vtkHapticProperty::BOTH, true },

@@ -10,6 +10,7 @@
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 
@@ -36,6 +37,35 @@ const EditedPage Pages[] = {
   { { "Materials of labels", 0.0, 1.0, 1.0 }, nullptr },
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
+
+/**
+ * The lag (m) by which a drag would have to leave the proxy behind the tip for a warning: twice
+ * what presets have.
+ */
+constexpr double LongDrag = 0.01;
+
+/** The value of a function at a place; an empty one is constant. */
+double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
+{
+  return function->GetSize() > 0 ? function->GetValue(x) : empty;
+}
+
+/** The nodes of two functions, in order. */
+std::vector<double> FindNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
+{
+  std::vector<double> places;
+  for (vtkPiecewiseFunction* const function : { a, b })
+  {
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      double node[4];
+      function->GetNodeValue(i, node);
+      places.push_back(node[0]);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
 
 constexpr int SheetWidth = 270;      // pixels, of tissues beside a chart
 constexpr int LeastChartWidth = 330; // beside which there is room for them
@@ -98,6 +128,35 @@ EditedObjects EditorPages::GetEditable() const
   const EditedObjects all = this->GetEdited();
   return this->Page == Editor::LABELS ? EditedObjects{ nullptr, nullptr, all.Labels }
                                       : EditedObjects{ all.Property, all.Opacity, nullptr };
+}
+
+//------------------------------------------------------------------------------
+std::string EditorPages::FindWarning() const
+{
+  vtkHapticProperty* const property = this->Proposed.Property;
+  if (!property || (this->Page != Editor::STIFFNESS && this->Page != Editor::VISCOSITY))
+  {
+    return {};
+  }
+  vtkPiecewiseFunction* const stiffness = property->GetStiffness();
+  vtkPiecewiseFunction* const viscosity = property->GetViscosity();
+  const auto k = [&](double x)
+  { return Evaluate(stiffness, x, Pages[Editor::STIFFNESS].Quantity.EmptyValue); };
+  const auto drag = [&](double x)
+  { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
+  // Noise reads one end of a ramp beside the other one.
+  const std::vector<double> places = FindNodes(stiffness, viscosity);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double a = places[i];
+    const double b = places[std::min(i + 1, places.size() - 1)];
+    const double soft = k(a) < k(b) ? a : b;
+    if (std::max(drag(a), drag(b)) > LongDrag * std::max(0.0, k(soft)))
+    {
+      return "too soft for its drag at " + vtkVariant(soft).ToString();
+    }
+  }
+  return {};
 }
 
 vtkMTimeType EditorPages::GetEditTime() const
@@ -183,6 +242,7 @@ void EditorPages::Show(const int rectangle[4], bool isDragged, double scale)
   vtkPiecewiseFunction* const function = this->GetFunction();
   this->Chart.Place(place, scale);
   this->Proposed.ShowFunction(Pages[this->Page].Get);
+  this->Chart.NoteWarning(this->FindWarning());
   this->Chart.ShowFunction(function, Pages[this->Page].Quantity, isDragged);
   this->Chart.ShowTissues(this->Proposed.Property);
   if (!function)

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
@@ -46,6 +47,8 @@ public:
   EditedObjects GetEdited() const;
   /** Those of them that can be edited on the page. */
   EditedObjects GetEditable() const;
+  /** What is wrong with the stiffness and the viscosity, on their pages; empty if nothing is. */
+  std::string FindWarning() const;
   /** When something was last edited. */
   vtkMTimeType GetEditTime() const;
 

@@ -239,7 +239,8 @@ void HapticFunctionChart::ShowFunction(
   this->Curve->SetVisible(function != nullptr);
   this->Points->SetVisible(function != nullptr);
   const std::string touched = function ? this->Points->DescribeCurrentPoint() : std::string();
-  const std::string note = (this->ProposedFunction ? std::string(", dashed: proposed") : "") +
+  const std::string note = (this->Warning.empty() ? "" : ": " + this->Warning) +
+    (this->ProposedFunction ? std::string(", dashed: proposed") : "") +
     DescribeShare(this->GetCountedShare(), "counted") +
     DescribeShare(this->SearchedShare, "searched");
   this->Chart->SetTitle(quantity.Title + (touched.empty() ? note : ": " + touched));

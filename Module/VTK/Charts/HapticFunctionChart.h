@@ -27,6 +27,7 @@
 #include "vtkVector.h"
 
 #include <map>
+#include <string>
 
 class vtkHapticProperty;
 class vtkImageData;
@@ -98,6 +99,9 @@ public:
   /** Tells the share of a search for functions or edges that is done; 1: there is none. */
   void NoteSearch(double share) { this->SearchedShare = share; }
 
+  /** Tells what is wrong with the function; empty: nothing is. */
+  void NoteWarning(const std::string& warning) { this->Warning = warning; }
+
   /** The range of the data (scalar units). */
   const double* GetDataRange() const { return this->DataRange; }
 
@@ -165,6 +169,7 @@ private:
   bool HasData = false;
   bool HasEdges = false;
   double SearchedShare = 1.0;
+  std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
   double DataRange[2] = { 0.0, 1.0 };
   double Range[2] = { 0.0, 1.0 };

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The editor over a view: the stiffness of a preset over the histogram of the head phantom.
+// The editor over a view: the stiffness of a preset over the histogram of the head phantom, with a
+// ramp from air.
 #include "Factories.h"
 
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -24,6 +26,9 @@ int TestFunctionEditor(int argc, char* argv[])
 
   vtkNew<vtkHapticProperty> property;
   property->ApplyPreset("CT contrast");
+  property->GetStiffness()->AddPoint(-1024.0, 0.0);
+  property->GetStiffness()->AddPoint(-955.0, 0.0);
+  property->GetViscosity()->RemoveAllPoints(); // a drag on the ramp would be a warning
   vtkNew<vtkHapticFunctionEditor> editor;
   editor->SetProperty(property);
   editor->SetInputData(head->GetOutput());

@@ -44,6 +44,32 @@ int TestFunctionEditorFunctions(int, char*[])
       IsNode(friction, 1, 0.5, 0.5, 0.02, 0.02),
     "the first point brings the default along");
 
+  // A ramp of the stiffness from 0 beside a drag: noise reads the one with the other.
+  editor->SetFunctionToStiffness();
+  view.Check(editor->GetWarning().empty(), "500 N/m and no drag");
+  property->GetViscosity()->AddPoint(0.0, 0.0);
+  property->GetViscosity()->AddPoint(100.0, 0.5);
+  view.Check(editor->GetWarning().empty(), "500 N/m and a drag of 0.5 N: 1 mm");
+  property->GetStiffness()->AddPoint(20.0, 0.0);
+  property->GetStiffness()->AddPoint(30.0, 400.0);
+  view.Check(editor->GetWarning() == "too soft for its drag at 20", "a drag on 0 N/m");
+  editor->SetFunctionToViscosity();
+  view.Check(
+    editor->GetWarning() == "too soft for its drag at 20", "the drag's page tells it, too");
+  editor->SetFunctionToFriction();
+  view.Check(editor->GetWarning().empty(), "friction has nothing to do with it");
+  property->GetStiffness()->AddPoint(20.0, 30.0);
+  editor->SetFunctionToStiffness();
+  view.Check(editor->GetWarning().empty(), "0.15 N on 30 N/m: 5 mm");
+  for (const char* const preset :
+    { "CT contrast", "CT physical", "CT angiography", "CT chest", "MRI", "Micro-CT", "Labels" })
+  {
+    property->ApplyPreset(preset);
+    view.Check(editor->GetWarning().empty(), preset);
+  }
+  property->RemoveAllTissues();
+  friction->RemoveAllPoints();
+
   // Opacity: nothing to edit at first.
   editor->SetFunctionToOpacity();
   view.Window->Render();

@@ -124,6 +124,7 @@ void PreciseFollower::Refresh(double lag) noexcept
   spring.DropReserve();
   PassOn(spring, this->State.Here.Stiffness, lag);
   spring.Reserve += spring.Tension > 0.0 && lag > 0.0 ? reserve : 0.0;
+  this->Field.LimitDrag(spring, lag, this->State.Here);
 }
 
 bool PreciseFollower::Settle(const Vector3& tip) noexcept
@@ -149,8 +150,10 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   {
     if (this->IsTwoSided && Dot(tip - this->Proxy, this->State.Here.Normal) < 0.0)
     {
+      const double lag = Norm(tip - this->Proxy);
       this->LookAround(tip - this->Proxy, {});
-      PassOn(this->State.Spring, this->State.Here.Stiffness, Norm(tip - this->Proxy));
+      PassOn(this->State.Spring, this->State.Here.Stiffness, lag);
+      this->Field.LimitDrag(this->State.Spring, lag, this->State.Here);
     }
     Motion motion = this->Plan(tip, isFirst ? &before : nullptr);
     if (isFirst)

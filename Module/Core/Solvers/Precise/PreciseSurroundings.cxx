@@ -278,7 +278,9 @@ Arrival PreciseSurroundings::Try(const Departure& start, const Motion& motion,
   // The point is made in place: copies of it would have to wait until it is in the cache.
   const double voxels = this->HasWalks ? this->Voxels(displacement) : 0.0;
   Arrival end{ proxy, this->Look(proxy, lag, start.Touched, voxels), 0.0, start.Spring };
-  PassOn(end.Spring, end.There.Stiffness, Norm(lag));
+  const double length = Norm(lag);
+  PassOn(end.Spring, end.There.Stiffness, length);
+  this->LimitDrag(end.Spring, length, end.There);
   if (motion.IsHeld && end.There.Slope != 0.0)
   {
     const double back = this->ToLevel(end.There, end.Spring.GetEffective(), start.Level, lag);

@@ -75,6 +75,11 @@ public:
   /** As above, if the surface through the proxy is known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
+  /** Limits the drag of a point at a proxy with this spring to a tip `lag` (m) away. */
+  void LimitDrag(const PassiveSpring& spring, double lag, PrecisePoint& point) const noexcept
+  {
+    Law::LimitDrag(this->Model, spring.Tension < 1.0 ? (1.0 - spring.Tension) * lag : 0.0, point);
+  }
   /** Whether the budget suffices for another motion. */
   bool CanGoOn() const noexcept;
 
