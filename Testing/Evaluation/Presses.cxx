@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Presses.h"
+
+#include "Shapes.h"
+
+#include "Core/Model/HapticModel.h"
+
+#include <algorithm>
+#include <optional>
+
+using namespace VolumeHaptics;
+
+namespace evaluation
+{
+namespace
+{
+constexpr double Far = 40.0;          // mm, the way through air
+constexpr double Deep = 5.0;          // mm
+constexpr double PressStep = 0.1;     // mm a tick
+constexpr double FeltForce = 0.1;     // N
+constexpr double LeastCosine = 0.707; // of a ray to the normal
+constexpr double RayStep = 0.25;      // voxels
+constexpr double Persistence = 0.75;  // voxels that a surface has behind it
+
+/** A ray through the volume, in the world. */
+struct Ray
+{
+  Vector3 Start;
+  Vector3 Way;   ///< unit
+  double Length; ///< of the part that may be in the volume
+  double Unit;   ///< the length of a voxel along it
+  Vector3 At(double t) const { return this->Start + t * this->Way; }
+};
+
+/** The place where a ray meets the surface. */
+struct Meeting
+{
+  double At;      ///< along the ray
+  Vector3 Normal; ///< unit, inwards
+};
+
+/** A point of a sequence that fills the unit cube evenly (Roberts' R3). */
+Vector3 PointOf(int i)
+{
+  const auto part = [i](double a) { return std::fmod(0.5 + a * (i + 1), 1.0); };
+  return { part(0.8191725134), part(0.6710436067), part(0.5497004779) };
+}
+
+/** Evenly spread ways, which go by within a third of the box around the middle. */
+Ray MakeRay(const PressedVolume& volume, int i, int count)
+{
+  const double z = 1.0 - 2.0 * (i + 0.5) / count;
+  const double angle = 2.399963229728653 * i; // the golden one
+  const double r = std::sqrt(1.0 - z * z);
+  const Vector3 way = { r * std::cos(angle), r * std::sin(angle), z };
+  const auto& b = volume.Box;
+  const Vector3 size = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
+  const Vector3 share = PointOf(i) - Vector3{ 0.5, 0.5, 0.5 };
+  const Vector3 by =
+    volume.Middle + (2.0 / 3.0) * Vector3{ share.X * size.X, share.Y * size.Y, share.Z * size.Z };
+  const double reach = Norm(size);
+  const Vector3& v = volume.Voxel;
+  const double unit = 1.0 / Norm({ way.X / v.X, way.Y / v.Y, way.Z / v.Z });
+  return { by - reach * way, way, 2.0 * reach, unit };
+}
+
+/** The smoothed value there; none outside. */
+std::optional<double> ValueAt(const PressedVolume& volume, const Vector3& world)
+{
+  const Vector3 index = volume.Shape->DeviceToIndex(0.001 * volume.Scale * world);
+  if (!volume.Shape->Baked->Field.IsInside(index))
+  {
+    return {};
+  }
+  return volume.Shape->Baked->Field.Gradient(index).Value;
+}
+
+std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
+{
+  const double step = RayStep * ray.Unit;
+  const auto isIn = [&](double t)
+  {
+    const auto value = ValueAt(volume, ray.At(t));
+    return value && *value >= volume.Level;
+  };
+  double entry = 0.0;
+  while (entry < ray.Length && !ValueAt(volume, ray.At(entry)))
+  {
+    entry += step;
+  }
+  double t = entry;
+  for (double since = -1.0; t < ray.Length; t += step)
+  {
+    since = !isIn(t) ? -1.0 : since < 0.0 ? t : since;
+    if (since >= 0.0 && t - since >= Persistence * ray.Unit)
+    {
+      t = since;
+      break;
+    }
+  }
+  if (t >= ray.Length || t - entry < ray.Unit)
+  {
+    return {};
+  }
+  double out = t - step;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double between = 0.5 * (out + t);
+    (isIn(between) ? t : out) = between;
+  }
+  const Vector3 index = volume.Shape->DeviceToIndex(0.001 * volume.Scale * ray.At(t));
+  const Vector3 gradient =
+    volume.Shape->GradientToDevice * volume.Shape->Baked->Field.Gradient(index).Gradient;
+  const double size = Norm(gradient);
+  if (size <= 0.0 || Dot(gradient, ray.Way) < LeastCosine * size)
+  {
+    return {};
+  }
+  return Meeting{ t, (1.0 / size) * gradient };
+}
+
+/** Where along the ray half of its opacity is in front; none if it meets none. */
+std::optional<double> FindHalfOpacity(const PressedVolume& volume, const Ray& ray)
+{
+  const double step = RayStep * ray.Unit;
+  std::vector<double> opacity; // in front of the end of each step
+  double depth = 0.0;
+  for (double t = 0.5 * step; t < ray.Length; t += step)
+  {
+    depth += volume.Extinction(ray.At(t)) * step;
+    opacity.push_back(1.0 - std::exp(-depth));
+  }
+  if (opacity.empty() || opacity.back() <= 0.0)
+  {
+    return {};
+  }
+  const double half = 0.5 * opacity.back();
+  const auto at = std::lower_bound(opacity.begin(), opacity.end(), half);
+  const double before = at == opacity.begin() ? 0.0 : *(at - 1);
+  return step *
+    (static_cast<double>(at - opacity.begin()) + (half - before) / std::max(*at - before, 1e-300));
+}
+
+void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
+{
+  const Vector3 surface = volume.Scale * ray.At(met.At); // mm of the hand's space
+  Path tips = { surface - Far * ray.Way };
+  MoveTo(tips, surface + Deep * ray.Way, PressStep);
+  const std::size_t pressed = tips.size();
+  MoveTo(tips, surface - Deep * ray.Way, PressStep);
+  const Trace trace = Play(*volume.Model, tips);
+  ++found.Count;
+  std::optional<Vector3> felt;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+  {
+    if (!felt && i < pressed && Norm(trace[i].Force) >= FeltForce)
+    {
+      felt = ProxyOf(trace[i]);
+    }
+    if (i > 0)
+    {
+      found.LargestStep = std::max(found.LargestStep, Norm(trace[i].Force - trace[i - 1].Force));
+    }
+  }
+  if (!felt)
+  {
+    ++found.Unfelt;
+    return;
+  }
+  const double voxel = volume.Scale * ray.Unit;
+  found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
+  if (const auto half = FindHalfOpacity(volume, ray))
+  {
+    found.OffSeen.push_back(Dot(volume.Scale * ray.At(*half) - *felt, ray.Way) / voxel);
+  }
+}
+} // namespace
+
+Presses PressFromAllSides(const PressedVolume& volume, int rays)
+{
+  Presses found;
+  for (int i = 0; i < rays; ++i)
+  {
+    const Ray ray = MakeRay(volume, i, rays);
+    if (const auto met = FindMeeting(volume, ray))
+    {
+      Press(volume, ray, *met, found);
+    }
+  }
+  return found;
+}
+
+double FindLargest(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  std::transform(
+    values.begin(), values.end(), values.begin(), [](double value) { return std::abs(value); });
+  const auto at = values.begin() +
+    static_cast<std::ptrdiff_t>(std::floor(share * static_cast<double>(values.size() - 1) + 0.5));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double FindMedian(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+} // namespace evaluation

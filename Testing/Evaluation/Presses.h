@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Straight presses from all sides onto the outer surface of a volume: what the hand meets, and what
+ * the eye sees there.
+ */
+#ifndef Evaluation_Presses_h
+#define Evaluation_Presses_h
+
+#include "Figure.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+class HapticModel;
+}
+
+namespace evaluation
+{
+
+/** What is pressed, by positions in the world. */
+struct PressedVolume
+{
+  std::shared_ptr<const VolumeHaptics::HapticModel> Model; ///< of what is felt
+  std::shared_ptr<const VolumeHaptics::HapticModel> Shape; ///< the values that have the surface
+  double Level = 0.0;                                      ///< of the surface; more is inside
+  double Scale = 1.0;                                      ///< mm of the hand's space in a unit
+  std::array<double, 6> Box{};
+  Vector3 Middle;   ///< that the rays go by
+  Vector3 Voxel;    ///< lengths of its edges along the world's axes
+  Field Extinction; ///< of the picture, per unit: 1 - exp(-extinction d) is the opacity of a layer
+};
+
+/** What was found by rays that meet the surface within 45 degrees of its normal. */
+struct Presses
+{
+  int Count = 0;
+  int Unfelt = 0;                 ///< less than 0.1 N until 5 mm under the surface
+  std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
+  std::vector<double> OffSeen;    ///< voxels along the ray from there to half of the opacity
+  double LargestStep = 0.0;       ///< N, of the force from one tick to the next
+};
+
+/**
+ * The hand comes from 40 mm outside along a ray at 100 mm/s, presses 5 mm deep, and goes back. It
+ * feels the surface at the proxy of the first tick with 0.1 N. Rays that enter the volume inside of
+ * the body are left out.
+ */
+Presses PressFromAllSides(const PressedVolume& volume, int rays);
+
+/** The magnitude that a share of the values does not exceed; 0 without values. */
+double FindLargest(std::vector<double> values, double share);
+/** Half of the values are less; 0 without values. */
+double FindMedian(std::vector<double> values);
+
+} // namespace evaluation
+
+#endif

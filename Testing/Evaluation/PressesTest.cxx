@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/** Presses onto a ball, whose surface is known, shown in ways that are known. */
+
+#include "Presses.h"
+
+#include "Methods.h"
+#include "Shapes.h"
+
+#include "VTK/Filter/HapticBaker.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <gtest/gtest.h>
+
+using namespace evaluation;
+
+namespace
+{
+constexpr double BallRadius = 12.0;
+
+/** A ball of 100 in 0, which holds or does not. */
+PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image)
+{
+  image = SampleImage(
+    [](const Vector3& x) { return BlurredStep(BallRadius - Norm(x), 1.0, 100.0); }, 20.0);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, image);
+  vtkHapticProperty* const feel = filter->GetProperty();
+  SetConstant(feel->GetStiffness(), stiffness);
+  SetConstant(feel->GetFriction(), 0.0);
+  SetConstant(feel->GetViscosity(), 0.0);
+  SetConstant(feel->GetSurfaceStrength(), Impenetrable);
+  SetConstant(feel->GetDistinctness(), 1.0);
+  PressedVolume ball;
+  ball.Model = ball.Shape = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  ball.Level = 50.0;
+  ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
+  ball.Voxel = { 1.0, 1.0, 1.0 };
+  ball.Extinction = [](const Vector3& x) { return Norm(x) < BallRadius ? 50.0 : 0.0; };
+  return ball;
+}
+} // namespace
+
+TEST(Presses, AHardBallIsFeltAndSeenWhereItIs)
+{
+  vtkSmartPointer<vtkImageData> image;
+  const Presses found = PressFromAllSides(MakeBall(1000.0, image), 60);
+  EXPECT_GT(found.Count, 30);
+  EXPECT_EQ(found.Unfelt, 0);
+  EXPECT_NEAR(FindMedian(found.OffSurface), 0.0, 0.2);
+  EXPECT_LT(FindLargest(found.OffSurface, 1.0), 0.4);
+  EXPECT_NEAR(FindMedian(found.OffSeen), 0.0, 0.4);
+}
+
+TEST(Presses, WhatIsSoftIsUnfelt)
+{
+  vtkSmartPointer<vtkImageData> image;
+  const Presses found = PressFromAllSides(MakeBall(10.0, image), 60); // 0.05 N in 5 mm
+  EXPECT_GT(found.Count, 30);
+  EXPECT_EQ(found.Unfelt, found.Count);
+  EXPECT_TRUE(found.OffSurface.empty());
+}
+
+TEST(Presses, GlassIsSeenThrough)
+{
+  // A core of 9 mm in clear glass. A ray at a distance b from the middle goes through
+  // sqrt(12^2 - b^2) - sqrt(9^2 - b^2) of glass: 3 mm for b = 0, and 5.5 mm at 45 degrees to the
+  // normal, where b = 12 / sqrt(2). Half of the opacity is met within 0.1 mm of the core, and the
+  // felt place is a part of a voxel off.
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(1000.0, image);
+  ball.Extinction = [](const Vector3& x) { return Norm(x) < 9.0 ? 50.0 : 0.0; };
+  const Presses found = PressFromAllSides(ball, 60);
+  ASSERT_FALSE(found.OffSeen.empty());
+  for (const double behind : found.OffSeen)
+  {
+    EXPECT_GT(behind, 2.6);
+    EXPECT_LT(behind, 5.9);
+  }
+}
+
+TEST(Presses, SharesOfMagnitudes)
+{
+  EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 1.0), 3.0);
+  EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 0.5), 2.0);
+  EXPECT_EQ(FindMedian({ -3.0, 1.0, 2.0 }), 1.0);
+  EXPECT_EQ(FindMedian({}), 0.0);
+}

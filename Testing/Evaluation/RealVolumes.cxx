@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RealVolumes.h"
+
+#include "Arcs.h"
+#include "Presses.h"
+#include "Roughness.h"
+
+#include "Applications/Explorer/Analysis/ValueProbe.h"
+#include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Scene/VolumeLook.h"
+#include "Applications/Explorer/Volume/LabelLoader.h"
+#include "Applications/Explorer/Volume/VolumeLoader.h"
+#include "VTK/Filter/HapticBaker.h"
+
+#include "vtkImageData.h"
+#include "vtkImageThreshold.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeProperty.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace VolumeHaptics;
+
+namespace evaluation
+{
+namespace
+{
+constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
+
+struct KnownVolume
+{
+  std::string Name;
+  std::string File;
+  std::vector<std::string> Presets;
+  bool IsLabels = false;
+};
+
+std::vector<KnownVolume> ListVolumes(const VolumePlaces& places)
+{
+  const std::vector<std::string> ct = { "CT contrast" };
+  const std::vector<std::string> chest = { "CT contrast", "CT chest", "CT angiography" };
+  const std::vector<std::string> mri = { "auto", "MRI" };
+  const std::vector<std::string> micro = { "auto", "Micro-CT" };
+  const std::vector<std::string> own = { "auto" };
+  std::vector<KnownVolume> all;
+  if (!places.Head.empty())
+  {
+    all.push_back({ "head CT", places.Head, ct });
+  }
+  if (!places.Chest.empty())
+  {
+    all.push_back({ "chest CT", places.Chest + "/cxr.nii.gz", chest });
+    all.push_back({ "chest labels", places.Chest + "/mask.nii.gz", own, true });
+  }
+  const auto add = [&](const char* name, const char* file, const std::vector<std::string>& presets,
+                     bool isLabels = false)
+  {
+    if (!places.Others.empty())
+    {
+      all.push_back({ name, places.Others + "/" + file, presets, isLabels });
+    }
+  };
+  add("head CT, 2nd slices", "head-slice2.vti", ct);
+  add("head CT, 4th slices", "head-slice4.vti", ct);
+  for (const char* const noise : { "20", "35", "60" })
+  {
+    add((std::string("head CT + ") + noise + " HU white").c_str(),
+      (std::string("head-white") + noise + ".vti").c_str(), ct);
+    add((std::string("head CT + ") + noise + " HU smooth").c_str(),
+      (std::string("head-smooth") + noise + ".vti").c_str(), ct);
+  }
+  add("shell", "shell.vti", micro);
+  add("bone", "bone.vti", micro);
+  add("fly", "fly.vti", micro);
+  add("fibres", "fibers.vti", micro);
+  add("stent CT", "stent.vti", own);
+  add("MNI T1", "mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz", mri);
+  add("MNI grey matter", "mni_icbm152_gm_tal_nlin_sym_09a_converted.nii.gz", own);
+  add("MNI white matter", "mni_icbm152_wm_tal_nlin_sym_09a_converted.nii.gz", own);
+  add("ch2", "ch2.nii.gz", mri);
+  add("ch2better", "ch2better.nii.gz", mri);
+  add("macaque T1", "inia19-t1-brain.nii.gz", own);
+  add("volpack MRI", "volpack.vti", mri);
+  add("diffusion S0", "aniso_vox.nii.gz", own);
+  add("AAL", "aal.nii.gz", own, true);
+  add("Brodmann", "brodmann.nii.gz", own, true);
+  add("JHU", "JHU-WhiteMatter-labels-1mm.nii.gz", own, true);
+  add("Harvard-Oxford", "HarvardOxford-cort-maxprob-thr0-1mm.nii.gz", own, true);
+  add("frog", "frog_tissues.vti", own, true);
+  return all;
+}
+
+/** The outer surface of a volume: of its values, or of all labels together. */
+struct Outline
+{
+  vtkSmartPointer<vtkImageData> Image;
+  double Level;
+};
+
+Outline MakeOutline(const Explore::Volume& volume, const Explore::Analysis& values)
+{
+  if (!volume.AreLabels)
+  {
+    return { volume.Image, values.OuterThreshold };
+  }
+  vtkNew<vtkImageThreshold> any;
+  any->SetInputData(volume.Image);
+  any->ThresholdByUpper(1.0); // cast to the type of the labels
+  any->SetInValue(1.0);
+  any->SetOutValue(0.0);
+  any->SetOutputScalarTypeToUnsignedChar();
+  any->Update();
+  return { any->GetOutput(), 0.5 };
+}
+
+std::shared_ptr<const HapticModel> BakeShape(vtkImageData* image, double metersPerUnit)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(metersPerUnit);
+  return HapticBaker(filter).Bake(1000.0, {}, nullptr);
+}
+
+/** The picture of a volume, by position. */
+Field MakeExtinction(const Explore::Volume& volume, vtkVolumeProperty* look)
+{
+  const Explore::ValueProbe probe(volume.Image, 0.0);
+  vtkImageData* const image = volume.Image;
+  const bool isNearest = look->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  vtkPiecewiseFunction* const opacity = look->GetScalarOpacity();
+  const double unit = look->GetScalarOpacityUnitDistance();
+  return [=](const Vector3& world)
+  {
+    double position[3] = { world.X, world.Y, world.Z };
+    bool isInside = false;
+    double value = probe.Value(position, isInside);
+    if (!isInside)
+    {
+      return 0.0;
+    }
+    if (isNearest)
+    {
+      double index[3];
+      image->TransformPhysicalPointToContinuousIndex(position, index);
+      value = image->GetScalarComponentAsDouble(static_cast<int>(std::lround(index[0])),
+        static_cast<int>(std::lround(index[1])), static_cast<int>(std::lround(index[2])), 0);
+    }
+    return -std::log(1.0 - std::min(opacity->GetValue(value), 0.99999)) / unit;
+  };
+}
+
+/** Strokes in planes through the middle. */
+Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Effort& effort)
+{
+  const Vector3 axes[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+  Course course;
+  course.Level = outline.Level;
+  course.Middles = { pressed.Middle };
+  const auto& b = pressed.Box;
+  course.Radius = (b[1] - b[0] + b[3] - b[2] + b[5] - b[4]) / 6.0;
+  std::vector<Roughness> strokes;
+  for (int plane = 0; plane < effort.Pick(1, 3); ++plane)
+  {
+    course.Side = axes[plane];
+    course.Up = axes[(plane + 1) % 3];
+    for (Arc& arc : FindArcs(outline.Image, course))
+    {
+      for (Vector3& tip : arc.Tips)
+      {
+        tip = pressed.Scale * tip;
+      }
+      const Trace trace = Play(*pressed.Model, arc.Tips);
+      std::vector<double> force;
+      for (std::size_t i = arc.Pressed + Settled; i < trace.size(); ++i)
+      {
+        force.push_back(Norm(trace[i].Force));
+      }
+      strokes.push_back(FindRoughness(force));
+    }
+  }
+  return Average(strokes);
+}
+
+/** A line of the table, as ExploreVolume() and BuildScene() would touch and show the volume. */
+std::vector<std::string> MeasureVolume(const std::string& name, const Explore::Volume& volume,
+  const std::string& preset, const Effort& effort)
+{
+  Explore::Analysis values = Explore::AnalyseVolume(volume.Image, volume.IsField, volume.AreLabels);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  const std::string materials = Explore::ApplyMaterials(preset, values, volume.Image, filter);
+  Explore::FitThresholds(filter->GetProperty(), values);
+  Explore::MeasureBody(values, volume.Image);
+  filter->SetMetersPerWorldUnit(values.MetersPerWorldUnit);
+  filter->SetInputDataObject(0, volume.Image);
+  vtkNew<vtkVolumeProperty> look;
+  Explore::SetVolumeLook(values, look);
+  if (volume.AreLabels)
+  {
+    filter->SetLabelData(volume.Labels);
+    filter->SetLabelTable(volume.LabelTable);
+    filter->SetGeometryFromLabels();
+    Explore::SetLabelLook(volume.LabelTable, look);
+  }
+  const Outline outline = MakeOutline(volume, values);
+  PressedVolume pressed;
+  pressed.Model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  pressed.Shape = BakeShape(outline.Image, values.MetersPerWorldUnit);
+  if (!pressed.Model || !pressed.Shape)
+  {
+    return { name, materials, "can't be touched" };
+  }
+  pressed.Level = outline.Level;
+  pressed.Scale = 1000.0 * values.MetersPerWorldUnit;
+  std::copy_n(values.BodyBounds, 6, pressed.Box.begin());
+  pressed.Middle = { values.Centre[0], values.Centre[1], values.Centre[2] };
+  const double* const spacing = volume.Image->GetSpacing();
+  pressed.Voxel = { spacing[0], spacing[1], spacing[2] };
+  pressed.Extinction = MakeExtinction(volume, look);
+  const Presses presses = PressFromAllSides(pressed, effort.Pick(60, 400));
+  const Roughness strokes = Stroke(pressed, outline, effort);
+  const auto far = std::count_if(presses.OffSurface.begin(), presses.OffSurface.end(),
+    [](double off) { return std::abs(off) > 2.0; });
+  const double felt = std::max<double>(1.0, static_cast<double>(presses.OffSurface.size()));
+  const double seconds = std::max(strokes.Duration, 1e-9);
+  return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
+    Number(FindMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
+    Number(100.0 * static_cast<double>(far) / felt), Number(FindMedian(presses.OffSeen)),
+    Number(FindLargest(presses.OffSeen, 0.95)), Number(strokes.Mean), Number(strokes.Both),
+    Number(strokes.Drops / seconds), Number(strokes.LargestStep), Number(presses.LargestStep) };
+}
+
+void PrintLine(const std::vector<std::string>& row)
+{
+  for (const std::string& cell : row)
+  {
+    std::fprintf(stderr, "%s  ", cell.c_str());
+  }
+  std::fprintf(stderr, "\n");
+}
+} // namespace
+
+Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
+{
+  Table table{ "Real volumes: felt and seen",
+    "Presses from 40 mm away, 5 mm deep, on rays from all sides within 45 degrees of the normal; "
+    "unfelt are those with less than 0.1 N. The felt place is the proxy at 0.1 N: voxels behind "
+    "the isosurface of the outer threshold, and from it to half of the opacity along the ray, each "
+    "the median and the magnitude that 95 % do not exceed. Strokes as above, in planes through the "
+    "middle.",
+    { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
+      "seen behind", "95 %", "stroke (N)", "30-500 Hz (%)", "drops / s", "largest step (N)",
+      "of presses (N)" },
+    {} };
+  for (const KnownVolume& known : ListVolumes(places))
+  {
+    try
+    {
+      if (!vtksys::SystemTools::FileExists(known.File, true))
+      {
+        std::fprintf(
+          stderr, "%s is not there: %s is left out\n", known.File.c_str(), known.Name.c_str());
+        continue;
+      }
+      Explore::Volume volume = Explore::LoadVolume(known.File);
+      if (known.IsLabels)
+      {
+        Explore::TakeAsLabels(volume, known.File, {});
+      }
+      for (const std::string& preset : known.Presets)
+      {
+        table.Rows.push_back(MeasureVolume(known.Name, volume, preset, effort));
+        table.Rows.back().resize(table.Columns.size());
+        PrintLine(table.Rows.back());
+      }
+    }
+    catch (const Explore::InputError& error)
+    {
+      std::fprintf(stderr, "%s\n", error.what());
+    }
+  }
+  return table;
+}
+
+} // namespace evaluation
