@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSliceView.h"
 
+#include "VTK/Docks/RendererAspect.h"
 #include "VTK/Docks/WindowDock.h"
 #include "VTK/Scene/HapticSceneSettings.h"
 #include "VTK/Scene/TouchedLabel.h"
@@ -193,6 +194,7 @@ void vtkHapticSliceView::SetRenderWindow(vtkRenderWindow* window)
     for (vtkRenderer* const renderer : d.GetColumn())
     {
       window->AddRenderer(renderer);
+      ComputeAspect(renderer);
     }
     window->AddObserver(vtkCommand::StartEvent, d.StartObserver);
   }

@@ -108,7 +108,7 @@ allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# a header whether OpenGL runs on the processor, sizes letters, shows a CT as the plugin does, and reads the heads of
+# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, shows a CT as the plugin does, and reads the heads of
 # files and places grids as the library does.
 allow(Applications/DeviceTool)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
@@ -118,22 +118,23 @@ set(writer VTK/Trace/TraceWriter.h)
 set(ring Core/Servo/TraceRing.h)
 set(software VTK/Scene/SoftwareOpenGL.h)
 set(look VTK/Scene/CTLook.h)
+set(aspect VTK/Docks/RendererAspect.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${header} ${parts})
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts})
 allow(${explorer}/Record ${explorer}/Errors)
 allow(${explorer}/Analysis)
-allow(${explorer}/View ${explorer}/Errors ${pixels})
+allow(${explorer}/View ${explorer}/Errors ${pixels} ${aspect})
 allow(${explorer}/Path ${explorer}/Analysis ${explorer}/View)
 set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${explorer}/View ${explorer}/Path)
 list(APPEND exploration ${explorer}/Sound)
 allow(${explorer}/Exploration ${exploration})
 list(APPEND exploration ${explorer}/Exploration)
-allow(${explorer}/Scene ${exploration} ${software} ${look})
-allow(${explorer}/Report ${exploration} ${chart} ${writer})
+allow(${explorer}/Scene ${exploration} ${software} ${look} ${aspect})
+allow(${explorer}/Report ${exploration} ${chart} ${writer} ${aspect})
 allow(${explorer}/Live ${exploration} ${explorer}/Record ${explorer}/Report ${explorer}/Scene ${writer})
 
 set(solvers ForceField LocalSurface Paper Precise Primitives SurfaceProxy)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Docks/EditorDock.h"
 
+#include "VTK/Docks/RendererAspect.h"
+
 #include "vtkCommand.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkObjectFactory.h"
@@ -161,6 +163,7 @@ void EditorDock::Follow()
   if (!this->HasRoom)
   {
     this->Window->AddRenderer(this->Renderer);
+    ComputeAspect(this->Renderer);
     this->HasRoom = true;
   }
   this->Room.Place(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Report/ForcePicture.h"
 
+#include "VTK/Docks/RendererAspect.h"
+
 #include "vtkContextActor.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -44,5 +46,6 @@ void BuildForcePicture(ForcePicture& picture, vtkPolyData* trace, const std::vec
   picture.Window->SetMultiSamples(0);
   picture.Window->SetSize(options.Width, options.Height);
   picture.Window->AddRenderer(picture.Renderer);
+  VolumeHaptics::ComputeAspect(picture.Renderer);
 }
 } // namespace Explore

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Scene/Trail.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Applications/Explorer/View/SceneCamera.h"
+#include "VTK/Docks/RendererAspect.h"
 #include "VTK/Scene/SoftwareOpenGL.h"
 
 #include "vtkActor.h"
@@ -203,9 +204,12 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Window->SetMultiSamples(0);
   scene.Window->SetSize(options.Width, options.Height);
   scene.Window->SetNumberOfLayers(3);
-  scene.Window->AddRenderer(scene.Renderer);
-  scene.Window->AddRenderer(scene.Overlay);
-  scene.Window->AddRenderer(scene.Marker);
+  for (vtkRenderer* const renderer :
+    { scene.Renderer.Get(), scene.Overlay.Get(), scene.Marker.Get() })
+  {
+    scene.Window->AddRenderer(renderer);
+    VolumeHaptics::ComputeAspect(renderer);
+  }
   scene.Overlay->SetLayer(1);
   scene.Overlay->InteractiveOff();
   scene.Overlay->SetActiveCamera(scene.Renderer->GetActiveCamera());

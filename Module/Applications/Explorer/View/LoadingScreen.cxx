@@ -3,6 +3,7 @@
 #include "Applications/Explorer/View/LoadingScreen.h"
 
 #include "VTK/Charts/HapticPixels.h"
+#include "VTK/Docks/RendererAspect.h"
 
 #include "vtkCoordinate.h"
 #include "vtkPolyDataMapper2D.h"
@@ -39,6 +40,7 @@ LoadingScreen::LoadingScreen(vtkRenderWindow* window)
   this->AddBar(this->Whole, 0.32, 0.40, 0.52);
   this->AddBar(this->Done, 0.93, 0.95, 0.98);
   window->AddRenderer(this->Renderer);
+  VolumeHaptics::ComputeAspect(this->Renderer);
 }
 
 LoadingScreen::~LoadingScreen()

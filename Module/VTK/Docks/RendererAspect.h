@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The aspect ratio of renderers that are made one after the other.
+ */
+#ifndef RendererAspect_h
+#define RendererAspect_h
+
+#include "vtkRenderer.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * Computes the aspect ratio of a renderer from its window's size; call it after
+ * vtkRenderWindow::AddRenderer().
+ *
+ * vtkViewport::ComputeAspect() keeps the ratio (at first 1) if the size, the viewport and the pixel
+ * aspect equal those of its last call. VTK 9.1 leaves these uninitialised: a renderer in the memory
+ * of a deleted one has that one's, and what asks for the ratio, such as
+ * vtkFixedPointVolumeRayCastMapper, draws as if the window were a square. Of two different pixel
+ * aspects, at least one differs from the one that the memory has.
+ */
+inline void ComputeAspect(vtkRenderer* renderer)
+{
+  const double pixel[2] = { renderer->GetPixelAspect()[0], renderer->GetPixelAspect()[1] };
+  renderer->SetPixelAspect(2.0 * pixel[0], pixel[1]);
+  renderer->ComputeAspect();
+  renderer->SetPixelAspect(pixel);
+  renderer->ComputeAspect();
+}
+
+} // namespace VolumeHaptics
+
+#endif
