@@ -49,6 +49,7 @@ set(Explore_SOURCES
   HelpText.cxx
   Live/FreeFile.cxx
   Live/HandTool.cxx
+  Live/KeptWork.cxx
   Live/LiveRun.cxx
   Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx

@@ -56,7 +56,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
   --measurements FILE
                     of the window: points, distances, angles, paths and areas that you measure by touch (keys P,
                     D, A, L, B; S saves). Loaded if the file is there, saved when the window is closed: .csv,
-                    .vtp, or .mrk.json for 3D Slicer
+                    .vtp, or .mrk.json for 3D Slicer. What was not saved when a window closed, as what a burr
+                    removed and edited functions, the next window on the volume offers (key F11)
   --movie FILE.ogv  of the window: a movie from its beginning to its end, 20 pictures a second. In the window, key F9
                     begins and ends one, F10 a recording of the touch, and F12 takes a picture
   --replay FILE.vtp of the window: shows a recording of key F10 with a slider for its time. F5 plays and holds it,

@@ -121,7 +121,7 @@ Explore::FileChoice Touch(
     options.AsLabels };
   return Explore::RunTouchWindow(window, exploration, look, options.Device,
     { options.Setup, options.Measurements, options.Script, options.Movie, options.Sound,
-      options.Tool, options.Replay, now, options.Notice });
+      options.Tool, options.Replay, now, options.Notice, options.BringBack });
 }
 
 void WritePictures(Explore::Exploration& exploration, const Explore::Options& options)
@@ -254,11 +254,12 @@ int RunAll(Explore::Options options)
   {
     // Done once, with the first volume.
     options.Notice.clear();
+    options.BringBack = false;
     options.Script.clear();
     options.Movie.clear();
-    options.Measurements.clear();
     options.Replay.clear();
     const Explore::Options before = options;
+    options.Measurements.clear();
     // Options that were given for the first volume do not hold for another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
@@ -286,6 +287,7 @@ int RunAll(Explore::Options options)
       std::cerr << error.what() << std::endl;
       options = before;
       options.Notice = error.what();
+      options.BringBack = true;
       next = {};
       code = Run(options, next);
     }

@@ -25,6 +25,7 @@ struct Options
   std::string Displacements;          // array that tells where its material goes
   bool AsLabels = false;              // its values are labels
   std::string Notice;                 // of the window, at its beginning
+  bool BringBack = false;             // what was not saved when the window closed last
   std::string Labels;                 // file of a segmentation
   std::vector<std::string> Materials; // files of tables for it
   std::string Folder = "explore-pictures";

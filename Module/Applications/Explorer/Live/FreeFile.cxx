@@ -9,15 +9,21 @@
 
 namespace Explore
 {
+std::string NumberFile(const std::string& name, int number, const std::string& ending)
+{
+  std::ostringstream file;
+  file << name << "-" << std::setw(3) << std::setfill('0') << number << ending;
+  return file.str();
+}
+
 std::string FindFreeFile(const std::string& name, const std::string& ending)
 {
   for (int number = 1;; ++number)
   {
-    std::ostringstream file;
-    file << name << "-" << std::setw(3) << std::setfill('0') << number << ending;
-    if (!vtksys::SystemTools::FileExists(file.str()))
+    std::string file = NumberFile(name, number, ending);
+    if (!vtksys::SystemTools::FileExists(file))
     {
-      return file.str();
+      return file;
     }
   }
 }

@@ -160,7 +160,16 @@ void HandTool::WriteRemoval()
     return;
   }
   const std::string file = FindFreeFile("removal", ".vti");
-  std::cout << (removal->WriteFile(file) ? "Written: " : "Can't be written: ") << file << std::endl;
+  const double volume = removal->GetRemovedVolume();
+  const bool isWritten = removal->WriteFile(file);
+  this->WrittenVolume = isWritten ? volume : this->WrittenVolume;
+  std::cout << (isWritten ? "Written: " : "Can't be written: ") << file << std::endl;
+}
+
+bool HandTool::HasUnwrittenRemoval() const
+{
+  vtkHapticRemoval* const removal = this->Filter->GetRemoval();
+  return !removal->IsEmpty() && removal->GetRemovedVolume() != this->WrittenVolume;
 }
 
 void HandTool::WriteTrack()

@@ -41,6 +41,9 @@ public:
       "point\nU, J\tundo, redo what the burr removed\nT\tsave the track; what was removed\n";
   }
 
+  /// Whether the burr has removed something that was not written to a file.
+  bool HasUnwrittenRemoval() const;
+
 private:
   void PressKey();
   bool HasShape() const { return this->Shape->GetMesh() != nullptr; }
@@ -56,6 +59,7 @@ private:
   vtkNew<vtkHapticNeedle> Needle;
   vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
+  double WrittenVolume = 0.0; ///< mm^3, of the removal that was written last
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore

@@ -77,38 +77,40 @@ void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
   interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
 }
 
-void SavedMeasurements::SaveAtEnd()
+std::string SavedMeasurements::SaveAtEnd()
 {
-  vtkHapticMeasurements* const list = this->Touch.Measurements;
-  const vtkIdType count = list->GetNumberOfMeasurements();
+  if (this->IsSaved())
+  {
+    return {};
+  }
   if (this->File.empty())
   {
-    if (count > 0)
-    {
-      this->Tell(std::cout);
-      std::cout << "--measurements FILE saves them the next time." << std::endl;
-    }
-    return;
+    this->Tell(std::cout);
+    std::cout << "--measurements FILE saves them the next time." << std::endl;
+    return {};
   }
-  if (list->GetMTime() == this->Saved)
-  {
-    return;
-  }
-  if (count == 0)
+  if (this->Touch.Measurements->GetNumberOfMeasurements() == 0)
   {
     if (this->InFile > 0)
     {
       std::cout << "The list of measurements is empty; " << this->File << " stays as it is."
                 << std::endl;
     }
-    return;
+    return {};
   }
   std::string error;
   if (!this->Save(error))
   {
     this->Tell(std::cerr);
-    throw InputError("--measurements " + this->File, error, "name a file in a folder of yours");
   }
+  return error;
+}
+
+bool SavedMeasurements::IsSaved() const
+{
+  vtkHapticMeasurements* const list = this->Touch.Measurements;
+  const bool isNew = list->GetMTime() != this->Saved;
+  return !isNew || (list->GetNumberOfMeasurements() == 0 && this->InFile == 0);
 }
 
 void SavedMeasurements::Tell(std::ostream& out) const

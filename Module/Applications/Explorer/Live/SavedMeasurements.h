@@ -26,8 +26,11 @@ public:
   void SaveByKey(vtkRenderWindowInteractor* interactor);
 
   /// Saves to the file if there is something new; a list that was emptied does not replace one.
-  /// Tells what is lost without a file, or if it can't be written, and then throws InputError.
-  void SaveAtEnd();
+  /// Tells what is not saved, without a file or if it can't be written, and then returns why.
+  std::string SaveAtEnd();
+
+  /// Whether there is nothing that was not saved.
+  bool IsSaved() const;
 
 private:
   /// False, with the reason, if that fails.

@@ -6,6 +6,7 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/HandTool.h"
+#include "Applications/Explorer/Live/KeptWork.h"
 #include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
@@ -217,37 +218,58 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto replay = wanted.Replay.empty()
     ? nullptr
     : std::make_unique<TouchReplay>(touch, interactor, wanted.Replay);
+  auto kept =
+    std::make_unique<KeptWork>(touch, exploration.Filter, saved, *tool, interactor, wanted.File);
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
   touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + tool->ListKeys() + keys +
     files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
-    "S\tsave measurements\nq\tclose\n")
+    "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
   std::cout << touch.Scene.MapperName << "\n\n" << Align(touch.Style->GetKeys()) << std::endl;
   const bool mayAsk = exploration.Input.MayBeLabels && !exploration.Input.AreLabels;
-  if (!wanted.Notice.empty() || mayAsk)
+  const std::string offer = kept->GetOffer();
+  const std::string notice = !wanted.Notice.empty() ? wanted.Notice
+    : !offer.empty()                                ? offer
+    : mayAsk ? "This looks like a label map: F4 shows it as labels"
+             : "";
+  if (!notice.empty())
   {
-    touch.Display->SetNotice(wanted.Notice.empty()
-        ? "This looks like a label map: F4 shows it as labels"
-        : wanted.Notice.c_str());
+    touch.Display->SetNotice(notice.c_str());
+  }
+  if (!offer.empty())
+  {
+    std::cout << offer << std::endl;
   }
   touch.Scene.Window->Render();
   interactor->Initialize();
+  if (wanted.BringBack)
+  {
+    kept->BringBack();
+    touch.Display->SetNotice(notice.c_str());
+  }
   interactor->Start();
   replay.reset();
   files.reset();
   script.reset();
   recorder.reset();
-  tool.reset();
   presets.reset();
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
-  const bool isSetUp = setup.empty() || touch.Setup->Save(setup.c_str());
-  saved.SaveAtEnd();
-  if (!isSetUp)
+  const bool isSetUp = !setup.empty() && touch.Setup->Save(setup.c_str());
+  const std::string error = saved.SaveAtEnd();
+  kept->KeepAtEnd(isSetUp);
+  kept.reset();
+  tool.reset();
+  if (!error.empty())
+  {
+    throw InputError(
+      "--measurements " + wanted.Measurements, error, "name a file in a folder of yours");
+  }
+  if (!setup.empty() && !isSetUp)
   {
     throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");
   }

@@ -73,7 +73,8 @@ struct WindowOptions
   std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // a recording of a touch that is shown
   FileChoice File;
-  std::string Notice; // at the beginning
+  std::string Notice;     // at the beginning
+  bool BringBack = false; // the work that was not saved; see KeptWork.h
 };
 
 /// Shows the scene in a window and returns when it is closed, with what to open next, or an empty

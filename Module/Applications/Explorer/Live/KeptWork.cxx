@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/KeptWork.h"
+
+#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Live/FreeFile.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRemoval.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+using Files = vtksys::SystemTools;
+
+// In a folder of kept work.
+constexpr const char* MEASUREMENTS = "/measurements.mrk.json";
+constexpr const char* SETUP = "/setup.json";
+constexpr const char* REMOVAL = "/removal.vti";
+constexpr const char* SUMMARY = "/summary.txt";
+
+std::string Variable(const char* name)
+{
+  std::string value;
+  Files::GetEnv(name, value);
+  return value;
+}
+
+/// Without the number at its end; empty if the user has no folder.
+std::string FindFolder(const Explore::FileChoice& shown)
+{
+  const std::string home = Variable("HOME");
+  std::string state = Variable("XDG_STATE_HOME");
+  state = !state.empty() || home.empty() ? state : home + "/.local/state";
+  if (state.empty())
+  {
+    return {};
+  }
+  const std::string path = Files::CollapseFullPath(shown.Path);
+  std::ostringstream key;
+  key << path << "\n" << shown.Series << "\n" << shown.AsLabels;
+  std::ostringstream folder;
+  folder << state << "/volumehaptics/" << Files::GetFilenameName(path) << "-" << std::hex
+         << std::hash<std::string>()(key.str());
+  return folder.str();
+}
+
+/// The one with the highest number; empty if there is none.
+std::string FindLast(const std::string& folder)
+{
+  std::string last;
+  const std::string next = folder.empty() ? folder : Explore::FindFreeFile(folder, "");
+  for (int number = 1; !next.empty(); ++number)
+  {
+    const std::string one = Explore::NumberFile(folder, number, "");
+    if (one == next)
+    {
+      break;
+    }
+    last = one;
+  }
+  return last;
+}
+
+bool MakePrivateFolder(const std::string& folder)
+{
+  const mode_t mode = 0700;
+  return static_cast<bool>(Files::MakeDirectory(folder, &mode));
+}
+
+template <typename Function, int Size>
+void Append(Function* function, std::vector<double>& values)
+{
+  for (int i = 0; function && i < function->GetSize(); ++i)
+  {
+    double node[Size];
+    function->GetNodeValue(i, node);
+    values.insert(values.end(), node, node + Size);
+  }
+}
+} // namespace
+
+namespace Explore
+{
+KeptWork::KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter,
+  SavedMeasurements& measurements, HandTool& tool, vtkRenderWindowInteractor* interactor,
+  const FileChoice& shown)
+  : Touch(touch)
+  , Filter(filter)
+  , Measurements(measurements)
+  , Tool(tool)
+  , Interactor(interactor)
+  , Folder(FindFolder(shown))
+  , Offered(FindLast(this->Folder))
+  , Functions(this->ListFunctions())
+{
+  this->Key->SetClientData(this);
+  this->Key->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void*)
+    {
+      const char* const key = static_cast<vtkRenderWindowInteractor*>(caller)->GetKeySym();
+      if (key && key == std::string("F11"))
+      {
+        static_cast<KeptWork*>(self)->BringBack();
+      }
+    });
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
+}
+
+KeptWork::~KeptWork()
+{
+  this->Interactor->RemoveObserver(this->Key);
+}
+
+std::string KeptWork::ListKeys() const
+{
+  return this->Offered.empty() ? "" : "F11\tbring back unsaved work\n";
+}
+
+std::string KeptWork::GetOffer() const
+{
+  std::string words;
+  std::ifstream in(this->Offered + SUMMARY);
+  return !this->Offered.empty() && std::getline(in, words)
+    ? "Not saved last time: " + words + ". F11 brings it back"
+    : std::string();
+}
+
+void KeptWork::BringBack()
+{
+  if (this->Offered.empty())
+  {
+    return;
+  }
+  std::string error;
+  {
+    const MessageCapture capture;
+    const auto has = [&](const char* file)
+    { return Files::FileExists(this->Offered + file, true); };
+    const auto name = [&](const char* file) { return this->Offered + file; };
+    // A list that was measured since stays: reading a file would replace it.
+    const bool isFree = this->Touch.Measurements->GetNumberOfMeasurements() == 0;
+    const bool isDone = (!has(SETUP) || this->Touch.Setup->Load(name(SETUP).c_str())) &&
+      (!has(REMOVAL) || this->Filter->GetRemoval()->ReadFile(name(REMOVAL))) &&
+      (!has(MEASUREMENTS) ||
+        (isFree && this->Touch.Measurements->ReadFile(name(MEASUREMENTS).c_str())));
+    error = isDone ? ""
+      : isFree     ? capture.FirstError()
+                   : "Save (S) and remove (Delete) the measurements of this window first, then F11";
+  }
+  if (error.empty())
+  {
+    this->Brought = this->Offered;
+    this->Offered.clear();
+  }
+  this->Touch.Display->SetNotice(error.empty() ? "The work of last time is back" : error.c_str());
+  this->Interactor->Render();
+}
+
+void KeptWork::KeepAtEnd(bool isSetUp)
+{
+  const bool hasMeasurements =
+    !this->Measurements.IsSaved() && this->Touch.Measurements->GetNumberOfMeasurements() > 0;
+  const bool hasFunctions = !isSetUp && this->ListFunctions() != this->Functions;
+  const bool hasRemoval = this->Tool.HasUnwrittenRemoval();
+  const std::string words = this->Describe(hasMeasurements, hasFunctions, hasRemoval);
+  bool isKept = words.empty();
+  if (!isKept && !this->Folder.empty())
+  {
+    const std::string folder = FindFreeFile(this->Folder, "");
+    {
+      const MessageCapture capture;
+      isKept = MakePrivateFolder(folder) &&
+        (!hasMeasurements ||
+          this->Touch.Measurements->WriteFile((folder + MEASUREMENTS).c_str())) &&
+        (!hasFunctions || this->Touch.Setup->Save((folder + SETUP).c_str())) &&
+        (!hasRemoval || this->Filter->GetRemoval()->WriteFile(folder + REMOVAL));
+      std::ofstream out(folder + SUMMARY);
+      isKept = isKept && out << words << std::endl;
+    }
+    if (isKept)
+    {
+      std::cout << "Not saved: " << words << ". Kept in " << folder
+                << "; the next window on this volume offers it (F11)." << std::endl;
+    }
+  }
+  if (!isKept)
+  {
+    std::cerr << "Not saved, and lost: " << words << ". "
+              << (this->Folder.empty() ? std::string("There is no home folder to keep it in")
+                                       : this->Folder + " can't be written")
+              << "." << std::endl;
+  }
+  else if (!this->Brought.empty())
+  {
+    Files::RemoveADirectory(this->Brought);
+  }
+}
+
+std::vector<double> KeptWork::ListFunctions() const
+{
+  vtkHapticProperty* const feel = this->Filter->GetProperty();
+  std::vector<double> values;
+  for (vtkPiecewiseFunction* const function :
+    { feel->GetStiffness(), feel->GetFriction(), feel->GetViscosity(), feel->GetSurfaceStrength(),
+      feel->GetDistinctness(), this->Touch.Scene.Look->GetScalarOpacity() })
+  {
+    Append<vtkPiecewiseFunction, 4>(function, values);
+    values.push_back(-1.0); // the end of a function
+  }
+  Append<vtkColorTransferFunction, 6>(this->Touch.Scene.Look->GetRGBTransferFunction(), values);
+  return values;
+}
+
+std::string KeptWork::Describe(bool hasMeasurements, bool hasFunctions, bool hasRemoval) const
+{
+  std::ostringstream words;
+  if (hasMeasurements)
+  {
+    const vtkIdType count = this->Touch.Measurements->GetNumberOfMeasurements();
+    words << count << (count == 1 ? " measurement" : " measurements");
+  }
+  const auto add = [&](const std::string& more)
+  { words << (words.tellp() > 0 ? ", " : "") << more; };
+  if (hasFunctions)
+  {
+    add("edited functions");
+  }
+  if (hasRemoval)
+  {
+    std::ostringstream volume;
+    volume.precision(3);
+    volume << this->Filter->GetRemoval()->GetRemovedVolume() << " mm^3 that the burr removed";
+    add(volume.str());
+  }
+  return words.str();
+}
+} // namespace Explore
