@@ -44,6 +44,7 @@ foreach (file IN ITEMS
     _plotting.py
     _tools.py
     _touch.py
+    _webdoor.py
     _webview.py
     arrays.py
     data/HeadPhantom.vti

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+import math
 import time
 import weakref
 from typing import TYPE_CHECKING, Any
@@ -22,14 +23,16 @@ except ImportError as error:
 from vtkmodules.vtkIOImage import vtkJPEGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
+from ._webdoor import door_of, page_now
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 
 if TYPE_CHECKING:
     from ._plotting import Haptics
 
-SILENCE = 3.0  # s without an answer of any browser, after which the hand lets go
+SILENCE = 3.0  # s without an answer of the page that leads the hand, after which the hand lets go
 QUALITY = 85  # of JPEG
 MOST_PIXELS = 1.6e6  # of a picture; a finer display gets it enlarged
+MOST_WIDE = 8192  # pixels of a page's side; more is no display's
 WAITING = 3  # pictures on their way, above which the next one waits
 # Of keys that browsers name differently from X11, whose names vtkInteractorStyleHaptic.SetKey() takes.
 KEYS = {" ": "space", "+": "plus", "-": "minus", ",": "comma", ".": "period", "?": "question", "Enter": "Return",
@@ -41,6 +44,13 @@ EVENTS = {f"{button}Button{what}": f"{button}Button{what}Event"
 _numbers = itertools.count(1)
 
 
+def _number(words: Any, word: str, otherwise: float) -> float:
+    """What a page has sent as a number, which may be anything."""
+    value = words.get(word) if isinstance(words, dict) else None
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # not NaN
+    return float(value) if is_number else otherwise
+
+
 class Area(AreaAdapter):
     """What trame-rca calls for the part of the page that shows the scene."""
 
@@ -49,11 +59,12 @@ class Area(AreaAdapter):
         self._view = weakref.ref(view)
 
     def update_size(self, _origin: str, size: dict[str, float]) -> None:
-        if (view := self._view()) is not None:
-            view.resize(size.get("w", 300), size.get("h", 300), size.get("p", 1))
+        width, height, ratio = (_number(size, word, 0.0) for word in ("w", "h", "p"))
+        if (view := self._view()) is not None and min(width, height, ratio) > 0.0:
+            view.resize(min(width, MOST_WIDE), min(height, MOST_WIDE), ratio)
 
     def on_interaction(self, _origin: str, event: dict[str, Any]) -> None:
-        if (view := self._view()) is not None:
+        if (view := self._view()) is not None and isinstance(event, dict) and isinstance(event.get("type"), str):
             view.handle(event)
 
     def is_late(self) -> bool:
@@ -69,6 +80,11 @@ class View:
 
     Its task calls the style as a window's timer does. The style decides what is drawn and when; each of its frames is
     sent. Motions of the mouse that come while a frame is drawn count as one, as they do in a window.
+
+    Several pages may show it. One leads: the one that began the touch, until the hand lets go. All that another page can do
+    meanwhile is to let go. Whatever they answer, the hand lets go if the leading one closes or does not answer.
+
+    It has to be there before its server starts, which it closes to all who don't know the secret: get_address() has it.
     """
 
     def __init__(self, haptics: Haptics, server: Any, page: str | None = None) -> None:
@@ -87,13 +103,16 @@ class View:
         self.name = f"volumehaptics_{next(_numbers)}"
         self.page = page or self.name
         self.area = Area(self.name, self)
-        self._scale = 1.0  # pixels of a picture in one of the page
-        self._move: dict[str, Any] | None = None
+        self.leader: str | None = None  # the page that leads the hand
+        self._door = door_of(server)
+        self._sizes: dict[str | None, tuple[float, float, float]] = {}  # of pages
+        self._move: tuple[dict[str, Any], str | None] | None = None
         self._owed = False
         self._drawing = False
         self._answered = time.monotonic()
         self._asked: dict[int, float] = {}
         self._shown: dict[str, Any] = {}
+        self._preset: str | None = None
         self._task: asyncio.Task | None = None
 
         self.window.SetOffScreenRendering(1)
@@ -111,10 +130,39 @@ class View:
         haptics.device.SetAttentionTime(SILENCE)  # a server that stands still feels nothing
         self.ui = self._make_page()
         controller = server.controller
-        controller.on_client_exited.add(self._leave)
+        self._door.on_leave.append(self._leave_with)
         controller.on_server_ready.add(self._begin)
         if server.running:
             self._begin()
+
+    def get_address(self, host: str = "localhost", *words: str) -> str:
+        """What a browser opens, once the server runs."""
+        return self._door.address(host, "" if self.page == "main" else self.page, *words)
+
+    # -- who leads --
+
+    def _holds(self) -> bool:
+        """Whether there may be force, or soon."""
+        return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
+
+    def _may_lead(self, page: str | None) -> bool:
+        """Whether the page, or the program, leads the hand, or nobody does."""
+        return page is None or self.leader in (None, page)
+
+    def _lead(self, page: str | None) -> None:
+        """After what a page has done: it leads if the hand touches now."""
+        if not self._holds():
+            self.leader = None
+        elif self.leader is None and page is not None:
+            self.leader = page
+            self._answered = time.monotonic()
+            self._fit(page)
+
+    def _leave_with(self, page: str) -> None:
+        """A page has gone: if it has led, nobody holds the mouse any more."""
+        self._sizes.pop(page, None)
+        if page == self.leader:
+            self._leave()
 
     # -- the page --
 
@@ -127,6 +175,7 @@ class View:
         names, presets = (names_of(list_names()) for list_names in
                           (vtkVolumeHapticsAlgorithm.GetMethodNames, vtkHapticProperty.GetPresetNames))
         methods = [name for name in names if name != "primitives" or touch.GetNumberOfModes()]
+        self._methods, self._presets = methods, presets
         for word, value in {"touching": False, "method": touch.GetMethodName(), "preset": None, "status": "",
                             "ping": 0}.items():
             state[self._key(word)] = value
@@ -160,18 +209,30 @@ class View:
     def toggle_touch(self) -> None:
         """What the button does: the touch begins in the middle, since the pointer is on the button."""
         style = self.haptics.style
-        if not style.GetTouchMode():
+        if style.GetTouchMode():
+            self._leave()
+            return
+        if self._may_lead(page_now()):
             width, height = self.window.GetSize()
             self.interactor.SetEventInformation(width // 2, height // 2, 0, 0)
-        style.SetTouchMode(not style.GetTouchMode())
+            style.SetTouchMode(True)
+            self._lead(page_now())
 
     def _set_method(self, name: str) -> None:
-        if not self.haptics.closed and name != self.haptics.filter.GetMethodName():
-            self.haptics.filter.SetMethodByName(name)
+        now = self.haptics.filter.GetMethodName()
+        if self.haptics.closed or name == now:
+            return
+        if not (name in self._methods and self._may_lead(page_now()) and self.haptics.filter.SetMethodByName(name)):
+            self.server.state[self._key("method")] = now
 
     def _set_preset(self, name: str | None) -> None:
-        if not self.haptics.closed and name:
-            self.haptics.filter.GetProperty().ApplyPreset(name)
+        if self.haptics.closed or name == self._preset:
+            return
+        # Only those of the list: ApplyPreset() takes files, too, and would open what a page names.
+        if name in self._presets and self._may_lead(page_now()) and self.haptics.filter.GetProperty().ApplyPreset(name):
+            self._preset = name
+        else:
+            self.server.state[self._key("preset")] = self._preset
 
     def _show(self, word: str, value: Any) -> None:
         """Tells the page, if it does not know already."""
@@ -193,8 +254,9 @@ class View:
 
     # -- the browser's silence --
 
-    def _leave(self, *_: object, **__: object) -> None:
-        """A browser has gone: nobody might hold the mouse any more."""
+    def _leave(self) -> None:
+        """The hand lets go."""
+        self.leader = self._move = None
         if not self.haptics.closed:
             self.haptics.style.SetTouchMode(False)
             self.haptics.device.Disarm()
@@ -204,18 +266,26 @@ class View:
         self._show("ping", number)
 
     def _answer(self, number: int) -> None:
-        asked = self._asked.get(number)
-        if asked is not None:
+        asked = self._asked.get(number) if isinstance(number, int) else None
+        if asked is not None and self._may_lead(page_now()):
             self._answered = time.monotonic()
             self.round_trip = self._answered - asked
 
     # -- pictures --
 
     def resize(self, width: float, height: float, ratio: float) -> None:
-        pixels = max(1.0, width * height)
-        self._scale = min(ratio, (MOST_PIXELS / pixels) ** 0.5)
-        self.interactor.UpdateSize(max(10, int(self._scale * width)), max(10, int(self._scale * height)))
-        self.draw()
+        """A page's size. The window has that of the page that leads, or of the last one."""
+        page = page_now()
+        self._sizes[page] = width, height, ratio
+        if self._may_lead(page):
+            self._fit(page)
+
+    def _fit(self, page: str | None) -> None:
+        if page in self._sizes:
+            width, height, ratio = self._sizes[page]
+            scale = min(ratio, (MOST_PIXELS / (width * height)) ** 0.5)
+            self.interactor.UpdateSize(*(min(max(10, int(scale * side)), MOST_WIDE) for side in (width, height)))
+            self.draw()
 
     def draw(self, *_: object) -> None:
         """Draws a frame, and sends it; later, if the network has not taken the last ones."""
@@ -241,40 +311,56 @@ class View:
     def handle(self, event: dict[str, Any]) -> None:
         if self.closed or self.haptics.closed:
             return
-        if event.get("type") == "MouseMove":
-            self._move = event
+        page = page_now()
+        if not self._may_lead(page):
+            if event["type"].lower() == "keydown" and event.get("key") == "Escape":
+                self._leave()
+            return
+        if event["type"] == "MouseMove":
+            self._move = event, page
             return
         self._take_move()
-        self._apply(event)
+        self._apply(event, page)
 
     def _take_move(self) -> None:
-        event, self._move = self._move, None
-        if event is not None:
-            self._apply(event)
+        move, self._move = self._move, None
+        if move is not None and self._may_lead(move[1]):
+            self._apply(*move)
 
-    def _apply(self, event: dict[str, Any]) -> None:
-        kind, interactor = event.get("type", ""), self.interactor
+    def _apply(self, event: dict[str, Any], page: str | None) -> None:
+        kind, interactor = event["type"], self.interactor
         control, shift = (int(bool(event.get(key) or event.get(other)))
                           for key, other in (("ctrlKey", "controlKey"), ("shiftKey", "shiftKey")))
         if "x" in event and "y" in event:
-            interactor.SetEventInformation(
-                int(self._scale * event["x"]), int(self._scale * event["y"]), control, shift)
+            # A picture fills the page, of whatever size that is.
+            known = self._sizes.get(page, (0.0, 0.0, 1.0))
+            place = []
+            for side, (word, whole) in enumerate((("x", "w"), ("y", "h"))):
+                pixels = self.window.GetSize()[side]
+                share = _number(event, word, math.nan) / max(_number(event, whole, known[side]) or known[side], 1.0)
+                if math.isnan(share):
+                    return
+                place.append(round(min(max(share, -1.0), 2.0) * pixels))  # a mouse is dragged beyond the page's border
+            interactor.SetEventInformation(*place, control, shift)
         if kind == "MouseMove":
             interactor.MouseMoveEvent()
         elif kind in EVENTS:
             interactor.InvokeEvent(EVENTS[kind])
-        elif kind == "MouseWheel" and event.get("spinY"):
-            interactor.InvokeEvent("MouseWheelBackwardEvent" if event["spinY"] > 0 else "MouseWheelForwardEvent")
-        elif kind.lower() in ("keydown", "keyup") and event.get("key"):  # by the version of vtk.js
+        elif kind == "MouseWheel" and (turn := _number(event, "spinY", 0.0)):
+            interactor.InvokeEvent("MouseWheelBackwardEvent" if turn > 0 else "MouseWheelForwardEvent")
+        elif kind.lower() in ("keydown", "keyup") and event.get("key") and isinstance(event["key"], str):  # by vtk.js's version
             key = event["key"]
             name = KEYS.get(key, key)
             interactor.SetKeyEventInformation(control, shift, key if len(key) == 1 and key.isascii() else "\0", 0, name)
             interactor.InvokeEvent("KeyPressEvent" if kind.lower() == "keydown" else "KeyReleaseEvent")
             if kind.lower() == "keydown" and len(key) == 1 and key not in QUITTING:
                 interactor.InvokeEvent("CharEvent")
+        self._lead(page)
 
     def press_key(self, name: str) -> None:
         """A key by its name, for buttons of the page."""
+        if not self._may_lead(page_now()):
+            return
         for event in ("KeyPressEvent", "KeyReleaseEvent"):
             self.interactor.SetKeyEventInformation(0, 0, "\0", 0, name)
             self.interactor.InvokeEvent(event)
@@ -301,7 +387,9 @@ class View:
                 ticks, asked, number = now, start, number + 1
                 self._ask(number)
                 self._follow()
-            if haptics.style.GetTouchMode() and start - self._answered > SILENCE:
+            if not self._holds():
+                self.leader = None
+            elif (self.leader or haptics.style.GetTouchMode()) and start - self._answered > SILENCE:
                 self._leave()
             await asyncio.sleep(max(0.001, start + 1.0 / haptics.style.GetDisplayRate() - time.monotonic()))
 
@@ -313,7 +401,7 @@ class View:
         self.closed = True
         self.interactor.RemoveObserver(self._tag)
         self.haptics.style.RemoveObserver(self._style_tag)
-        self.server.controller.on_client_exited.discard(self._leave)
+        self._door.on_leave.remove(self._leave_with)
         self.server.controller.on_server_ready.discard(self._begin)
         if self._task is not None:
             self._task.cancel()

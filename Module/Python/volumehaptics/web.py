@@ -9,7 +9,7 @@
     volumehaptics.web.serve(haptics)                 # in a script; the plotter is not shown before
 
 The servo runs beside the server at its own rate: the way to the browser delays pictures and the mouse, and never the
-force. If the page closes, or its browser does not answer for 3 s, the hand lets go.
+force. If the page that leads closes, or does not answer for 3 s, the hand lets go.
 
 Needs PyVista, and trame: pip install pyvista trame trame-vuetify trame-rca.
 """
@@ -17,14 +17,18 @@ Needs PyVista, and trame: pip install pyvista trame trame-vuetify trame-rca.
 from __future__ import annotations
 
 import argparse
+import asyncio
+import socket
 import subprocess
 import sys
 import tempfile
+import webbrowser
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .__main__ import PROGRAM, find_explorer
-from ._webview import View, names_of
+from ._webview import View, names_of  # first: its error says what helps if trame is missing
+from ._webdoor import HERE, door_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 
 from trame.app import get_server
@@ -36,6 +40,7 @@ if TYPE_CHECKING:
 
 __all__ = ["View", "main", "serve", "show"]
 
+EVERYWHERE = ("0.0.0.0", "::")
 NOTEBOOK = "volumehaptics"  # the server of all notebook views
 OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # of a head CT between -600 and 1000 HU
 COLORS = ["#edb08f", "#e0977d", "#f5ebd8", "#ffffff"]
@@ -46,17 +51,24 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
 
     haptics: what add_haptics() has returned, of a plotter that was not shown.
     port: 0 is a free one. The address is printed.
-    host: "localhost", or "0.0.0.0" for the whole network: whoever reaches the page leads the hand.
+        It has the secret of this server, without which nobody leads the hand or sees anything.
+    host: "localhost", or "0.0.0.0" for the whole network, with a UserWarning: what passes there is not encrypted, the
+        secret neither.
     """
     server = get_server("volumehaptics-serve", client_type="vue3")
+    door_of(server)
     view = View(haptics, server, "main")
 
     def tell(**_: object) -> None:
-        print(f"Touch it at http://{host}:{server.port}/ (Ctrl-C ends)", flush=True)
+        named = "localhost" if host in HERE else socket.gethostname() if host in EVERYWHERE else host
+        address = view.get_address(named)
+        print(f"Touch it at {address} (Ctrl-C ends)", flush=True)
+        if open_browser:
+            asyncio.get_running_loop().call_later(0.1, webbrowser.open, address)
 
     server.controller.on_server_ready.add(tell)
     try:
-        server.start(port=port, host=host, open_browser=open_browser, show_connection_info=False, timeout=0)
+        server.start(port=port, host=host, open_browser=False, show_connection_info=False, timeout=0, backend="aiohttp")
     finally:
         server.controller.on_server_ready.discard(tell)
         view.close()
@@ -70,7 +82,7 @@ class Frame:
         self.height = height
 
     def _repr_html_(self) -> str:
-        address = f"http://localhost:{self.view.server.port}/index.html?ui={self.view.page}&reconnect=auto"
+        address = self.view.get_address("localhost", "reconnect=auto")
         return (f'<iframe src="{address}" style="width: 100%; height: {self.height}px; border: 1px solid #ddd">'
                 "</iframe>")
 
@@ -81,18 +93,17 @@ async def show(haptics: Haptics, height: int = 600) -> Frame:
     The notebook's browser has to reach this computer as localhost. height: of the frame, in pixels.
     """
     server = get_server(NOTEBOOK, client_type="vue3")
+    door_of(server, in_frames=True)
     view = View(haptics, server)
     if not server.running:
         server.start(exec_mode="task", port=0, host="localhost", open_browser=False, show_connection_info=False,
-                     disable_logging=True, timeout=0)
+                     disable_logging=True, timeout=0, backend="aiohttp")
     await server.ready
     return Frame(view, height)
 
 
 def show_plotter(plotter: Any, **_: Any) -> Any:
-    """plotter.show(jupyter_backend="haptics"), as importing volumehaptics.pyvista registers it."""
-    import asyncio
-
+    """plotter.show(jupyter_backend="haptics") of a touchable plotter: see volumehaptics.pyvista.show_in_notebook()."""
     from ._plotting import _touchable
 
     if plotter not in _touchable:
@@ -185,7 +196,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--device", default="virtual", help="the hand (default: virtual, which the mouse leads)")
     parser.add_argument("--port", type=int, default=0, help="(default: a free one)")
     parser.add_argument("--host", default="localhost",
-                        help="localhost, or 0.0.0.0 for the whole network: whoever reaches the page leads the hand")
+                        help="localhost, or 0.0.0.0 for the whole network, where whoever reads along gets the secret")
     parser.add_argument("--no-browser", action="store_true", help="do not open a browser")
     options = parser.parse_args(arguments)
     if options.demo == bool(options.volume):

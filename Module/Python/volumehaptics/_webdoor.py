@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who may come to a page's server: only who has its secret, from no other page, and with messages that are what they say.
+
+Without that, every page in the user's browser could lead the hand and see the volume, since a WebSocket to localhost may be
+opened from anywhere, and wslink's own key is the same everywhere.
+"""
+
+from __future__ import annotations
+
+import contextvars
+import hmac
+import ipaddress
+import json
+import secrets
+import socket
+import warnings
+import weakref
+from pathlib import Path
+from typing import Any, Callable
+from urllib.parse import urlsplit
+
+from aiohttp import WSMsgType, web
+from wslink.websocket import LinkProtocol
+
+HERE = ("localhost", "127.0.0.1", "::1")
+MOST_BYTES = 65536  # of a message from a page: an event, or a few values
+MOST_UNKNOWN = 512  # of one from a page that has not told the secret yet
+HEADER = 12  # bytes of wslink's: a number, the place of this part, and the size of the whole message
+
+# The page whose message is being handled; none in what the program does by itself.
+_page: contextvars.ContextVar[str | None] = contextvars.ContextVar("page", default=None)
+
+# The browser's address loses the secret, as trame takes it away, and a page that is loaded anew needs it. What one tab keeps for
+# a server, no other server and no other tab can read.
+_KEEP = """<script>
+(() => {
+  const address = new URL(location);
+  try {
+    const kept = address.searchParams.get("secret") || sessionStorage.getItem("secret");
+    if (kept) {
+      sessionStorage.setItem("secret", kept);
+      address.searchParams.set("secret", kept);
+      history.replaceState({}, "", address);
+      return;
+    }
+  } catch (error) {
+    if (address.searchParams.get("secret")) return;
+  }
+  document.open();
+  document.write(%s);
+  document.close();
+})();
+</script>"""
+_NO_SECRET = ("This page needs the secret of its server. Cure: open the address that the program printed, which has it, "
+              "or run the notebook's cell again.")
+
+
+def page_now() -> str | None:
+    """The number of the page whose message is being handled."""
+    return _page.get()
+
+
+class _Secret(LinkProtocol):
+    """What wslink asks for the secret: it would compare letter by letter until the first difference."""
+
+    def __init__(self, secret: str) -> None:
+        super().__init__()
+        self._secret = secret.encode()
+
+    async def validateToken(self, token: Any, _client: str) -> bool:
+        return isinstance(token, str) and hmac.compare_digest(token.encode(errors="replace"), self._secret)
+
+
+def _place(address: str) -> tuple[str | None, str]:
+    """The computer of an address, and that with the port."""
+    try:
+        parts = urlsplit(address)
+        return parts.hostname, parts.netloc.lower()
+    except ValueError:
+        return None, ""
+
+
+class Door:
+    """That of one server of trame, from before it starts.
+
+    secret: what an address needs, new each time that the server starts.
+    on_leave: called with the number of a page whose connection has ended.
+    in_frames: whether other pages may show this one in a frame, as a notebook does.
+    """
+
+    def __init__(self, server: Any, in_frames: bool) -> None:
+        self.secret = ""
+        self.on_leave: list[Callable[[str], None]] = []
+        self._server = weakref.ref(server)
+        self._in_frames = in_frames
+        self._names = set(HERE)
+        server.add_protocol_to_configure(self._configure)
+        server.controller.on_server_bind.add(self._bind)
+
+    def _configure(self, protocol: Any) -> None:
+        self.secret = "k" + secrets.token_hex(32)  # a letter first: trame makes numbers of what looks like one
+        protocol.registerLinkProtocol(_Secret(self.secret))
+
+    def address(self, host: str, page: str = "", *words: str) -> str:
+        query = "&".join([*([f"ui={page}"] if page else []), *words, f"secret={self.secret}"])
+        return f"http://{f'[{host}]' if ':' in host else host}:{self._server().port}/index.html?{query}"
+
+    def _bind(self, web_server: Any) -> None:
+        """wslink's server is there, and does not listen yet."""
+        application, handlers = getattr(web_server, "app", None), getattr(web_server, "_ws_handlers", None)
+        if not isinstance(application, web.Application) or handlers is None:
+            raise RuntimeError('a page to touch in is served by aiohttp alone. Cure: server.start(backend="aiohttp"), '
+                               "without --reverse-url")
+        server = self._server()
+        server.protocol.updateSecret(self.secret)  # for a wslink that does not ask _Secret
+        host = web_server.host
+        self._names.update(name.lower() for name in (host, socket.gethostname(), socket.getfqdn()))
+        if host not in HERE:
+            warnings.warn(f"the page is served at {host}, to the whole network, and without encryption: whoever reads what "
+                          "passes there gets the secret, sees the volume and leads the hand. Cure: host=\"localhost\", "
+                          "and from elsewhere ssh -L PORT:localhost:PORT", stacklevel=2)
+        application.middlewares.append(self._make_middleware(Path(server.server_options.content) / "index.html"))
+        for handler in handlers:
+            self._watch(handler)
+
+    # -- whom the browser comes from --
+
+    def _refusal(self, headers: Any) -> str | None:
+        """Why not, if not. A page of another computer's name, which leads here (DNS rebinding), tells that name as the host."""
+        host = headers.get("Host", "")
+        name, place = _place(f"//{host}")
+        try:
+            known = name in self._names or bool(ipaddress.ip_address(name or ""))
+        except ValueError:
+            known = False
+        if not known:
+            return f"this server is not called {host!r}. Cure: open the address that the program printed"
+        origin = headers.get("Origin")
+        if origin is not None and _place(origin)[1] != place:
+            return f"a page of {origin} has no access to this server"
+        return None
+
+    def _make_middleware(self, index: Path) -> Any:
+        @web.middleware
+        async def check(request: web.Request, handler: Any) -> web.StreamResponse:
+            refusal = self._refusal(request.headers)
+            if refusal:
+                return web.Response(status=403, text=refusal)
+            if request.path == "/index.html":
+                keep = _KEEP % json.dumps(_NO_SECRET)
+                text = index.read_text(encoding="utf-8").replace("<head>", f"<head>{keep}", 1)
+                headers = {"Cache-Control": "no-store", "Referrer-Policy": "no-referrer"}
+                if not self._in_frames:
+                    headers["Content-Security-Policy"] = "frame-ancestors 'none'"
+                return web.Response(text=text, content_type="text/html", headers=headers)
+            return await handler(request)
+
+        return check
+
+    # -- what it says --
+
+    def _watch(self, handler: Any) -> None:
+        """Each message is one frame, which holds it whole: wslink would take memory for what a frame says that comes later."""
+        handle, close = handler.onMessage, handler.onClose
+
+        async def on_message(is_binary: bool, message: Any, client: str) -> None:
+            most = MOST_BYTES if handler.isClientAuthenticated(client) else MOST_UNKNOWN
+            data = message.data
+            if not (message.type == WSMsgType.BINARY and HEADER < len(data) <= HEADER + most
+                    and int.from_bytes(data[4:8], "little") == 0
+                    and int.from_bytes(data[8:12], "little") == len(data) - HEADER):
+                await handler.connections[client].close(code=1009, message=b"not one whole message")
+                return
+            _page.set(client)
+            await handle(is_binary, message, client)
+
+        async def on_close(client: str) -> None:
+            for leave in list(self.on_leave):
+                leave(client)
+            await close(client)
+
+        handler.onMessage, handler.onClose = on_message, on_close
+
+
+_doors: weakref.WeakKeyDictionary[Any, Door] = weakref.WeakKeyDictionary()
+
+
+def door_of(server: Any, in_frames: bool = False) -> Door:
+    """The door of a server, which gets one if it does not run yet."""
+    server = server.root_server
+    if server not in _doors:
+        if server.running:
+            raise ValueError("the server runs already, open to every page. Cure: View(haptics, server) before "
+                             "server.start(), or volumehaptics.web.serve(haptics)")
+        _doors[server] = Door(server, in_frames)
+    return _doors[server]
