@@ -205,7 +205,10 @@ struct HaplyService::Server
       }
       if (fault != HaplyFault::Silent)
       {
-        state = fault == HaplyFault::Junk ? state.substr(0, state.size() / 2) : state;
+        state = fault == HaplyFault::Junk ? state.substr(0, state.size() / 2)
+          : fault == HaplyFault::Deep
+          ? state.substr(0, state.size() - 1) + ",\"notes\":" + HaplyState::DeepJson() + "}"
+          : state;
         stream.write(asio::buffer(state));
       }
       if (fault == HaplyFault::Twice)
@@ -257,7 +260,8 @@ struct HaplyService::Server
     if (target == this->Prefix() + "/version")
     {
       body = "{\"project_name\":\"haply-inverse-service\",\"git_tag\":\"" + this->Shape.Version +
-        "\",\"project_version\":\"" + this->Shape.Version + ".0\"}";
+        "\",\"project_version\":\"" + this->Shape.Version + ".0\"" +
+        (this->Shape.VersionNotes.empty() ? "" : ",\"notes\":" + this->Shape.VersionNotes) + "}";
     }
     else if (target == this->Prefix() + "/devices" && this->Shape.HasDeviceList)
     {

@@ -38,6 +38,7 @@ struct HaplyShape
   std::string Basis = "XYZ";
   /** The x of a position (m) is this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
+  std::string VersionNotes; ///< JSON that is told with the version
 };
 
 enum class HaplyFault
@@ -49,6 +50,7 @@ enum class HaplyFault
   Blind,    ///< its states have no position
   NoNumber, ///< a coordinate is NaN, as nlohmann's library writes it: null
   NoScale,  ///< so is one of the transform
+  Deep,     ///< its states have a further member: HaplyState::DeepJson
   Twice     ///< it answers each message twice
 };
 
@@ -71,6 +73,8 @@ class HaplyState
 public:
   static constexpr const char* Id = "049D";
   static constexpr const char* Other = "04BA"; ///< a second arm, which no force moves
+  /// 200 kB of lists in lists: correct, by RFC 8259, and of use for nobody.
+  static std::string DeepJson() { return std::string(100000, '[') + std::string(100000, ']'); }
 
   explicit HaplyState(const HaplyShape& shape)
     : Shape(shape)

@@ -17,11 +17,14 @@ namespace
 using Json = nlohmann::json;
 
 constexpr const char* NoObject = "sent something that is not a JSON object";
+constexpr const char* TooDeep = "sent JSON with too many brackets in brackets";
 constexpr const char* TooMany = "told of too many devices";
 constexpr const char* NoDevices = "sent a list of devices that is none";
 constexpr const char* NoId = "told of an arm without an identifier";
 constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
+/** Brackets in brackets; the documentation's messages have seven. */
+constexpr int DeepestBrackets = 64;
 /** By which transforms may differ and count as the same: float arithmetic of the service. */
 constexpr double TransformTolerance = 1e-5;
 
@@ -175,11 +178,33 @@ const char* ReadFamily(const Json& message, const char* family,
   return nullptr;
 }
 
-/** Null if it is no object, or no JSON. */
-Json Parse(const std::string& text)
+/** Whether the brackets outside of strings are nested no deeper than is allowed. */
+bool IsShallow(const std::string& text) noexcept
 {
-  Json value = Json::parse(text, nullptr, false);
-  return value.is_object() ? value : Json();
+  int depth = 0;
+  bool isString = false;
+  for (std::size_t i = 0; i < text.size() && depth <= DeepestBrackets; ++i)
+  {
+    const char c = text[i];
+    i += isString && c == '\\' ? 1 : 0;
+    isString = isString != (c == '"');
+    depth += isString ? 0 : (c == '[' || c == '{') - (c == ']' || c == '}');
+  }
+  return depth <= DeepestBrackets;
+}
+
+/**
+ * An object; nullptr, or why it is refused. The depth is limited before anything is made, as the
+ * library copies values by recursion, and so would end the thread by an overflow of its stack.
+ */
+const char* Parse(const std::string& text, Json& value)
+{
+  if (!IsShallow(text))
+  {
+    return TooDeep;
+  }
+  value = Json::parse(text, nullptr, false);
+  return value.is_object() ? nullptr : NoObject;
 }
 
 /** Answers by HTTP may be in an envelope: "Standard response envelope" of the documentation. */
@@ -222,12 +247,12 @@ const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message)
 {
   message.Arms.clear();
   message.Grips.clear();
-  const Json whole = Parse(text);
-  const Json& all = Unwrap(whole);
-  if (all.is_null())
+  Json whole;
+  if (const char* const fault = Parse(text, whole))
   {
-    return NoObject;
+    return fault;
   }
+  const Json& all = Unwrap(whole);
   for (const char* const family : { "inverse3", "inverse3x", "minverse" })
   {
     if (const char* const fault = ReadFamily(all, family, &ReadArm, message.Arms))
@@ -254,10 +279,10 @@ const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event)
 {
   constexpr std::array<const char*, 6> levels{ "info", "notice", "warning", "error", "critical",
     "panic" };
-  const Json all = Parse(text);
-  if (all.is_null())
+  Json all;
+  if (const char* const fault = Parse(text, all))
   {
-    return NoObject;
+    return fault;
   }
   const Json& data = At(all, "data");
   event = {};
@@ -278,7 +303,11 @@ const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event)
 
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version)
 {
-  const Json whole = Parse(text);
+  Json whole;
+  if (const char* const fault = Parse(text, whole))
+  {
+    return fault;
+  }
   const Json& data = Unwrap(whole);
   for (const char* const name : { "git_tag", "project_version", "git_describe" })
   {

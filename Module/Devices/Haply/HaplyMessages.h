@@ -15,9 +15,9 @@
  * vector counts as not told, and an arm's position or transform as spoilt. Services of 3.0 have
  * maps from identifiers to devices where later ones have lists.
  *
- * JSON is read by nlohmann's library: headers only, and nested input does not recurse. VTK's
- * jsoncpp is of no use here: this room does not know VTK, whose copy has other names in Debian than
- * in its wheels.
+ * JSON is read by nlohmann's library: headers only. Its copies recurse, so input that is nested
+ * deeper than any message is refused. VTK's jsoncpp is of no use here: this room does not know VTK,
+ * whose copy has other names in Debian than in its wheels.
  *
  * Haply's axes point right (x), forward (y) and up (z). ToDevice and FromDevice turn them into
  * those of DeviceBackend.h (right, up, towards the hand) and back. A grip points along its own y.

@@ -114,6 +114,20 @@ TEST_F(HaplyFaults, TheServiceSendsJunk)
   this->ExpectLost("sent something that is not a JSON object");
 }
 
+TEST_F(HaplyFaults, TheServiceSendsDeepJson)
+{
+  this->Service->Break(HaplyFault::Deep);
+  this->ExpectLost("sent JSON with too many brackets in brackets");
+}
+
+TEST_F(HaplyFaults, AnEventOfDeepJsonIsPassedOver)
+{
+  ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
+  this->Service->PushEvent("{\"data\":" + HaplyState::DeepJson() + "}");
+  this->Service->PushEvent(MakeEvent("device-safety-triggered", "warning", "049D", "Stall"));
+  EXPECT_TRUE(this->Bench.WaitForText("tells a warning: Stall"));
+}
+
 TEST_F(HaplyFaults, ThePositionIsNotTold)
 {
   this->Service->Break(HaplyFault::Blind);
@@ -244,6 +258,17 @@ TEST(HaplyErrors, SayWhatToDo)
     shape.Version = "main";
     const HaplyService service(shape);
     EXPECT_TRUE(Has(ErrorOf("haply"), "does not tell its version")) << ErrorOf("haply");
+  }
+  shape.Version = "3.5.0";
+  {
+    shape.VersionNotes = HaplyState::DeepJson();
+    const HaplyService service(shape);
+    EXPECT_TRUE(Has(ErrorOf("haply"), "too many brackets in brackets")) << ErrorOf("haply");
+  }
+  {
+    shape.VersionNotes = "\"" + std::string(2 << 20, 'x') + "\"";
+    const HaplyService service(shape);
+    EXPECT_TRUE(Has(ErrorOf("haply"), "body limit exceeded")) << ErrorOf("haply");
   }
   unsetenv("VOLUMEHAPTICS_HAPLY");
 }

@@ -188,6 +188,29 @@ TEST(HaplyMessages, JunkIsRefused)
   ExpectRefused(many + "]}");
 }
 
+TEST(HaplyMessages, DeepJsonIsRefused)
+{
+  HaplyMessage message;
+  HaplyEvent event;
+  HaplyVersion version;
+  std::string objects;
+  for (int i = 0; i < 100000; ++i)
+  {
+    objects += "{\"a\":";
+  }
+  objects += "0" + std::string(100000, '}');
+  for (const std::string& deep :
+    { std::string(100000, '[') + std::string(100000, ']'), std::string(100000, '['), objects })
+  {
+    ExpectRefused(R"({"inverse3":[{"device_id":"049D","state":)" + deep + "}]}");
+    EXPECT_NE(ReadHaplyEvent(R"({"data":)" + deep + "}", event), nullptr);
+    EXPECT_NE(ReadHaplyVersion(R"({"git_tag":"3.5.0","data":)" + deep + "}", version), nullptr);
+  }
+  // Later services may tell more, in lists of lists; and brackets in texts are none.
+  const std::string texts = R"("\"[[\\":")" + std::string(100, '[') + "\"";
+  EXPECT_EQ(ReadHaplyMessage(R"({"a":[[[[[[[[[[]]]]]]]]]],)" + texts + "}", message), nullptr);
+}
+
 TEST(HaplyMessages, ACoordinateThatIsNoNumberIsNotZero)
 {
   // nlohmann's library writes NaN as null.

@@ -241,7 +241,8 @@ bool FetchText(std::uint16_t port, const std::string& target, double seconds, st
     http::request<http::empty_body> request{ http::verb::get, target, 11 };
     request.set(http::field::host, HostOf(port));
     beast::flat_buffer buffer{ WebSocketClient::LongestMessage };
-    http::response<http::string_body> answer;
+    http::response_parser<http::string_body> answer;
+    answer.body_limit(WebSocketClient::LongestMessage);
     error_code failure = Reach(io, stream, port, end);
     if (!failure)
     {
@@ -251,14 +252,24 @@ bool FetchText(std::uint16_t port, const std::string& target, double seconds, st
     if (!failure)
     {
       failure = Await(io, stream, end,
+        [&](auto&& done) { http::async_read_header(stream, buffer, answer, std::move(done)); });
+    }
+    // Beast of Boost 1.74 does not compare the length that is told with the limit.
+    if (!failure && answer.content_length().value_or(0) > WebSocketClient::LongestMessage)
+    {
+      failure = http::error::body_limit;
+    }
+    if (!failure)
+    {
+      failure = Await(io, stream, end,
         [&](auto&& done) { http::async_read(stream, buffer, answer, std::move(done)); });
     }
-    if (!failure && answer.result() == http::status::ok)
+    if (!failure && answer.get().result() == http::status::ok)
     {
-      text = std::move(answer.body());
+      text = std::move(answer.get().body());
       return true;
     }
-    error = failure ? failure.message() : "HTTP " + std::to_string(answer.result_int());
+    error = failure ? failure.message() : "HTTP " + std::to_string(answer.get().result_int());
   }
   catch (const std::exception& e)
   {
