@@ -3,10 +3,10 @@
 #include "Devices/Guard/GuardProcess.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "Devices/Common/OwnFile.h"
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -35,25 +35,6 @@ const char* const Cure =
   "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
   "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
   "without a guard: then it may keep its last force if this program is killed or stopped.";
-
-/** In or above the folder of a file, or in a folder "bin" there; empty if it is not. */
-std::string FindNear(const std::filesystem::path& file)
-{
-  std::error_code ignored;
-  std::filesystem::path folder = std::filesystem::canonical(file, ignored).parent_path();
-  for (int up = 0; up <= MostFoldersUp && !folder.empty(); ++up, folder = folder.parent_path())
-  {
-    for (const std::filesystem::path& program :
-      { folder / ProgramName, folder / "bin" / ProgramName })
-    {
-      if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
-      {
-        return program.string();
-      }
-    }
-  }
-  return {};
-}
 
 /** Signals and file descriptors as a new program expects them. */
 class SpawnSettings
@@ -95,9 +76,34 @@ public:
 
 } // namespace
 
+std::string FindGuardNear(const std::string& file, std::string& obstacle)
+{
+  std::error_code ignored;
+  const gid_t trusted = FindPrivateGroup();
+  std::filesystem::path folder = std::filesystem::canonical(file, ignored).parent_path();
+  for (int up = 0; up <= MostFoldersUp && !folder.empty(); ++up, folder = folder.parent_path())
+  {
+    for (const std::filesystem::path& program :
+      { folder / ProgramName, folder / "bin" / ProgramName })
+    {
+      if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
+      {
+        std::string reason;
+        std::string real = FindOwnFile(program.string(), trusted, reason);
+        if (!real.empty())
+        {
+          return real;
+        }
+        obstacle = obstacle.empty() ? reason : obstacle;
+      }
+    }
+  }
+  return {};
+}
+
 std::string FindGuardProgram(std::string& error)
 {
-  if (const char* const named = std::getenv(Variable); named != nullptr && *named != '\0')
+  if (const char* const named = ReadSafeVariable(Variable); named != nullptr && *named != '\0')
   {
     if (access(named, X_OK) != 0)
     {
@@ -109,19 +115,22 @@ std::string FindGuardProgram(std::string& error)
   }
   Dl_info info{};
   std::string program;
+  std::string obstacle;
   if (dladdr(reinterpret_cast<const void*>(&FindGuardProgram), &info) != 0)
   {
-    program = FindNear(info.dli_fname);
+    program = FindGuardNear(info.dli_fname, obstacle);
   }
   // This library may be part of the program itself, which is known by its first argument only.
-  program = program.empty() ? FindNear("/proc/self/exe") : program;
-  if (!program.empty())
+  program = program.empty() ? FindGuardNear("/proc/self/exe", obstacle) : program;
+  if (program.empty())
   {
-    return program;
+    error = std::string("The guard of the device, the program ") + ProgramName +
+      (obstacle.empty()
+          ? ", is neither beside this library nor in a folder \"bin\" near it. "
+          : ", is not started, as another user could have written it: " + obstacle + " ") +
+      Cure;
   }
-  error = std::string("The guard of the device, the program ") + ProgramName +
-    ", is neither beside this library nor in a folder \"bin\" near it. " + Cure;
-  return {};
+  return program;
 }
 
 GuardProcess::~GuardProcess()

@@ -17,11 +17,16 @@ namespace VolumeHaptics
 {
 
 /**
- * The guard's program: what the environment variable VOLUMEHAPTICS_GUARD names, else
- * volumehaptics-guard in or above the folder of this library, or in a folder "bin" there. Empty,
- * with the reason and the cure.
+ * The guard's program: what the environment variable VOLUMEHAPTICS_GUARD names, else the one near
+ * this library. Empty, with the reason and the cure.
  */
 std::string FindGuardProgram(std::string& error);
+/**
+ * volumehaptics-guard in or above the folder of a file, or in a folder "bin" there. It runs with
+ * all rights of the user, so one that another user could have written is passed over: then the
+ * obstacle says why, unless it says something already.
+ */
+std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
 class GuardProcess
 {

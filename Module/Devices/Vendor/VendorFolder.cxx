@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Vendor/VendorFolder.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <deque>
-#include <filesystem>
+#include "Devices/Common/OwnFile.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
 
 namespace VolumeHaptics
 {
@@ -19,86 +15,6 @@ namespace
 
 constexpr const char* Prefix = "libvolumehaptics-";
 constexpr const char* Suffix = ".so";
-constexpr int MostLinks = 40; // on one path, as in Linux
-
-const char* ReadVariable()
-{
-#if defined(__GLIBC__)
-  return secure_getenv(VendorFolder::Variable);
-#else
-  return getuid() == geteuid() && getgid() == getegid() ? std::getenv(VendorFolder::Variable)
-                                                        : nullptr;
-#endif
-}
-
-/** Empty if only this user and root can write it; else the reason and the cure. */
-std::string ReasonAgainst(const std::string& path, bool isAbove)
-{
-  struct stat info
-  {
-  };
-  if (lstat(path.c_str(), &info) != 0)
-  {
-    return "\"" + path + "\" can't be looked at: " + std::strerror(errno) + ".";
-  }
-  if (info.st_uid != 0 && info.st_uid != geteuid())
-  {
-    return "\"" + path +
-      "\" belongs to another user, who could put anything there. Copy the plug-in to a folder of "
-      "your own.";
-  }
-  // The mode of a link means nothing: its folder says who can replace it.
-  const bool isOpen = !S_ISLNK(info.st_mode) && (info.st_mode & (S_IWGRP | S_IWOTH)) != 0;
-  const bool isSticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
-  return !isOpen || (isAbove && isSticky) ? std::string()
-                                          : "others may write \"" + path +
-      "\", and so what would be loaded. Run: chmod go-w '" + path + "'";
-}
-
-/**
- * The real path. Empty, with the reason and the cure, if another user can write a link or a folder
- * on the way to it.
- */
-std::string Resolve(const std::string& path, std::string& error)
-{
-  namespace fs = std::filesystem;
-  const fs::path named = path;
-  std::deque<fs::path> ahead(named.begin(), named.end());
-  fs::path real = "/";
-  int links = 0;
-  error = ReasonAgainst(real.string(), true);
-  while (error.empty() && !ahead.empty())
-  {
-    const fs::path part = ahead.front();
-    ahead.pop_front();
-    if (part.empty() || part == ".")
-    {
-      continue;
-    }
-    if (part == "/" || part == "..")
-    {
-      real = part == "/" ? part : real.parent_path();
-      continue;
-    }
-    const fs::path next = real / part;
-    error = ReasonAgainst(next.string(), true);
-    std::error_code isNoLink;
-    const fs::path target = fs::read_symlink(next, isNoLink);
-    if (isNoLink)
-    {
-      real = next;
-    }
-    else if (++links > MostLinks)
-    {
-      error = "\"" + path + "\" has too many links.";
-    }
-    else
-    {
-      ahead.insert(ahead.begin(), target.begin(), target.end());
-    }
-  }
-  return error.empty() ? real.string() : std::string();
-}
 
 } // namespace
 
@@ -115,7 +31,7 @@ bool VendorFolder::IsName(const std::string& plugin)
 
 std::vector<std::string> VendorFolder::Split(const std::string& path)
 {
-  const char* const variable = path.empty() ? ReadVariable() : nullptr;
+  const char* const variable = path.empty() ? ReadSafeVariable(Variable) : nullptr;
   const std::string all = variable ? variable : path;
   std::vector<std::string> folders;
   for (std::size_t from = 0; from <= all.size();)
@@ -178,28 +94,6 @@ std::vector<VendorFile> VendorFolder::Find(
     }
   }
   return found;
-}
-
-std::string VendorFolder::Check(const std::string& path, std::string& error)
-{
-  namespace fs = std::filesystem;
-  // Others may neither add links to the folder that is searched nor replace the file.
-  const std::string folder = Resolve(fs::path(path).parent_path().string(), error);
-  const std::string real = error.empty() ? Resolve(path, error) : std::string();
-  std::error_code ignored;
-  if (error.empty() && !fs::is_regular_file(real, ignored))
-  {
-    error = "\"" + path + "\" is not a file.";
-  }
-  if (error.empty())
-  {
-    error = ReasonAgainst(folder, false);
-  }
-  if (error.empty())
-  {
-    error = ReasonAgainst(fs::path(real).parent_path().string(), false);
-  }
-  return error.empty() ? real : std::string();
 }
 
 } // namespace VolumeHaptics

@@ -6,11 +6,8 @@
  * loaded.
  *
  * A plug-in runs with all rights of the user. So only folders that the user names are searched, and
- * no plug-in is loaded that another user could have written: the folder that is searched, the file,
- * its folder, all folders above and all links on the way belong to the user or to root, and no one
- * else may write them. (A folder above that others may write is accepted if it is sticky, as /tmp
- * is: others can't replace what is in it.) The libraries that a plug-in needs are not checked: the
- * system's loader finds them.
+ * no plug-in is loaded that another user could have written (Devices/Common/OwnFile.h). The
+ * libraries that a plug-in needs are not checked: the system's loader finds them.
  */
 #ifndef VendorFolder_h
 #define VendorFolder_h
@@ -42,12 +39,6 @@ public:
   /** All plug-ins in the folders; of two with a name, the first. Folders that fail add a text. */
   static std::vector<VendorFile> Find(
     const std::vector<std::string>& folders, std::vector<std::string>& obstacles);
-
-  /**
-   * The real path of a file that may be loaded. Empty, with the reason and the cure, if there is
-   * none or another user could have written it.
-   */
-  static std::string Check(const std::string& path, std::string& error);
 
   static bool IsName(const std::string& plugin);
 };

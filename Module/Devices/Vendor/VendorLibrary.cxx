@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Vendor/VendorLibrary.h"
 
+#include "Devices/Common/OwnFile.h"
 #include "Devices/Vendor/VendorFolder.h"
 
 #include <algorithm>
@@ -64,7 +65,7 @@ std::shared_ptr<VendorLibrary> VendorLibrary::LoadFile(const std::string& path, 
 {
   static std::mutex mutex;
   static std::map<std::string, std::shared_ptr<VendorLibrary>> loaded;
-  const std::string real = VendorFolder::Check(path, error);
+  const std::string real = FindOwnFile(path, NoGroup, error);
   if (real.empty())
   {
     return nullptr;

@@ -8,14 +8,19 @@
  */
 
 #include "Devices/Guard/GuardedDevice.h"
+#include "Devices/Guard/GuardProcess.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/PlayedDevice.h"
+#include "Rigs/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -264,4 +269,59 @@ TEST_F(Guarded, OfAnotherVersionIsRefused)
   const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);
+}
+
+/// As OwnFile.h says of plug-ins: it would run with all rights of the user, who may be root.
+TEST(GuardProgram, OneThatAnotherUserCouldHaveWrittenIsPassedOver)
+{
+  namespace fs = std::filesystem;
+  const fs::path top = fs::canonical(TemporaryPath(""));
+  // As far below the top as it is looked for.
+  const fs::path library = top / "app" / "a" / "b" / "c" / "d" / "lib" / "library.so";
+  const fs::path planted = top / "volumehaptics-guard";
+  const fs::path own = top / "app" / "bin" / "volumehaptics-guard";
+  fs::create_directories(library.parent_path());
+  fs::create_directories(own.parent_path());
+  for (const fs::path& file : { library, planted, own })
+  {
+    std::ofstream(file) << "#!/bin/sh\n";
+    ASSERT_EQ(chmod(file.c_str(), 0700), 0);
+  }
+  const auto find = [&](std::string& obstacle)
+  { return FindGuardNear(library.string(), obstacle); };
+  std::string obstacle;
+  EXPECT_EQ(find(obstacle), own.string());
+  EXPECT_EQ(obstacle, "");
+  fs::remove(own);
+  EXPECT_EQ(find(obstacle), planted.string());
+
+  for (const fs::path& open : { planted, top })
+  {
+    ASSERT_EQ(chmod(open.c_str(), 0777), 0);
+    obstacle.clear();
+    EXPECT_EQ(find(obstacle), "");
+    EXPECT_NE(obstacle.find("others may write \"" + open.string() + "\""), std::string::npos)
+      << obstacle;
+    ASSERT_EQ(chmod(open.c_str(), 0700), 0);
+  }
+  // A link in a folder that others may write leads to another one.
+  fs::rename(planted, top / "safe");
+  fs::create_directory(top / "open");
+  ASSERT_EQ(chmod((top / "open").c_str(), 0777), 0);
+  fs::create_symlink(top / "safe", top / "open" / "link");
+  fs::create_symlink(top / "open" / "link", planted);
+  obstacle.clear();
+  EXPECT_EQ(find(obstacle), "");
+  EXPECT_NE(obstacle.find("others may write"), std::string::npos) << obstacle;
+  fs::remove(planted);
+  fs::rename(top / "safe", planted);
+  if (geteuid() == 0)
+  {
+    ASSERT_EQ(chown(planted.c_str(), 65534, 65534), 0);
+    obstacle.clear();
+    EXPECT_EQ(find(obstacle), "");
+    EXPECT_NE(obstacle.find("belongs to another user"), std::string::npos) << obstacle;
+    ASSERT_EQ(chown(planted.c_str(), 0, 0), 0);
+  }
+  EXPECT_EQ(find(obstacle), planted.string());
 }
