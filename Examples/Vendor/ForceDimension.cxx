@@ -250,10 +250,20 @@ int Home(void* handle)
 {
   auto& device = *static_cast<Device*>(handle);
   device.HadForce = false;
-  if (!drdIsInitialized(device.Id) && drdAutoInit(device.Id) < 0)
+  if (!drdIsInitialized(device.Id))
   {
-    device.Error = Explain("did not find its zero", "Free its way, then press Home() again.");
-    return VOLUME_HAPTICS_VENDOR_LOST;
+    if (drdAutoInit(device.Id) < 0)
+    {
+      device.Error = Explain("did not find its zero", "Free its way, then press Home() again.");
+      drdStop(false, device.Id);
+      return VOLUME_HAPTICS_VENDOR_LOST;
+    }
+    // The search goes on holding the device, and takes no force of ours, until it is stopped.
+    if (drdStop(true, device.Id) < 0)
+    {
+      device.Error = Explain("goes on moving by itself", LookAfterIt);
+      return VOLUME_HAPTICS_VENDOR_LOST;
+    }
   }
   if (dhdEnableForce(DHD_ON, device.Id) < 0)
   {

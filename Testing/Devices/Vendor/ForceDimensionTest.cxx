@@ -168,6 +168,25 @@ TEST_F(ForceDimension, FindsItsZeroOnlyWhenTheUserSaysSo)
   EXPECT_EQ(this->With([](const FakeForceDimension& fake) { return fake.ForcesBeforeZero; }), 0);
 }
 
+TEST_F(ForceDimension, StopsWhereItIsIfItDoesNotFindItsZero)
+{
+  this->With(
+    [](FakeForceDimension& fake)
+    {
+      fake.IsInitialised = false;
+      fake.FailsToInit = fake.ForceIsOn = true;
+    });
+  ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
+  ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitForText("did not find its zero (timeout)")) << this->Bench.Text();
+  EXPECT_TRUE(this->With(
+    [](const FakeForceDimension& fake) { return !fake.IsRegulating && !fake.ForceIsOn; }));
+  this->With([](FakeForceDimension& fake) { fake.FailsToInit = false; });
+  this->Bench.Device->Home();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
+}
+
 TEST_F(ForceDimension, IsNotReadyWhileItsForceIsOff)
 {
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });

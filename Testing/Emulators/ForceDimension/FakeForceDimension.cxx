@@ -77,6 +77,11 @@ int Set(FakeForceDimension& fake, const emulated::Triple& force, const emulated:
     lastError = "communication error";
     return -1;
   }
+  if (fake.IsRegulating)
+  {
+    lastError = "regulation is running";
+    return -1;
+  }
   const bool isZero = force == emulated::Triple{} && torque == emulated::Triple{};
   fake.ForcesBeforeZero += !isZero && !fake.IsInitialised ? 1 : 0;
   if (force != fake.Force || torque != fake.Torque)
@@ -131,7 +136,7 @@ extern "C"
       return -1;
     }
     fake->Calls.emplace_back("close");
-    fake->IsOpen = fake->ForceIsOn = false;
+    fake->IsOpen = fake->ForceIsOn = fake->IsRegulating = false;
     return 0;
   }
 
@@ -149,7 +154,22 @@ extern "C"
       return -1;
     }
     fake->Calls.emplace_back("init");
-    fake->IsInitialised = true;
+    fake->IsRegulating = true;
+    fake->IsInitialised = !fake->FailsToInit;
+    lastError = fake->FailsToInit ? "timeout" : lastError;
+    return fake->FailsToInit ? -1 : 0;
+  }
+
+  int drdStop(bool frc, char ID)
+  {
+    const Opened fake(ID);
+    if (!fake)
+    {
+      return -1;
+    }
+    fake->Calls.emplace_back(frc ? "stop" : "brake");
+    fake->IsRegulating = false;
+    fake->ForceIsOn = fake->ForceIsOn && frc;
     return 0;
   }
 

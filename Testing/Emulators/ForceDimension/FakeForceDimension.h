@@ -6,6 +6,11 @@
  * SDK's public documentation says (Haptic and Robotic SDK 3.14): IDs of devices that are not open
  * are errors; results above zero are none; x is towards the user, y to the right, z up; metres,
  * newtons; forces have no effect while they are switched off.
+ *
+ * The search for the zero is the robotic library's regulation, which goes on until drdStop(), as
+ * programs for the SDK know it: sawForceDimensionSDK (jhu-saw), mtsForceDimensionDevice::Startup(),
+ * and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after drdAutoInit(). Until then this library
+ * takes no force; false switches the force off, too.
  */
 #ifndef FakeForceDimension_h
 #define FakeForceDimension_h
@@ -33,6 +38,8 @@ struct FakeForceDimension
   bool IsInitialised = true;
   bool HasPower = true;
   bool ForceIsOn = false;
+  bool IsRegulating = false; ///< by itself, since it searched for its zero
+  bool FailsToInit = false;
   bool FailsToOpen = false;
   bool FailsToRead = false;
   bool FailsToWrite = false;

@@ -15,6 +15,7 @@ extern "C"
   int drdClose(char ID = -1);
   bool drdIsInitialized(char ID = -1);
   int drdAutoInit(char ID = -1);
+  int drdStop(bool frc = false, char ID = -1);
 }
 
 #endif
