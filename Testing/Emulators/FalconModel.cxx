@@ -56,7 +56,11 @@ int FalconModel::Control(const std::uint8_t setup[8], std::uint8_t*, int)
   {
     return 0;
   }
-  if (setup[1] == 0 && value == 1)
+  if (!this->Late.empty() && !this->Runs)
+  {
+    this->Replies.push_back(std::exchange(this->Late, {}));
+  }
+  if (setup[1] == 0 && value == 2)
   {
     this->Replies.clear();
   }
@@ -155,7 +159,14 @@ void FalconModel::Greet(const std::string& bytes)
     !this->Takes(FalconFault::NoGreeting))
   {
     const std::string answer("\0\x0A\x44\x2C\x0D", 5);
-    this->Send(this->Takes(FalconFault::LeadingZero) ? answer : answer.substr(1));
+    if (this->Takes(FalconFault::LateGreeting))
+    {
+      this->Late = answer.substr(1);
+    }
+    else
+    {
+      this->Send(this->Takes(FalconFault::LeadingZero) ? answer : answer.substr(1));
+    }
   }
   this->Waiting.clear();
 }

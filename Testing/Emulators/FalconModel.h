@@ -13,12 +13,17 @@
  * That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
  * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
  *
+ * The converter: libftdi 1.5, src/ftdi.h, has 2 to drop what the device has sent (SIO_TCIFLUSH) and
+ * 1 what is on its way to it (SIO_TCOFLUSH); its older SIO_RESET_PURGE_RX and _TX, 1 and 2, are
+ * deprecated there because they are the other way round.
+ *
  * Loader and answers, as libnifalcon (commit f7c727a) copes with them:
  * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading
  *   0x00 as well as without one, and greets up to 100 times.
  * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
  *   "completely" closes the device and opens it again: a loader may be stuck until then, or one
  *   load may fail by a wrong echo or none.
+ * - the greeting may be answered only after the host has waited for it.
  * - isFirmwareLoaded() in src/core/FalconFirmware.cpp: "Sometimes we need to kick out another write
  *   to get a proper return". Such an answer is late: it comes after the next packet was sent, and
  *   the next packet's own answer follows behind it.
@@ -48,17 +53,18 @@ enum class FalconFault
   LateAnswer,  ///< the answer waits for the next packet
   StallOut,
   StallIn,
-  BadCable,    ///< transfers out fail with EPROTO
-  StuckOut,    ///< transfers out do not end
-  Nowhere,     ///< counts that no position has
-  Jump,        ///< counts that are 25 mm away
-  LostZero,    ///< an encoder is not homed any more
-  NoGreeting,  ///< the loader does not answer
-  LeadingZero, ///< a 0x00 comes before the answer to a greeting
-  StuckLoader, ///< nothing is answered before the device is closed and opened again, a count each
-  WrongEcho,   ///< a byte of the image comes back changed
-  NoEcho,      ///< a block of the image does not come back
-  DeadImage    ///< the image is taken, and does not run
+  BadCable,     ///< transfers out fail with EPROTO
+  StuckOut,     ///< transfers out do not end
+  Nowhere,      ///< counts that no position has
+  Jump,         ///< counts that are 25 mm away
+  LostZero,     ///< an encoder is not homed any more
+  NoGreeting,   ///< the loader does not answer
+  LateGreeting, ///< the answer to a greeting comes just before the host's next request
+  LeadingZero,  ///< a 0x00 comes before the answer to a greeting
+  StuckLoader,  ///< nothing is answered before the device is closed and opened again, a count each
+  WrongEcho,    ///< a byte of the image comes back changed
+  NoEcho,       ///< a block of the image does not come back
+  DeadImage     ///< the image is taken, and does not run
 };
 
 class FalconModel : public UsbModel
@@ -145,7 +151,7 @@ private:
   std::size_t ImageSize = 1;
   std::deque<std::string> Replies; ///< a transfer each
   std::deque<std::string> Pending; ///< those that are on their way to the host
-  std::string Late;                ///< an answer that waits for the next packet
+  std::string Late;                ///< an answer that waits for the next packet or request
   long InStep = 0;
   std::deque<FalconFault> Attempts; ///< of loading
   std::vector<std::string> Transcript;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 
 namespace
 {
-constexpr FtdiRequest PrepareRequests[] = { FtdiPurgeReceive, FtdiPurgeTransmit, FtdiLatency(16),
+constexpr FtdiRequest PrepareRequests[] = { FtdiPurgeTransmit, FtdiPurgeReceive, FtdiLatency(16),
   FtdiBaud(FalconGreetingBaud), Ftdi8N1, FtdiNoFlowControl, FtdiRtsLow, FtdiDtrLow, FtdiDtrHigh };
 // A late answer to the last greeting must not be taken for one to the next.
 constexpr FtdiRequest GreetAgainRequests[] = { FtdiPurgeReceive };

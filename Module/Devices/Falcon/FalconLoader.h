@@ -28,7 +28,7 @@ constexpr int FalconMostGreetings = 100;
 
 /** The steps before run packets go back and forth. */
 constexpr std::array<FtdiRequest, 4> FalconRunRequests = { FtdiLatency(1), FtdiBaud(FalconRunBaud),
-  FtdiPurgeReceive, FtdiPurgeTransmit };
+  FtdiPurgeTransmit, FtdiPurgeReceive };
 
 enum class FalconLoaderFault : std::uint8_t
 {

@@ -54,6 +54,15 @@ TEST_F(FalconTries, AZeroBeforeTheGreeting)
   this->ExpectLoaded();
 }
 
+TEST_F(FalconTries, ALateAnswerToTheGreetingIsDropped)
+{
+  this->Falcon.Break(FalconFault::LateGreeting, 1);
+  this->ExpectLoaded();
+  const std::vector<std::string> lines = this->Falcon.TakeTranscript();
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), "o 0a 43 0d"), 2);
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), "c 40 03 4138"), 1) << "tries";
+}
+
 TEST_F(FalconTries, AWrongEchoOnTheFirstTries)
 {
   using Fault = FalconFault;

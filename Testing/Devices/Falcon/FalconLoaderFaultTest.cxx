@@ -46,7 +46,7 @@ TEST_F(FalconDoesNotLoad, WhenTheLoaderDoesNotGreet)
   {
     this->ExpectWrite(Greeting);
     this->Loader.TimeOut();
-    i < 99 ? this->ExpectRequest(0, 1) : void();
+    i < 99 ? this->ExpectRequest(0, 2) : void();
   }
   this->ExpectFault(FalconLoaderFault::NoGreeting);
 }
@@ -59,7 +59,7 @@ TEST_F(FalconDoesNotLoad, WhenTheGreetingIsAnother)
   {
     this->ExpectWrite(Greeting);
     this->Receive(wrong[i % 3]);
-    i < 99 ? this->ExpectRequest(0, 1) : void();
+    i < 99 ? this->ExpectRequest(0, 2) : void();
   }
   this->ExpectFault(FalconLoaderFault::WrongGreeting);
 }

@@ -68,8 +68,8 @@ protected:
 
   void Prepare()
   {
-    this->ExpectRequest(0, 1);      // purge what was received
-    this->ExpectRequest(0, 2);      // and what was to be sent
+    this->ExpectRequest(0, 1);      // purge what was to be sent
+    this->ExpectRequest(0, 2);      // and what was received
     this->ExpectRequest(9, 16);     // latency
     this->ExpectRequest(3, 0x4138); // 9600 baud
     this->ExpectRequest(4, 8);      // 8N1

@@ -81,7 +81,7 @@ TEST_F(FalconLoads, AZeroMayComeBeforeTheGreeting)
   this->Prepare();
   this->ExpectWrite(Greeting);
   this->Receive(std::string(2, '\0') + GreetingAnswer);
-  this->ExpectRequest(0, 1);
+  this->ExpectRequest(0, 2);
   this->Greet();
   this->SpeedUp();
   this->ExpectWrite("\x41");
@@ -108,7 +108,7 @@ TEST_F(FalconLoads, AHundredGreetings)
   {
     this->ExpectWrite(Greeting);
     i % 2 == 0 ? this->Loader.TimeOut() : this->Receive("\x0A\x43");
-    this->ExpectRequest(0, 1); // so that a late answer is not taken for the next
+    this->ExpectRequest(0, 2); // so that a late answer is not taken for the next
   }
   this->Greet();
   this->SpeedUp();

@@ -26,9 +26,12 @@ struct FtdiRequest
 constexpr std::uint8_t FtdiRequestType = 0x40; // vendor, to the device, out
 
 ///@{
-/** "Receive" and "transmit" are the host's: purging the former drops what the device has sent. */
-constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 1, 0 };
-constexpr FtdiRequest FtdiPurgeTransmit = { FtdiRequestType, 0, 2, 0 };
+/**
+ * "Receive" and "transmit" are the host's: purging the former drops what the device has sent.
+ * These are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
+ */
+constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 2, 0 };
+constexpr FtdiRequest FtdiPurgeTransmit = { FtdiRequestType, 0, 1, 0 };
 constexpr FtdiRequest FtdiDtrLow = { FtdiRequestType, 1, 0x0100, 0 };
 constexpr FtdiRequest FtdiDtrHigh = { FtdiRequestType, 1, 0x0101, 0 };
 constexpr FtdiRequest FtdiRtsLow = { FtdiRequestType, 1, 0x0200, 0 };
