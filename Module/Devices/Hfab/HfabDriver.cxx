@@ -26,8 +26,9 @@ constexpr const char* Unplugged = "was unplugged. Plug it in, then Open() and St
 
 } // namespace
 
-HfabDriver::HfabDriver(std::string port)
+HfabDriver::HfabDriver(std::string port, std::string folder)
   : Wanted(std::move(port))
+  , Folder(std::move(folder))
 {
 }
 
@@ -44,24 +45,54 @@ std::string HfabDriver::MakeIdentity(const SerialPortInfo& port)
   return "hfab:" + word;
 }
 
-bool HfabDriver::Connect(std::string& error)
+std::vector<SerialPortInfo> HfabDriver::FindBoards(const std::string& folder)
 {
-  SerialPortInfo port{ this->Wanted, {} };
-  if (this->Wanted.empty())
+  std::vector<SerialPortInfo> boards = SerialPort::Find(Board, folder);
+  boards.erase(
+    std::remove_if(boards.begin(), boards.end(),
+      [](const SerialPortInfo& port) { return port.Name.find(OtherBoard) != std::string::npos; }),
+    boards.end());
+  return boards;
+}
+
+bool HfabDriver::Choose(SerialPortInfo& port, std::string& error) const
+{
+  if (!this->Wanted.empty())
   {
-    const std::vector<SerialPortInfo> boards = SerialPort::Find(Board);
-    if (boards.empty())
+    port = { this->Wanted, SerialPort::NameOf(this->Wanted, this->Folder) };
+    if (port.Name.find(OtherBoard) != std::string::npos)
     {
-      error = std::string("No hfab controller is plugged in: no serial port of a board named \"") +
-        Board + "\" is in " + SerialPort::NamesFolder +
-        ". Plug it in and switch it on, or give its port, such as \"hfab:/dev/ttyACM0\".";
+      error = "The board at " + port.Path + " is \"" + port.Name +
+        "\", which is no hfab controller. Open it as \"haply\", by Haply's Inverse service.";
       return false;
     }
-    port = boards.front();
+    return true;
   }
-  else
+  const std::vector<SerialPortInfo> boards = FindBoards(this->Folder);
+  if (boards.size() == 1)
   {
-    port.Name = SerialPort::NameOf(port.Path);
+    port = boards.front();
+    return true;
+  }
+  std::string known;
+  for (const SerialPortInfo& board : boards)
+  {
+    known += (known.empty() ? "hfab:" : ", hfab:") + board.Path + " (" + board.Name + ")";
+  }
+  error = boards.empty()
+    ? std::string("No hfab controller is plugged in: no serial port of a board named \"") + Board +
+      "\" is in " + this->Folder +
+      ". Plug it in and switch it on, or give its port, such as \"hfab:/dev/ttyACM0\"."
+    : "Several boards may be the hfab controller. Give the port: " + known + ".";
+  return false;
+}
+
+bool HfabDriver::Connect(std::string& error)
+{
+  SerialPortInfo port;
+  if (!this->Choose(port, error))
+  {
+    return false;
   }
   this->Label = "hfab controller (" + port.Path + ")";
   if (!this->Port.Open(port.Path, error))

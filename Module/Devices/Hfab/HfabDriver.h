@@ -31,8 +31,15 @@ namespace VolumeHaptics
 class HfabDriver final : public HardwareDriver
 {
 public:
-  /** The boards of published controllers have this word in their names. */
+  ///@{
+  /**
+   * The boards of published controllers have this word in their names. So have Haply's arms, which
+   * take other messages, and have the second word, too: ID_VENDOR Teensyduino, ID_MODEL
+   * Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
+   */
   static constexpr const char* Board = "Teensyduino";
+  static constexpr const char* OtherBoard = "Haply";
+  ///@}
   /** s, to wait for the first answer. */
   static constexpr double HandshakeTime = 1.5;
   /**
@@ -52,8 +59,8 @@ public:
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
 
-  /** The port, such as /dev/ttyACM0; empty: that of the first board. */
-  explicit HfabDriver(std::string port);
+  /** The port, such as /dev/ttyACM0; empty: that of the board, if there is one only. */
+  explicit HfabDriver(std::string port, std::string folder = SerialPort::NamesFolder);
 
   std::string GetName() const override { return this->Label; }
   DeviceLimits GetLimits() const override;
@@ -62,6 +69,9 @@ public:
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override;
 
+  /** The ports of boards that may be controllers. */
+  static std::vector<SerialPortInfo> FindBoards(
+    const std::string& folder = SerialPort::NamesFolder);
   /** The identity of the board at a port for the user's file of devices. */
   static std::string MakeIdentity(const SerialPortInfo& port);
 
@@ -79,6 +89,7 @@ private:
     Gone
   };
 
+  bool Choose(SerialPortInfo& port, std::string& error) const;
   bool Shake(std::string& error);
   /** Sends currents and waits for the answer. */
   Reply Ask(const std::array<int, 3>& milliamperes) noexcept;
@@ -92,6 +103,7 @@ private:
   void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const std::string Wanted;
+  const std::string Folder; ///< where ports are named
   std::string Label = "hfab controller";
   std::string Identity;
   SerialPort Port;

@@ -13,7 +13,7 @@ namespace
 std::vector<DeviceListing> ListBoards()
 {
   std::vector<DeviceListing> all;
-  for (const SerialPortInfo& port : SerialPort::Find(HfabDriver::Board))
+  for (const SerialPortInfo& port : HfabDriver::FindBoards())
   {
     all.push_back({ "hfab:" + port.Path, "Arm with an hfab controller, if it is one: " + port.Name,
       SerialPort::StateOf(port.Path), HfabDriver::MakeIdentity(port) });
@@ -24,11 +24,10 @@ std::vector<DeviceListing> ListBoards()
 /** A board cannot be asked what it is; permission is told by its listing. */
 std::string WhyNoBoards()
 {
-  return SerialPort::Find(HfabDriver::Board).empty()
-    ? std::string("no serial port of a board named \"") + HfabDriver::Board + "\" is in " +
-      SerialPort::NamesFolder +
+  return HfabDriver::FindBoards().empty() ? std::string("no serial port of a board named \"") +
+      HfabDriver::Board + "\" is in " + SerialPort::NamesFolder +
       ". Plug the controller in, or give its port, such as \"hfab:/dev/ttyACM0\"."
-    : std::string();
+                                          : std::string();
 }
 
 std::unique_ptr<DeviceBackend> MakeHfab(

@@ -314,6 +314,38 @@ TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
   EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
 }
 
+/// Names of udev's links: chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md, has a Haply
+/// Inverse3 as ID_VENDOR Teensyduino, ID_MODEL Haply_inverse3, ID_SERIAL_SHORT 16894910.
+TEST_F(Hfab, NothingIsWrittenToAHaplyArm)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = TemporaryPath("by-id-haply");
+  fs::create_directories(folder);
+  HfabEmulator haply(3);
+  fs::create_symlink(haply.GetPort(), folder / "usb-Teensyduino_Haply_inverse3_16894910-if00");
+  std::string error;
+  const auto open = [&](const std::string& port)
+  {
+    HfabDriver driver(port, folder.string());
+    return driver.Connect(error);
+  };
+  EXPECT_FALSE(open(""));
+  EXPECT_TRUE(Has(error, "No hfab controller is plugged in")) << error;
+  EXPECT_FALSE(open(haply.GetPort()));
+  EXPECT_TRUE(Has(error, "Open it as \"haply\"")) << error;
+  fs::create_symlink(this->Rig.Arm.GetPort(), folder / "usb-Teensyduino_USB_Serial_11037800-if00");
+  EXPECT_TRUE(open("")) << error;
+  EXPECT_GT(this->Rig.Arm.GetMessages(), 0);
+  EXPECT_EQ(haply.GetMessages(), 0);
+  const HfabEmulator second(2);
+  fs::create_symlink(second.GetPort(), folder / "usb-Teensyduino_USB_Serial_22037800-if00");
+  EXPECT_FALSE(open(""));
+  EXPECT_TRUE(Has(error, ("Give the port: hfab:" + this->Rig.Arm.GetPort()).c_str())) << error;
+  EXPECT_TRUE(Has(error, ("hfab:" + second.GetPort()).c_str())) << error;
+  EXPECT_EQ(second.GetMessages(), 0);
+  EXPECT_TRUE(open(second.GetPort())) << error;
+}
+
 TEST_F(Hfab, BoardsAreFoundByTheirNames)
 {
   namespace fs = std::filesystem;
