@@ -36,6 +36,9 @@ def test_has_what_is_promised():
         "__main__.py", "data/HeadPhantom.vti", "py.typed", "udev/70-volume-haptics.rules", "vtkVolumeHaptics.pyi",
     ):
         assert (PACKAGE / name).is_file(), name
+    hooks = importlib.metadata.distribution("volumehaptics").entry_points
+    assert [(hook.group, hook.name) for hook in hooks if hook.group.startswith("pyvista")] == [
+        ("pyvista.jupyter_backends", "haptics")]
     assert any("license" in str(file).lower() for file in importlib.metadata.files("volumehaptics"))
 
 

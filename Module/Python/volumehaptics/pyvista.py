@@ -30,7 +30,7 @@ except ImportError as error:
     raise ImportError("volumehaptics.pyvista needs PyVista. Cure: pip install pyvista") from error
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-from ._plotting import Haptics, add_haptics
+from ._plotting import Haptics, _touchable, add_haptics
 from ._touch import touch as _touch
 
 if TYPE_CHECKING:
@@ -38,16 +38,29 @@ if TYPE_CHECKING:
 
 __all__ = ["Haptics", "add_haptics", "touch"]
 
+BACKEND = "haptics"
 
-def _show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
-    """plotter.show(jupyter_backend="haptics")."""
-    from .web import show_plotter
+def show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
+    """PyVista's back end "haptics" for notebooks: a touchable plotter as volumehaptics.web.show() shows it, and any other as
+    PyVista would if this back end were not there. PyVista calls it; it is registered as an entry point."""
+    if plotter in _touchable:
+        from .web import show_plotter
 
-    return show_plotter(plotter, **settings)
+        return show_plotter(plotter, **settings)
+    from pyvista.jupyter.notebook import handle_plotter
+
+    # In PyVista's own order: what a program has registered, "trame", any other package's.
+    others = {one.name: ":" in one.source for one in pv.registered_jupyter_backends() if one.name != BACKEND}
+    ranked = sorted(others, key=lambda name: (others[name], name != "trame"))
+    return handle_plotter(plotter, backend=ranked[0] if ranked else "static", **settings)
 
 
 if hasattr(pv, "register_jupyter_backend"):  # PyVista 0.48
-    pv.register_jupyter_backend("haptics", _show_in_notebook, override=True)
+    from importlib.metadata import entry_points
+
+    # A package that was not installed by pip has no entry points.
+    if BACKEND not in entry_points(group="pyvista.jupyter_backends").names:
+        pv.register_jupyter_backend(BACKEND, show_in_notebook, override=True)
 
 
 @overload
