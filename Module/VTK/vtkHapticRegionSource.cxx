@@ -14,6 +14,7 @@
 #include "VTK/Large/RegionStore.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkHapticRegionPlanner.h"
@@ -426,6 +427,10 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHa
   if (hasCome)
   {
     this->Modified();
+  }
+  if (!this->IsAwaited && this->Store->IsWaiting())
+  {
+    this->InvokeEvent(vtkCommand::UserEvent);
   }
   return hasCome;
 }

@@ -317,8 +317,9 @@ private:
 /**
  * SetReader for Python's ctypes, with a function that returns 0 and writes the reason as a text of
  * at most `room` bytes if it fails. It is not awaited: it may need a lock that the waiting thread
- * holds. `release` is called after its last call; null for `read` ends the reading. Both get
- * `context`.
+ * holds. So Follow invokes vtkCommand::UserEvent while a region is read, for an observer that lets
+ * go of the lock for a while, which VTK's loop of events does not. `release` is called after its
+ * last call; null for `read` ends the reading. Both get `context`.
  */
 using vtkHapticRegionRead = int (*)(
   void* context, const int* extent, void* samples, char* why, int room);

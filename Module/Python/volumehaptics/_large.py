@@ -9,6 +9,7 @@ import ctypes
 import itertools
 import mmap
 import os
+import sys
 import time
 import weakref
 from collections.abc import Sequence
@@ -138,6 +139,11 @@ def _set_reader(source: vtkHapticRegionSource, read: Any, number: int) -> None:
     library.vtkHapticRegionSourceSetReader.argtypes = [ctypes.c_void_p, _Read, _Release, ctypes.c_void_p]
     library.vtkHapticRegionSourceSetReader.restype = None
     library.vtkHapticRegionSourceSetReader(int(source.__this__.split("_")[1], 16), read, _release, number)
+
+
+def _let_read(_source: vtkHapticRegionSource, _event: str) -> None:
+    """Lets the thread that reads have Python's lock, which VTK's own loop of events keeps all the time."""
+    time.sleep(sys.getswitchinterval())
 
 
 _process = os.getpid()
@@ -317,8 +323,9 @@ def open_large(
 
     The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
     whole in memory, to the bit. A vtkVolumeHapticsFilter takes its GetOutputPort(), live as well: then a thread reads
-    around the tip, and needs Python's lock for that; so the program must let other threads run, as every loop of events
-    does. What the array raises while it is read is an error of the filter or of the source.
+    around the tip, and needs Python's lock for that; so vtkHapticDevice.UpdateState(), which the interactor style calls,
+    lets others have it for 5 ms while samples are awaited. What the array raises while it is read is an error of the
+    filter or of the source.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
     origin that is not three numbers; a level that there is not; a file that can't be read. ImportError: a path
@@ -358,4 +365,5 @@ def open_large(
     reference.Set(source)
     _arrays[number] = _Array(array, dtype, reference)
     _set_reader(source, _read, number)
+    source.AddObserver("UserEvent", _let_read)
     return source
