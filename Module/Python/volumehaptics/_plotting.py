@@ -41,6 +41,8 @@ _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDict
 
 SIZE = 0.007  # of the proxy, as a share of the volume's diagonal
 ARROW = 0.05  # of a newton, likewise
+# What is printed on keys, where it is not their name.
+LABELS = {"question": "?", "plus": "+", "minus": "-", "comma": ",", "period": ".", "BackSpace": "Backspace"}
 ATTENTION = 10.0  # s without the plotter's timer, after which force fades out: no frame takes as long
 
 
@@ -105,8 +107,10 @@ class Haptics:
             self.slices.SetRenderWindow(None)
         if plotter is not None:
             _touchable.pop(plotter, None)
-            if plotter.iren is not None and plotter.iren.style is self.style:
-                plotter.iren.style = self._style_before
+            if plotter.iren is not None:
+                vars(plotter.iren).pop("key_press_event", None)
+                if plotter.iren.style is self.style:
+                    plotter.iren.style = self._style_before
 
     def __del__(self) -> None:
         self.close()
@@ -136,6 +140,7 @@ class Haptics:
         plotter.iren.style = self.style
         self._in_scene = [prop for prop in (self.representation, *touched) if renderer.HasViewProp(prop)]
         self._watch(plotter)
+        self._keep_keys(plotter)
         _touchable[plotter] = self
 
     def _frame(self, large: vtkHapticRegionSource) -> None:
@@ -173,6 +178,29 @@ class Haptics:
             self._in_scene = remaining
             self.style.SetTouchMode(False)
             self.device.Disarm()
+
+    def _has_key(self, pressed: str) -> bool:
+        """Whether a key does something in the scene as it is: those that the style lists."""
+        listed = {label for line in self.style.GetKeys().splitlines() for label in line.split("\t")[0].split("  ")}
+        actions = self.style.GetKeyActions()
+        for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
+            keys = self.style.GetKey(action).split()
+            if pressed in keys:
+                return any(LABELS.get(key, key) in listed for key in keys)
+        return False
+
+    def _keep_keys(self, plotter: pv.Plotter) -> None:
+        """A key of the style is that of PyVista no more: C would begin to pick, with another style in the place of this one."""
+        itself, interactor = weakref.ref(self), plotter.iren
+        press = type(interactor).key_press_event
+
+        def press_others(*arguments: Any) -> None:
+            haptics = itself()
+            if not (haptics and not haptics.closed and interactor.style is haptics.style
+                    and haptics._has_key(interactor.interactor.GetKeySym())):
+                press(interactor, *arguments)
+
+        interactor.key_press_event = press_others
 
     def _watch(self, plotter: pv.Plotter) -> None:
         """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
@@ -344,7 +372,8 @@ def add_haptics(
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
     vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s (for a
     device that you pass, its own AttentionTime), and ends when the volume's actor is removed. Closing the plotter stops
-    everything. The plotter's camera keys and mouse remain, except for those that the style lists.
+    everything. The plotter's camera keys and mouse remain, except for the keys that the style lists (key ?):
+    haptics.style.SetKey("Compare", "") gives C, for example, back to PyVista.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the

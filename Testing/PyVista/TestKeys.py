@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every key that PyVista binds, and every key of ours: each does one of the two, and after none of them the hand is gone."""
+
+import pytest
+
+pv = pytest.importorskip("pyvista", reason="needs PyVista: pip install pyvista")
+
+CLOSING = ("q",)  # of PyVista: prepares for what ends the plotter
+
+
+def keys_of_pyvista(plotter):
+    return sorted(plotter.iren._key_press_event_callbacks)
+
+
+def keys_of_style(style):
+    actions = style.GetKeyActions()
+    return [key for i in range(actions.GetNumberOfValues()) for key in style.GetKey(actions.GetValue(i)).split()]
+
+
+def is_listed(haptics, key):
+    labels = {"question": "?", "plus": "+", "minus": "-", "comma": ",", "period": ".", "BackSpace": "Backspace"}
+    return any(labels.get(key, key) in line.split("\t")[0].split("  ") for line in haptics.style.GetKeys().splitlines())
+
+
+def is_alive(hand):
+    """Whether t begins and ends the touch."""
+    style = hand.haptics.style
+    assert hand.plotter.iren.interactor.GetInteractorStyle() is style
+    if style.GetTouchMode():
+        hand.press("Escape")
+    hand.plotter.iren.interactor.SetEventInformation(*hand.pointer, 0, 0)
+    hand.press("t")
+    began = style.GetTouchMode()
+    hand.press("Escape")
+    return began and not style.GetTouchMode()
+
+
+@pytest.fixture(params=["one image", "frames"])
+def hand(request, window, hands):
+    if request.param == "one image":
+        hand = hands()
+    else:
+        hand = hands()
+        grid = hand.volume.mapper.dataset
+        hand.haptics.close()
+        from volumehaptics.pyvista import add_haptics
+
+        hand.haptics = add_haptics(hand.plotter, [grid, grid.copy()], [0.0, 1.0])
+    hand.plotter.show(auto_close=False)
+    return hand
+
+
+def test_no_key_does_two_things(hand):
+    plotter, haptics = hand.plotter, hand.haptics
+    called = []
+    for key in (*keys_of_pyvista(plotter), *keys_of_style(haptics.style)):
+        plotter.iren.clear_events_for_key(key, raise_on_missing=False)
+        plotter.add_key_event(key, lambda key=key: called.append(key))
+    for key in sorted({*keys_of_pyvista(plotter), *keys_of_style(haptics.style)} - {"Home"}):
+        called.clear()
+        hand.press(key)
+        assert called == ([] if is_listed(haptics, key) else [key]), key
+    assert is_alive(hand)  # after each of ours
+    for key in ("C", "t", "Escape"):
+        assert is_listed(haptics, key)
+    for key in ("Up", "Down", "v"):
+        assert not is_listed(haptics, key)
+    assert is_listed(haptics, "b") == (haptics.frames is not None)  # of volumes that move
+
+
+def test_the_hand_is_there_after_each_key_of_pyvista(hand, capfd):
+    assert is_alive(hand)
+    for key in sorted({*keys_of_pyvista(hand.plotter)} - {*CLOSING}):
+        hand.press(key)
+        assert is_alive(hand), key
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_a_key_that_is_given_back_is_pyvistas(hand):
+    plotter, haptics = hand.plotter, hand.haptics
+    called = []
+    plotter.iren.clear_events_for_key("C")
+    plotter.add_key_event("C", lambda: called.append("C"))
+    assert haptics.style.SetKey("Compare", "")
+    hand.press("C")
+    assert called == ["C"]
+    assert haptics.style.SetKey("Compare", "C")
+    hand.press("C")
+    assert called == ["C"]
+    haptics.close()
+    hand.press("C")
+    assert called == ["C", "C"]
