@@ -12,6 +12,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+from vtkmodules.vtkRenderingVolume import vtkMultiVolume
+from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 
 @pytest.fixture
@@ -133,6 +135,89 @@ def test_actors_are_felt_as_they_are_shown(scene):
         actor.SetPosition(1, 2, 3)
         assert strongest_force(haptics) > 1.0
         assert haptics.filter.GetTouchedImage().GetOrigin() == pytest.approx((1, 2, 3))
+
+
+def refuses(haptics, words):
+    """Nothing is touched, and a warning says why when it is tried."""
+    haptics.update()
+    with pytest.warns(UserWarning, match=f"{words}.*Cure: "):
+        haptics.style.SetTouchMode(True)
+        haptics.update()
+    return not haptics.style.GetTouchMode() and not haptics.device.IsArmOrdered()
+
+
+def begins(haptics):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        haptics.style.SetTouchMode(True)
+        haptics.update()
+    return haptics.style.GetTouchMode()
+
+
+@pytest.mark.parametrize("visibility", (True, False))
+def test_what_another_actor_of_its_name_replaces_is_not_felt(window, hands, visibility):
+    hand = hands(visibility=visibility)
+    hand.push()
+    new = hand.plotter.add_volume(pv.ImageData(hand.volume.mapper.dataset), name=hand.volume.name)
+    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    assert refuses(hand.haptics, "not felt")
+    hand.haptics.close()
+    hand.haptics = add_haptics(hand.plotter, new, visibility=visibility)
+    hand.push()
+
+
+def test_what_is_made_invisible_is_not_felt(window, hands):
+    hand = hands()
+    hand.push()
+    hand.volume.visibility = False
+    with pytest.warns(UserWarning, match="hidden.*Cure: VisibilityOn"):
+        hand.haptics.update()
+    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
+    assert refuses(hand.haptics, "hidden")
+    hand.volume.VisibilityOn()
+    hand.push()
+
+
+def test_the_actor_of_another_subplot_is_felt_there(window):
+    plotter = pv.Plotter(off_screen=True, shape=(1, 2))
+    grid = pv.ImageData(dimensions=(17, 17, 17))
+    grid["value"] = 100.0 * grid.points[:, 2]
+    plotter.subplot(0, 0)
+    actor = plotter.add_volume(grid)
+    plotter.subplot(0, 1)
+    plotter.add_mesh(pv.Sphere())
+    haptics = add_haptics(plotter, actor)
+    assert haptics.style.GetDefaultRenderer() is plotter.renderers[0]
+    assert plotter.renderers[0].HasViewProp(haptics.representation)
+    plotter.show(auto_close=False)
+    assert begins(haptics)
+    plotter.subplot(0, 0)
+    plotter.remove_actor(actor)
+    assert not haptics.style.GetTouchMode() and refuses(haptics, "not felt")
+    plotter.close()
+
+
+def test_what_nobody_sees_is_refused(scene):
+    plotter, grid, actor = scene
+    plotter.remove_actor(actor)
+    with pytest.raises(ValueError, match="not in the plotter.*Cure: .*plotter.add_actor") as error:
+        add_haptics(plotter, actor)
+    assert error
+    plotter.add_actor(actor)
+    assert add_haptics(plotter, actor).device.IsRunning()
+
+
+def test_multi_volumes_are_refused_with_the_cure(scene):
+    plotter, grid, actor = scene
+    image = actor.mapper.GetInputDataObject(0, 0)
+    multi, mapper = vtkMultiVolume(), vtkOpenGLGPUVolumeRayCastMapper()
+    mapper.SetInputDataObject(0, image)
+    multi.SetMapper(mapper)
+    multi.SetVolume(actor, 0)
+    plotter.renderer.AddVolume(multi)
+    with pytest.raises(ValueError, match="vtkMultiVolume.*Cure: show those that are to be felt by a vtkVolume"):
+        add_haptics(plotter, multi)
+    assert add_haptics(plotter, actor).device.IsRunning()  # it is shown by itself, too
 
 
 def test_a_sheared_actor_warns(scene):

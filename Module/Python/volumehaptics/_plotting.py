@@ -63,7 +63,7 @@ class Haptics:
     ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
     """
 
-    def __init__(self, plotter: pv.Plotter) -> None:
+    def __init__(self, plotter: pv.Plotter, renderer: pv.Renderer | None = None) -> None:
         self.device = vtkHapticDevice()
         self.filter = vtkVolumeHapticsFilter()
         self.style = vtkInteractorStyleHaptic()
@@ -76,9 +76,10 @@ class Haptics:
         self.closed = False
         self._owns_device = True
         self._plotter = weakref.ref(plotter)
-        self._renderer = weakref.ref(plotter.renderer)
+        self._renderer = weakref.ref(renderer or plotter.renderer)
         self._style_before = None
         self._in_scene: list[Any] = []
+        self._missing = 0  # of these, when they were last looked at
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
 
@@ -122,7 +123,7 @@ class Haptics:
         self.close()
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
-        renderer = plotter.renderer
+        renderer = self._renderer()
         for prop in (self.representation, self.head_up_display):
             prop.SetDevice(self.device)
             prop.UseBoundsOff()  # cameras and axes frame the volume, wherever the hand is
@@ -172,10 +173,8 @@ class Haptics:
 
     def _check_scene(self) -> None:
         """Ends the touch if the volume or the hand was taken out of the scene."""
-        renderer = self._renderer()
-        remaining = [prop for prop in self._in_scene if renderer is not None and renderer.HasViewProp(prop)]
-        if len(remaining) < len(self._in_scene):
-            self._in_scene = remaining
+        before, self._missing = self._missing, self._count_missing()
+        if self._missing > before:
             self.style.SetTouchMode(False)
             self.device.Disarm()
 
@@ -202,6 +201,18 @@ class Haptics:
 
         interactor.key_press_event = press_others
 
+    def _count_missing(self) -> int:
+        renderer = self._renderer()
+        return sum(renderer is None or not renderer.HasViewProp(prop) for prop in self._in_scene)
+
+    def _refuse(self) -> None:
+        """Lets nobody begin to touch what was taken out of the scene."""
+        if self._missing and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
+            self.style.SetTouchMode(False)
+            self.device.Disarm()
+            warnings.warn("what is touched was taken out of the plotter, so that it is not felt. Cure: close() of what "
+                          "add_haptics() has returned, and add_haptics() with what is shown now", stacklevel=2)
+
     def _watch(self, plotter: pv.Plotter) -> None:
         """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
         itself = weakref.ref(self)
@@ -213,7 +224,10 @@ class Haptics:
 
         def look(style: vtkInteractorStyleHaptic, _event: str) -> None:
             haptics = itself()
-            if haptics is None or style is None or style.GetInteractor() is not None:
+            if haptics is None or style is None:
+                return
+            if style.GetInteractor() is not None:
+                haptics._refuse()
                 return
             plotter = haptics._plotter()
             # Another style in its place has ended the touch mode; none is what a plotter has that closes.
@@ -225,8 +239,9 @@ class Haptics:
             if haptics is not None and not haptics.closed:
                 haptics._check_scene()
 
-        plotter.renderer.GetViewProps().AddObserver("ModifiedEvent", check)
+        self._renderer().GetViewProps().AddObserver("ModifiedEvent", check)
         self.style.AddObserver("ModifiedEvent", look)
+        self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
         plotter.iren.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
 
@@ -250,6 +265,18 @@ _warn.CallDataType = VTK_STRING  # type: ignore[attr-defined]
 def _close_all() -> None:
     for haptics in list(_touchable.values()):
         haptics.close()
+
+
+def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
+    """The subplot that shows an actor: the active one, if it does; that for anything else."""
+    if not isinstance(volume, vtkVolume):
+        return plotter.renderer
+    for renderer in (plotter.renderer, *plotter.renderers):
+        if renderer.HasViewProp(volume) or renderer.GetVolumes().IsItemPresent(volume):
+            return renderer
+    raise ValueError("the volume's actor is not in the plotter, so that nobody would see what is felt. Cure: "
+                     "add_haptics() with what this plotter's add_volume() has returned last, or "
+                     "plotter.add_actor(volume) before it")
 
 
 def _find_volume(plotter: pv.Plotter) -> vtkVolume:
@@ -341,8 +368,8 @@ def add_haptics(
 ) -> Haptics:
     """Makes a volume in a plotter one to be touched: press t with the pointer on it.
 
-    plotter: a pyvista.Plotter with a window of its own, not shown yet or already. Its active subplot is the one
-        that is touched, and that has the mouse.
+    plotter: a pyvista.Plotter with a window of its own, not shown yet or already. The subplot that shows the given
+        actor is the one that is touched, and that has the mouse; for anything else, the active one.
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
         show it, such as an isosurface. Default: the plotter's only volume. Or a list of images of one geometry,
         the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
@@ -359,6 +386,7 @@ def add_haptics(
     visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
         (True, default), which is then also felt where its position, orientation and scale put it, without what its
         mapper crops and clips, such as by plotter.add_volume_clip_plane(); see vtkInteractorStyleHaptic.TouchVolume().
+        An actor that is made invisible, or that another one of its name replaces, is not felt any more.
         False: what is hidden is felt, too.
     mode: a way to feel vectors, tensors or vessels, such as "Find a vortex", as for volumehaptics.touch(): a grid
         of vectors has "Follow the flow" if nothing else is said.
@@ -415,7 +443,7 @@ def add_haptics(
     if large is None and not has_modes and scalars.GetNumberOfComponents() > 1 and "property" not in settings:
         raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
-    haptics = Haptics(plotter)
+    haptics = Haptics(plotter, _renderer_of(plotter, volume))
     if isinstance(device, vtkHapticDevice):
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
@@ -433,7 +461,10 @@ def add_haptics(
         haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
         if isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None:
-            haptics.style.TouchVolume(volume)
+            with Errors(haptics.style) as errors:
+                haptics.style.TouchVolume(volume)
+            if errors:
+                raise ValueError("; ".join(errors))
         if large is not None:
             haptics._frame(large)
         if slices:

@@ -100,6 +100,10 @@ std::string DisplayKeys::FindHint()
   {
     return this->Tell("Press ", "a", " to go on");
   }
+  if (!this->Scene.Hidden.empty())
+  {
+    return "What is touched is not shown here,\nso that it is not felt";
+  }
   const bool isTouching =
     this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;
   if (std::exchange(this->WasTouching, isTouching) != isTouching)

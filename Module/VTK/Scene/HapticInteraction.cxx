@@ -46,6 +46,7 @@ HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls call
   , Slices(Scene, Touch)
   , Measure(Scene, Frames)
 {
+  this->Touch.BeforeBegin = [this] { this->FollowVolumes(); };
   this->Touch.BeforeLanding = [this](vtkRenderer* renderer, const Vector3& through)
   { this->Touched.ChooseAt(renderer, through); };
   this->DisarmObserver->SetClientData(this);
@@ -463,7 +464,11 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
-  this->Touched.Follow();
+  this->FollowVolumes();
+  if (scene.Device != device)
+  {
+    return false;
+  }
   this->Touched.ChooseAhead(renderer);
   if (scene.Device != device)
   {
@@ -524,6 +529,27 @@ bool HapticInteraction::UpdateHaptics()
   // An observer of the events may have ended the loop.
   this->Window.Look();
   return isNew;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowVolumes()
+{
+  this->Touched.Follow();
+  if (this->Scene.Hidden.empty())
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (this->Touch.IsOn() || device->IsArmOrdered())
+  {
+    vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
+    this->LetGo();
+  }
+  // After that, another one pushes nobody.
+  if (this->Scene.Device == device)
+  {
+    this->Touched.FeelShown();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -122,6 +122,8 @@ public:
 
 private:
   void LeaveDevice();
+  /** Feels what the touched volumes show, and lets go of what they no longer show. */
+  void FollowVolumes();
   /** Volumes show what a tool has left of them. */
   void FollowCarving();
   /** Draws the scene if the mouse has changed what the slices show; true. */

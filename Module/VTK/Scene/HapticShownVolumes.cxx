@@ -5,6 +5,7 @@
 #include "VTK/Scene/CarvedPictures.h"
 #include "VTK/Scene/HapticShownFrames.h"
 #include "VTK/Scene/TouchedVolume.h"
+#include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkGPUVolumeRayCastMapper.h"
@@ -15,7 +16,6 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
-#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
@@ -196,20 +196,13 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
-  vtkPropCollection* const props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  for (const DrawnVolume& drawn : FindDrawnVolumes(renderer))
   {
-    auto* const volume = vtkVolume::SafeDownCast(prop);
-    if (!volume || !volume->GetVisibility())
-    {
-      continue;
-    }
+    vtkVolume* const volume = drawn.Volume;
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
-    const unsigned int differences = this->FindDifferences(volume, image, filter, pictures, carved);
+    const unsigned int differences = this->FindDifferences(drawn, image, filter, pictures, carved);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -226,17 +219,19 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
   return warnings;
 }
 
-unsigned int HapticShownVolumes::FindDifferences(vtkVolume* volume, vtkImageData* image,
+unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
   vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
-  auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  vtkImageData* const shown = carved.FindImage(mapper);
+  vtkVolume* const volume = drawn.Volume;
+  vtkVolumeMapper* const mapper = drawn.Mapper;
+  vtkImageData* const shown = drawn.Port == 0
+    ? carved.FindImage(mapper)
+    : vtkImageData::SafeDownCast(mapper->GetInputDataObject(drawn.Port, 0));
   if (!shown || !(HasSamplesOf(shown, image) || pictures.IsPicture(shown)))
   {
     return 0;
   }
-  volume->ComputeMatrix();
-  const bool isTrue[] = { IsPlacedElsewhere(volume->GetMatrix(), shown, image),
+  const bool isTrue[] = { IsPlacedElsewhere(drawn.Matrix, shown, image),
     IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
     IsClipped(mapper, volume) && !FeelsClipping(filter, mapper),
     HidesByMask(mapper, volume->GetProperty()) && !FeelsMask(filter, mapper),

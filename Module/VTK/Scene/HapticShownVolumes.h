@@ -24,6 +24,7 @@ namespace VolumeHaptics
 
 class CarvedPictures;
 class HapticShownFrames;
+struct DrawnVolume;
 
 /**
  * Remembers its warnings, so that each difference is reported once as long as it lasts.
@@ -47,7 +48,7 @@ private:
     vtkWeakPointer<vtkVolume> Volume;
     unsigned int Differences;
   };
-  unsigned int FindDifferences(vtkVolume* volume, vtkImageData* image,
+  unsigned int FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
     const CarvedPictures& carved);
   bool HasBlanks(vtkImageData* image);

@@ -51,6 +51,10 @@ void TouchMode::Set(bool on)
 
 void TouchMode::Begin(const Vector3* at)
 {
+  if (this->BeforeBegin)
+  {
+    this->BeforeBegin();
+  }
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
   if (!this->Scene.Device || !this->Scene.Device->IsRunning())
   {
@@ -69,6 +73,11 @@ void TouchMode::Begin(const Vector3* at)
   {
     vtkErrorWithObjectMacro(this->Scene.Style,
       "The touch mode needs a window, but it was closed: Render() it to open it again.");
+    return;
+  }
+  if (!this->Scene.Hidden.empty())
+  {
+    vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
     return;
   }
   // Observers of the long work may end the loop, disarm, or take the device or the interactor away.

@@ -61,6 +61,8 @@ public:
   /** False if it was not pressed. */
   bool ReleaseButton();
 
+  /** Called, if there is one, before the mode begins: it sets TouchedScene::Hidden. */
+  std::function<void()> BeforeBegin;
   /** Called, if there is one, before a tip lands on what is along the line of sight there. */
   std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
 

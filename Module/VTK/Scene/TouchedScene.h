@@ -16,6 +16,8 @@
 #include "vtkHapticSliceView.h"
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkImageData;
 class vtkInteractorStyleHaptic;
 class vtkRenderer;
@@ -41,6 +43,7 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
+  std::string Hidden; ///< why what is touched is not seen, and the cure; empty if it is
 
   /**
    * The renderer of the last button event, or the default one, or the window's first. VTK has no

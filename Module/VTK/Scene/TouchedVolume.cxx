@@ -3,13 +3,13 @@
 #include "VTK/Scene/TouchedVolume.h"
 
 #include "Core/Math/Vector3.h"
+#include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -93,6 +93,15 @@ void MapCropping(vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* fel
   }
 }
 
+bool TouchedVolume::FindPlace(const std::vector<DrawnVolume>& drawn)
+{
+  const auto one = std::find_if(drawn.begin(), drawn.end(),
+    [this](const DrawnVolume& candidate) { return candidate.Volume == this->Volume; });
+  const bool isDrawn = one != drawn.end();
+  this->Matrix->DeepCopy(isDrawn ? one->Matrix.Get() : this->Volume->GetMatrix());
+  return isDrawn;
+}
+
 void TouchedVolume::Update(
   vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
@@ -119,11 +128,10 @@ void TouchedVolume::Update(
 void TouchedVolume::Place(
   vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
 {
-  this->Volume->ComputeMatrix();
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
   // What is sheared stays where its image is: the style warns of it.
-  if (!PlaceImage(this->Volume->GetMatrix(), shown, place) || IsSamePlace(place, shown))
+  if (!PlaceImage(this->Matrix, shown, place) || IsSamePlace(place, shown))
   {
     if (filter->GetNumberOfInputConnections(0) == 0 || filter->GetInputConnection(0, 0) != input)
     {
@@ -139,7 +147,7 @@ void TouchedVolume::Place(
   }
   if (isOther || !IsSamePlace(place, this->Placed))
   {
-    PlaceImage(this->Volume->GetMatrix(), shown, this->Placed);
+    PlaceImage(this->Matrix, shown, this->Placed);
   }
   if (filter->GetInputDataObject(0, 0) != this->Placed)
   {

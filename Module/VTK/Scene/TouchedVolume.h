@@ -11,19 +11,23 @@
 #include "VTK/Scene/HapticShownFrames.h"
 
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
+#include <vector>
+
 class vtkAlgorithmOutput;
 class vtkHapticLabelTable;
-class vtkMatrix4x4;
 class vtkVolumeHapticsFilter;
 class vtkVolumeMapper;
 
 namespace VolumeHaptics
 {
+
+struct DrawnVolume;
 
 class TouchedVolume
 {
@@ -34,6 +38,12 @@ public:
   /** The volume that is followed from now on; null for none, which leaves the filter as it is. */
   void Set(vtkVolume* volume) { this->Volume = volume; }
   vtkVolume* Get() const { return this->Volume; }
+
+  /**
+   * Looks for the volume among those that are drawn, which say where it is; false if it is none of
+   * them. Then it is where its own matrix puts it.
+   */
+  bool FindPlace(const std::vector<DrawnVolume>& drawn);
 
   /** Takes the labels of its mask out of the filter. */
   void TakeBack(vtkVolumeHapticsFilter* filter);
@@ -54,6 +64,7 @@ private:
   void Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter);
 
   vtkSmartPointer<vtkVolume> Volume;
+  vtkNew<vtkMatrix4x4> Matrix; ///< from the data to the world
   vtkNew<vtkImageData> Placed; ///< the image where the volume's matrix puts it
   vtkMTimeType PlacedTime = 0; ///< of the image, when that was placed
   vtkNew<vtkImageData> Labels; ///< the mask where the image is

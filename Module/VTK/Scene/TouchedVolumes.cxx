@@ -5,11 +5,15 @@
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Scene/FilterCarving.h"
+#include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkTimerLog.h"
 #include "vtkVolumeMapper.h"
 
@@ -30,6 +34,41 @@ struct SurfaceAhead
   double Distance = HUGE_VAL; // world units along the line of sight
   double Force = 0.0;         // N, of a press
 };
+
+/** Whether two renderers show the same positions of the world at the same pixels. */
+bool IsSameView(vtkRenderer* a, vtkRenderer* b)
+{
+  return a == b ||
+    (a->IsActiveCameraCreated() && b->IsActiveCameraCreated() &&
+      a->GetActiveCamera() == b->GetActiveCamera() &&
+      std::equal(a->GetViewport(), a->GetViewport() + 4, b->GetViewport()));
+}
+
+/**
+ * The volumes that are drawn where a style touches: in its default renderer, or if it has none, in
+ * all of its window. False if it has no window.
+ */
+bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
+{
+  vtkRenderWindowInteractor* const interactor = style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  vtkRendererCollection* const renderers = window ? window->GetRenderers() : nullptr;
+  vtkRenderer* const touched = style->GetDefaultRenderer();
+  vtkCollectionSimpleIterator it;
+  if (renderers)
+  {
+    renderers->InitTraversal(it);
+  }
+  while (vtkRenderer* const renderer = renderers ? renderers->GetNextRenderer(it) : nullptr)
+  {
+    if (!touched || IsSameView(renderer, touched))
+    {
+      const std::vector<DrawnVolume> here = FindDrawnVolumes(renderer);
+      drawn.insert(drawn.end(), here.begin(), here.end());
+    }
+  }
+  return renderers && renderers->GetNumberOfItems() > 0;
+}
 
 bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
@@ -57,6 +96,14 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
     vtkErrorWithObjectMacro(this->Scene.Style,
       "The volume has no mapper that shows an image: call vtkVolume::SetMapper(), for example with "
       "a vtkGPUVolumeRayCastMapper, before TouchVolume().");
+    return false;
+  }
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "A vtkMultiVolume shows several volumes, each at a place of its own, and can't be touched as "
+      "one. Cure: show those that are to be felt by a vtkVolume with a mapper each, and pass the "
+      "first one to TouchVolume(), others to AddTouchedVolume().");
     return false;
   }
   return true;
@@ -89,7 +136,7 @@ void TouchedVolumes::Set(vtkVolume* volume)
   {
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
-  this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr });
+  this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr, true });
   this->All.back().Volume->Set(volume);
   this->Follow();
 }
@@ -123,13 +170,13 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   {
     this->Scene.Device->SetVolumeHaptics(filter);
   }
-  this->All.push_back({ std::make_unique<TouchedVolume>(), filter });
+  this->All.push_back({ std::make_unique<TouchedVolume>(), filter, true });
   this->All.back().Volume->Set(volume);
   this->Follow();
   return true;
 }
 
-vtkVolume* TouchedVolumes::Get() const
+const TouchedVolumes::Entry* TouchedVolumes::FindFelt() const
 {
   vtkVolumeHapticsFilter* const felt =
     this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
@@ -137,10 +184,16 @@ vtkVolume* TouchedVolumes::Get() const
   {
     if (!entry.Filter || entry.Filter == felt)
     {
-      return entry.Volume->Get();
+      return &entry;
     }
   }
   return nullptr;
+}
+
+vtkVolume* TouchedVolumes::Get() const
+{
+  const Entry* const felt = this->FindFelt();
+  return felt ? felt->Volume->Get() : nullptr;
 }
 
 std::vector<CarvedArray> TouchedVolumes::FindCarved() const
@@ -166,16 +219,40 @@ std::vector<CarvedArray> TouchedVolumes::FindCarved() const
 
 void TouchedVolumes::Follow()
 {
-  if (!this->Scene.Device)
+  this->Scene.Hidden.clear();
+  if (!this->Scene.Device || this->All.empty())
   {
     return;
   }
-  for (const Entry& entry : this->All)
+  std::vector<DrawnVolume> drawn;
+  const bool hasWindow = FindDrawn(this->Scene.Style, drawn);
+  for (Entry& entry : this->All)
   {
+    entry.IsShown = entry.Volume->FindPlace(drawn) || !hasWindow;
     if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
     {
       entry.Volume->Update(filter, this->Pictures, this->Carved);
     }
+  }
+  const Entry* const felt = this->FindFelt();
+  if (felt && !felt->IsShown)
+  {
+    this->Scene.Hidden = felt->Volume->Get()->GetVisibility()
+      ? "What is touched is not in the renderer that shows the hand, so that it is not felt. Cure: "
+        "TouchVolume() of the interactor style with a vtkVolume that is there, AddVolume() of that "
+        "renderer, or SetDefaultRenderer() of the style with the one that has the volume."
+      : "What is touched is hidden, so that it is not felt. Cure: VisibilityOn() of the vtkVolume.";
+  }
+}
+
+void TouchedVolumes::FeelShown()
+{
+  const auto shown = std::find_if(
+    this->All.begin(), this->All.end(), [](const Entry& entry) { return entry.IsShown; });
+  if (shown != this->All.end())
+  {
+    this->Scene.Hidden.clear();
+    this->Feel(shown->Filter);
   }
 }
 
@@ -220,8 +297,7 @@ void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
   {
     Vector3 landing;
     Press press = wanted;
-    if (entry.Volume->Get()->GetVisibility() &&
-      FindFirstContact(renderer, through, entry.Filter, landing, &press))
+    if (entry.IsShown && FindFirstContact(renderer, through, entry.Filter, landing, &press))
     {
       const SurfaceAhead ahead{ Dot(landing - through, LineOfSight(renderer, through)),
         press.Force };
@@ -266,8 +342,7 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
     Vector3 contact;
     Vector3 normal;
     Press press = wanted;
-    if (!entry.Volume->Get()->GetVisibility() ||
-      !FindContactAhead(renderer, tip, entry.Filter, contact, normal, &press))
+    if (!entry.IsShown || !FindContactAhead(renderer, tip, entry.Filter, contact, normal, &press))
     {
       continue;
     }

@@ -27,7 +27,7 @@ namespace VolumeHaptics
  * the line of sight, or that whose surface ahead pushes back most strongly, as the style's
  * FeltVolume says. It changes only while there is no force and the next surface ahead is more
  * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes
- * that are not seen are not chosen.
+ * that are not seen are not chosen, and not felt.
  */
 class TouchedVolumes
 {
@@ -51,8 +51,13 @@ public:
 
   /** What tools have removed, by the filters of the volumes and that of the device. */
   std::vector<CarvedArray> FindCarved() const;
-  /** Gives the filters what their volumes show now. */
+  /**
+   * Gives the filters what their volumes show now. TouchedScene::Hidden tells if the one that is
+   * felt is not shown.
+   */
   void Follow();
+  /** Feels the first volume that is shown instead of one that is not, if there is any. */
+  void FeelShown();
   /** Chooses among the volumes along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);
   /** Chooses among the volumes ahead of the tip, if nothing is touched. */
@@ -63,7 +68,10 @@ private:
   {
     std::unique_ptr<TouchedVolume> Volume;
     vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's
+    bool IsShown = true;
   };
+  /** The one that is felt; null if there is none. */
+  const Entry* FindFelt() const;
   /** Whether a volume can be touched; if not, tells why. */
   bool CanTouch(vtkVolume* volume) const;
   /** The press by which surfaces are compared: four of the smallest voxels deep. */

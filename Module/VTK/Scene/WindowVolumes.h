@@ -2,17 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that a window shows.
+ * The volumes that a window shows, and where.
  */
 #ifndef WindowVolumes_h
 #define WindowVolumes_h
 
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiVolume.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
+
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -36,6 +45,94 @@ void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
       }
     }
   }
+}
+
+/** A volume that a renderer draws: alone, as a part of an assembly or of a vtkMultiVolume. */
+struct DrawnVolume
+{
+  vtkVolume* Volume = nullptr;
+  vtkVolumeMapper* Mapper = nullptr;    ///< null if it shows no image
+  int Port = 0;                         ///< the mapper's input that shows the volume
+  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< from the data to the world
+};
+
+namespace Detail
+{
+
+inline bool IsVisible(vtkAssemblyPath* path)
+{
+  vtkCollectionSimpleIterator it;
+  path->InitTraversal(it);
+  while (vtkAssemblyNode* const node = path->GetNextNode(it))
+  {
+    if (!node->GetViewProp() || !node->GetViewProp()->GetVisibility())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<DrawnVolume>& all)
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* const multi = vtkMultiVolume::SafeDownCast(volume);
+  if (!multi)
+  {
+    auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
+    copy->DeepCopy(matrix);
+    all.push_back({ volume, mapper, 0, copy });
+    return;
+  }
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    // Where there is no input, GetVolume() is an error.
+    const bool isUsed = mapper->GetNumberOfInputConnections(port) > 0;
+    if (vtkVolume* const part = isUsed ? multi->GetVolume(port) : nullptr)
+    {
+      part->ComputeMatrix();
+      auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
+      copy->DeepCopy(part->GetMatrix());
+      all.push_back({ part, mapper, port, copy });
+    }
+  }
+}
+
+} // namespace Detail
+
+/** Those that are visible; an assembly that is hidden hides its parts. */
+inline std::vector<DrawnVolume> FindDrawnVolumes(vtkRenderer* renderer)
+{
+  std::vector<DrawnVolume> all;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* const prop = renderer->GetDraw() ? props->GetNextProp(it) : nullptr)
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    if (auto* const volume = vtkVolume::SafeDownCast(prop))
+    {
+      volume->ComputeMatrix();
+      Detail::AppendDrawn(volume, volume->GetMatrix(), all);
+    }
+    else if (prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly"))
+    {
+      prop->InitPathTraversal();
+      while (vtkAssemblyPath* const path = prop->GetNextPath())
+      {
+        vtkAssemblyNode* const node = path->GetLastNode();
+        auto* const part = vtkVolume::SafeDownCast(node->GetViewProp());
+        if (part && node->GetMatrix() && Detail::IsVisible(path))
+        {
+          Detail::AppendDrawn(part, node->GetMatrix(), all);
+        }
+      }
+    }
+  }
+  return all;
 }
 
 } // namespace VolumeHaptics

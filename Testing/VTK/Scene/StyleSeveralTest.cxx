@@ -185,6 +185,28 @@ TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
   EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
 }
 
+TEST_F(StyleSeveral, InsteadOfOneThatIsHiddenTheOtherOneIsFelt)
+{
+  this->Other->SetPosition(70.0, 0.0, 0.0);
+  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+  this->Pointer(150 + 70, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  ASSERT_TRUE(this->FeelsOther());
+  this->Other->VisibilityOff();
+  this->Run(20);
+  EXPECT_FALSE(this->FeelsOther());
+  EXPECT_FALSE(this->Style->GetTouchMode()) << "no other one comes under a hand that presses";
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find("hidden"), std::string::npos);
+  this->Log.Warnings.clear();
+  this->Pointer(150, 150);
+  this->Style->TouchModeOn();
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
+
 TEST_F(StyleSeveral, AnotherOneForAllIsFeltByTheFirstFilter)
 {
   this->Other->SetPosition(70.0, 0.0, 0.0);

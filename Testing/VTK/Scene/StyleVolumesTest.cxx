@@ -7,11 +7,14 @@
 
 #include "StyleRig.h"
 
+#include <vtkAssembly.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkHapticHeadUpDisplay.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMultiVolume.h>
 #include <vtkPlane.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
@@ -48,6 +51,42 @@ protected:
     }
     this->Log.Warnings.clear();
     return count;
+  }
+  /// Touches in the middle of the picture, until the ball pushes back.
+  void Push()
+  {
+    this->Pointer(150, 150);
+    this->Style->TouchModeOn();
+    this->RunUntilFullyArmed();
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      this->Run(10);
+    }
+    ASSERT_GT(Length(this->Device->GetForce()), 0.3) << "N";
+    ASSERT_TRUE(this->Log.Warnings.empty()) << this->Log.Warnings[0];
+  }
+  /// The hand has let go, and can't begin anew; both was told with the cure.
+  void ExpectLetGo(const std::string& cure)
+  {
+    for (const char* const when : { "touched before", "begins anew" })
+    {
+      this->Run(20);
+      EXPECT_FALSE(this->Style->GetTouchMode()) << when;
+      EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << when;
+      EXPECT_EQ(Length(this->Device->GetForce()), 0.0) << when;
+      ASSERT_EQ(this->Log.Warnings.size(), 1U) << when;
+      EXPECT_NE(this->Log.Warnings[0].find(cure), std::string::npos) << this->Log.Warnings[0];
+      this->Log.Warnings.clear();
+      this->Style->TouchModeOn();
+    }
+    this->Log.Warnings.clear();
+    // Nor by arming, as with a real device.
+    this->Device->Arm();
+    this->Run(20);
+    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+    EXPECT_EQ(this->Log.Warnings.size(), 1U);
+    this->Log.Warnings.clear();
   }
 
   vtkSmartPointer<vtkVolumeMapper> Mapper;
@@ -193,6 +232,119 @@ TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
   ASSERT_EQ(this->Log.Errors.size(), 2U);
   EXPECT_NE(this->Log.Errors[1].find("SetDevice()"), std::string::npos);
   this->Log.Errors.clear();
+}
+
+TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
+{
+  vtkNew<vtkHapticHeadUpDisplay> display;
+  display->SetDevice(this->Device);
+  this->Style->SetHeadUpDisplay(display);
+  this->Style->TouchVolume(this->Volume);
+  this->Push();
+  this->Volume->VisibilityOff();
+  this->ExpectLetGo("Cure: VisibilityOn() of the vtkVolume");
+  EXPECT_NE(std::string(display->GetHint()).find("not felt"), std::string::npos);
+  this->Volume->VisibilityOn();
+  this->Push();
+  EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
+}
+
+TEST_F(StyleVolumes, ThatAreReplacedAreNotFelt)
+{
+  this->Style->TouchVolume(this->Volume);
+  this->Push();
+  this->Renderer->RemoveVolume(this->Volume);
+  vtkNew<vtkVolume> other;
+  other->SetMapper(this->Mapper);
+  this->Renderer->AddVolume(other);
+  this->ExpectLetGo("Cure: TouchVolume() of the interactor style");
+  this->Style->TouchVolume(other);
+  this->Push();
+}
+
+TEST_F(StyleVolumes, OfAnotherRendererAreNotFeltUnlessItShowsTheSame)
+{
+  vtkNew<vtkRenderer> beside;
+  beside->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  this->Window->AddRenderer(beside);
+  this->Style->TouchVolume(this->Volume);
+  this->Style->SetDefaultRenderer(beside);
+  this->Device->Arm();
+  this->ExpectLetGo("SetDefaultRenderer() of the style");
+  this->Style->SetDefaultRenderer(this->Renderer);
+  this->Style->TouchModeOn();
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  // Such as a layer over the one that has the volume.
+  beside->SetViewport(this->Renderer->GetViewport());
+  beside->SetActiveCamera(this->Renderer->GetActiveCamera());
+  this->Style->SetDefaultRenderer(beside);
+  this->Run(20);
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  // Without a default renderer, that under the pointer is touched.
+  this->Style->SetDefaultRenderer(nullptr);
+  beside->SetActiveCamera(nullptr);
+  this->Run(20);
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
+
+// The assembly's matrix times that of its part: (2, 0, 0) + 2 * ((3, 0, 0) + x).
+TEST_F(StyleVolumes, OfAnAssemblyAreFeltWhereItPutsThem)
+{
+  this->Renderer->RemoveVolume(this->Volume);
+  vtkNew<vtkAssembly> assembly;
+  assembly->AddPart(this->Volume);
+  assembly->SetPosition(2.0, 0.0, 0.0);
+  assembly->SetScale(2.0);
+  this->Renderer->AddActor(assembly);
+  this->Volume->SetPosition(3.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U) << "the filter has the image alone";
+  this->Style->TouchVolume(this->Volume);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  vtkImageData* const felt = this->Filter->GetTouchedImage();
+  EXPECT_DOUBLE_EQ(felt->GetOrigin()[0], 2.0 + 2.0 * (3.0 - 48.0));
+  EXPECT_DOUBLE_EQ(felt->GetOrigin()[1], -96.0);
+  EXPECT_DOUBLE_EQ(felt->GetSpacing()[2], 2.0);
+  assembly->SetPosition(4.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_DOUBLE_EQ(this->Filter->GetTouchedImage()->GetOrigin()[0], 4.0 + 2.0 * (3.0 - 48.0));
+  this->Device->Arm();
+  this->Run(20);
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  assembly->VisibilityOff();
+  this->ExpectLetGo("Cure: TouchVolume()");
+}
+
+TEST_F(StyleVolumes, OfAMultiVolumeAreRefusedOrTold)
+{
+  this->Renderer->RemoveVolume(this->Volume);
+  vtkNew<vtkMultiVolume> multi;
+  vtkNew<vtkVolume> parts[2];
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  multi->SetMapper(mapper);
+  const auto other = MakeBall();
+  for (int port = 0; port < 2; ++port)
+  {
+    mapper->SetInputDataObject(port, port == 0 ? other.Get() : this->Ball.Get());
+    multi->SetVolume(parts[port], port);
+  }
+  this->Renderer->AddVolume(multi);
+  EXPECT_EQ(this->CountWarnings(), 0U) << "the filter's image is where it is";
+  parts[1]->SetPosition(5.0, 0.0, 0.0);
+  EXPECT_EQ(this->CountWarnings(Moved), 1U);
+  this->Style->TouchVolume(multi);
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("by a vtkVolume with a mapper each"), std::string::npos);
+  this->Log.Errors.clear();
+  EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
+  // The cure.
+  this->Renderer->RemoveVolume(multi);
+  this->Renderer->AddVolume(this->Volume);
+  this->Volume->SetPosition(0.0, 0.0, 5.0);
+  this->Style->TouchVolume(this->Volume);
+  this->Push();
+  EXPECT_EQ(this->Filter->GetTouchedImage()->GetOrigin()[2], -43.0);
 }
 
 TEST_F(StyleVolumes, ThatAreCutWarn)
