@@ -42,6 +42,7 @@ foreach (file IN ITEMS
     _large.py
     _paths.py
     _plotting.py
+    _qt.py
     _tools.py
     _touch.py
     _webdoor.py

@@ -4,6 +4,7 @@
 // Touch in a Qt window: a QVTKOpenGLNativeWidget, and a tool bar with a button for touch and
 // choices of method and materials.
 #include <QVTKOpenGLNativeWidget.h>
+#include <Qt/WidgetWatch.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -65,15 +66,6 @@ public:
     this->Device->Close(); // disarms, and waits for the servo
   }
 
-protected:
-  // VTK does not tell the style that a widget of Qt is hidden, minimised or closed.
-  void hideEvent(QHideEvent* event) override
-  {
-    this->Style->TouchModeOff();
-    this->Device->Disarm();
-    QMainWindow::hideEvent(event);
-  }
-
 private:
   void ShowVolume()
   {
@@ -113,6 +105,8 @@ private:
     // The interactor of the widget has timers of Qt, with which the style follows the servo.
     vtkRenderWindowInteractor* const interactor = this->View->interactor();
     interactor->SetInteractorStyle(this->Style);
+    // Lets go when the widget is hidden, minimised or closed.
+    VolumeHaptics::WidgetWatch::Watch(this->View, this->Style);
 
     // The key q, which ends VTK's own loop.
     this->Quit->SetClientData(this);

@@ -57,14 +57,7 @@ class Window(QtWidgets.QMainWindow):
         interactor.SetEventInformation(width // 2, height // 2, 0, 0)
         self.haptics.style.SetTouchMode(on)
 
-    def hideEvent(self, event):  # noqa: N802 (Qt's name)
-        """VTK does not tell the style that a widget of Qt is hidden, minimised or closed."""
-        if not self.haptics.closed:
-            self.haptics.style.SetTouchMode(False)
-            self.haptics.device.Disarm()
-        super().hideEvent(event)
-
-    def closeEvent(self, event):  # noqa: N802
+    def closeEvent(self, event):  # noqa: N802 (Qt's name)
         self.haptics.close()
         self.plotter.close()
         super().closeEvent(event)

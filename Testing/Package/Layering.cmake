@@ -105,6 +105,8 @@ set(pixels VTK/Charts/HapticPixels.h)
 allow(VTK/Slices VTK/Filter VTK/Scene/CarvedImage.h VTK/Scene/FilterCarving.h ${pixels})
 allow(VTK/Charts VTK/Baking/HapticFunctions.h VTK/Proposal VTK/Work)
 allow(VTK/Setup Core/Model VTK/Baking VTK/Files)
+# What programs with Qt compile: it sees public classes only, and no other room sees it.
+allow(Qt)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks

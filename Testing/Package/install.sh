@@ -96,11 +96,12 @@ if [ -n "${DISPLAY:-}" ]; then
   stays_open "$work/examples/beside-style" "$head"
 fi
 
-# The headers that are installed are those of the public classes and of the seams for vendors' libraries and for
-# volumes in pieces, and nothing internal.
+# The headers that are installed are those of the public classes and of the seams for vendors' libraries, for volumes in
+# pieces and for Qt, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
 expected=$({ cd "$source_dir/Module/VTK" && printf '%s\n' vtk*.h | grep -vE 'Compat|Internals'
-  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h; } | sort)
+  printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h \
+    WidgetWatch.h; } | sort)
 if [ "$installed" != "$expected" ]; then
   printf 'installed headers:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2
   exit 1
@@ -117,7 +118,8 @@ if [ "$python" = ON ]; then
   site=$(dirname "$(dirname "$package")")
   installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
   expected=$(printf './%s\n' __init__.py __main__.py _grids.py _identify.py _labels.py _large.py _paths.py \
-    _plotting.py _tools.py _touch.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti data/README.txt \
+    _plotting.py _qt.py _tools.py _touch.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti \
+    data/README.txt \
     examples.py py.typed pyvista.py web.py | sort)
   if [ "$installed" != "$expected" ]; then
     printf 'installed Python package:\n%s\nexpected:\n%s\n' "$installed" "$expected" >&2

@@ -8,7 +8,7 @@ import atexit
 import math
 import warnings
 import weakref
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
 from ._grids import is_grid, overview
 from ._labels import Labels, Materials, set_labels
+from ._qt import watch_widget
 from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
@@ -82,6 +83,7 @@ class Haptics:
         self._missing = 0  # of these, when they were last looked at
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
+        self._leave_widget: Callable[[], None] | None = None
 
     def update(self) -> bool:
         """One step of the plotter's timer, for programs without an event loop. True: there is something new."""
@@ -95,6 +97,8 @@ class Haptics:
         self.device.Stop()
         if self._owns_device:
             self.device.Close()
+        if self._leave_widget is not None:
+            self._leave_widget()
         plotter, renderer = self._plotter(), self._renderer()
         if renderer is not None:
             renderer.RemoveViewProp(self.representation)
@@ -245,6 +249,13 @@ class Haptics:
         plotter.iren.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
 
+        def let_go() -> None:
+            haptics = itself()
+            if haptics is not None and not haptics.closed:
+                haptics.style.SetTouchMode(False)
+                haptics.device.Disarm()
+
+        self._leave_widget = watch_widget(plotter, let_go)  # if it is one of Qt
 
     def _check_volumes(self) -> list[str]:
         """Says how volumes are felt differently from how they are shown, and warns of later differences."""
@@ -399,9 +410,10 @@ def add_haptics(
 
     The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
     vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s (for a
-    device that you pass, its own AttentionTime), and ends when the volume's actor is removed. Closing the plotter stops
-    everything. The plotter's camera keys and mouse remain, except for the keys that the style lists (key ?):
-    haptics.style.SetKey("Compare", "") gives C, for example, back to PyVista.
+    device that you pass, its own AttentionTime), and ends when the volume's actor is removed or, in pyvistaqt, when the
+    widget or its window is hidden, minimised or closed. Closing the plotter stops everything. The plotter's camera keys
+    and mouse remain, except for the keys that the style lists (key ?): haptics.style.SetKey("Compare", "") gives C, for
+    example, back to PyVista.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the

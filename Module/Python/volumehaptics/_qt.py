@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lets the hand go when a widget of Qt is hidden, minimised or closed, which VTK tells nobody."""
+
+from __future__ import annotations
+
+import importlib
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+# Each of these has the same classes.
+_BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
+
+
+def _binding_of(widget: Any) -> str | None:
+    """The Qt for Python that a widget is of; None for what is no widget."""
+    for kind in type(widget).__mro__:
+        binding = kind.__module__.split(".")[0]
+        if kind.__name__ == "QWidget" and binding in _BINDINGS:
+            return binding
+    return None
+
+
+def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], None] | None:
+    """Calls let_go whenever the widget, or the window that it is in, is no longer seen. Of what is no widget: None.
+
+    Returns what ends the watch, which keeps the watch, and not the widget, alive.
+    """
+    binding = _binding_of(widget)
+    if binding is None:
+        return None
+    core = importlib.import_module(f"{binding}.QtCore")
+    kinds = getattr(core.QEvent, "Type", core.QEvent)
+    hide, show, state, moved = kinds.Hide, kinds.Show, kinds.WindowStateChange, kinds.ParentChange
+
+    class Watch(core.QObject):
+        """Of the widget and of its window: only the window itself gets an event when it is minimised."""
+
+        def __init__(self) -> None:
+            super().__init__()
+            self.window: Callable[[], Any] = lambda: None
+
+        def follow(self) -> None:
+            window = widget_of().window()
+            if window is not self.window():
+                self.leave_window()
+                self.window = weakref.ref(window)
+                window.installEventFilter(self)
+
+        def leave_window(self) -> None:
+            window = self.window()
+            if window is not None and window is not widget_of():
+                _quietly(window.removeEventFilter, self)
+
+        def eventFilter(self, watched: Any, event: Any) -> bool:  # noqa: N802 (Qt's name)
+            kind = event.type()
+            if kind == hide or (kind == state and watched.isWindow() and watched.isMinimized()):
+                let_go()
+            elif kind in (show, moved) and watched is widget_of():
+                self.follow()
+            return False
+
+    widget_of = weakref.ref(widget)
+    watch = Watch()
+    widget.installEventFilter(watch)
+    watch.follow()
+
+    def end() -> None:
+        watched = widget_of()
+        if watched is not None:
+            watch.leave_window()
+            _quietly(watched.removeEventFilter, watch)
+
+    return end
+
+
+def _quietly(function: Callable[[Any], None], argument: Any) -> None:
+    """Of an object that Qt may have deleted already."""
+    try:
+        function(argument)
+    except RuntimeError:
+        pass

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Lets the hand go when a widget of Qt is no longer seen, for programs with VTK's widget for Qt.
+ */
+#ifndef WidgetWatch_h
+#define WidgetWatch_h
+
+#include "vtkHapticDevice.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkWeakPointer.h"
+
+#include <QEvent>
+#include <QObject>
+#include <QPointer>
+#include <QWidget>
+
+namespace VolumeHaptics
+{
+
+/**
+ * VTK tells nobody that a widget of Qt is hidden, minimised or closed. This watches for it, and
+ * then leaves the touch mode and disarms. One call does it:
+ *
+ *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
+ *   VolumeHaptics::WidgetWatch::Watch(view, style);
+ *
+ * The watch belongs to the widget, and ends with it. The program compiles this header, with its own
+ * Qt 5 or 6 (Widgets): the library does not know Qt.
+ */
+class WidgetWatch final : public QObject
+{
+public:
+  static void Watch(QWidget* widget, vtkInteractorStyleHaptic* style)
+  {
+    new WidgetWatch(widget, style);
+  }
+  ~WidgetWatch() override { this->LetGo(); }
+
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    // Only the window itself gets an event when it is minimised. Its widget may come to another
+    // window, such as a dock's that floats, and is shown anew then.
+    const QEvent::Type type = event->type();
+    if (type == QEvent::Hide ||
+      (type == QEvent::WindowStateChange && this->Window && this->Window->isMinimized()))
+    {
+      this->LetGo();
+    }
+    else if (watched == this->parent() && (type == QEvent::Show || type == QEvent::ParentChange))
+    {
+      this->FollowWindow();
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+private:
+  WidgetWatch(QWidget* widget, vtkInteractorStyleHaptic* style)
+    : QObject(widget)
+    , Style(style)
+  {
+    widget->installEventFilter(this);
+    this->FollowWindow();
+  }
+
+  void FollowWindow()
+  {
+    QWidget* const window = static_cast<QWidget*>(this->parent())->window();
+    if (this->Window && this->Window != window && this->Window != this->parent())
+    {
+      this->Window->removeEventFilter(this);
+    }
+    this->Window = window;
+    window->installEventFilter(this);
+  }
+
+  void LetGo()
+  {
+    if (!this->Style)
+    {
+      return;
+    }
+    this->Style->TouchModeOff();
+    if (vtkHapticDevice* const device = this->Style->GetDevice())
+    {
+      device->Disarm();
+    }
+  }
+
+  vtkWeakPointer<vtkInteractorStyleHaptic> Style;
+  QPointer<QWidget> Window; ///< in which the widget is
+};
+
+} // namespace VolumeHaptics
+
+#endif
