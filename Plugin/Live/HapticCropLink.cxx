@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticCropLink.h"
 
+#include "HapticCropPlanes.h"
+
 #include "vtkPVDataInformation.h"
+#include "vtkPVVersion.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -42,15 +45,14 @@ void HapticCropLink::Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* 
     }
     return;
   }
-  // As vtkImageVolumeRepresentation: the bounds, scaled and moved.
-  const vtkSMPropertyHelper origin(representation, "CroppingOrigin");
-  const vtkSMPropertyHelper scale(representation, "CroppingScale");
+  double origin[3];
+  double scale[3];
+  vtkSMPropertyHelper(representation, "CroppingOrigin").Get(origin, 3);
+  vtkSMPropertyHelper(representation, "CroppingScale").Get(scale, 3);
+  vtkPVDataInformation* const data = volume->GetDataInformation(port);
   double planes[6];
-  volume->GetDataInformation(port)->GetBounds(planes);
-  for (unsigned int i = 0; i < 6; ++i)
-  {
-    planes[i] = origin.GetAsDouble(i / 2) + planes[i] * scale.GetAsDouble(i / 2);
-  }
+  FindCropPlanes(ChooseCropBase(PARAVIEW_VERSION_MAJOR, PARAVIEW_VERSION_MINOR), data->GetBounds(),
+    data->GetExtent(), origin, scale, planes);
   filter->SetCroppingRegionPlanes(planes);
   filter->CroppingOn();
   this->HasCropped = true;

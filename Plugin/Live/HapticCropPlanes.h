@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The planes between which a representation of ParaView shows a volume.
+ */
+#ifndef HapticCropPlanes_h
+#define HapticCropPlanes_h
+
+namespace VolumeHapticsLive
+{
+
+/** What a representation scales and moves. */
+enum class CropBase
+{
+  Bounds,     ///< up to ParaView 5.12
+  WholeExtent ///< from 5.13 on, whatever the image's origin and spacing are
+};
+
+/** That of a version of ParaView. */
+constexpr CropBase ChooseCropBase(int major, int minor)
+{
+  return major > 5 || (major == 5 && minor >= 13) ? CropBase::WholeExtent : CropBase::Bounds;
+}
+
+/**
+ * The planes as vtkImageVolumeRepresentation::UpdateMapperParameters() hands them to its mapper, in
+ * the coordinates of the data.
+ */
+inline void FindCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
+  const double origin[3], const double scale[3], double planes[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    const double scaled = base == CropBase::Bounds ? bounds[i] : wholeExtent[i];
+    planes[i] = origin[i / 2] + scaled * scale[i / 2];
+  }
+}
+
+} // namespace VolumeHapticsLive
+
+#endif
