@@ -143,6 +143,13 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
     return false;
   }
   vtkInformation* const info = source->GetOutputInformation(port);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    // A filter with a path asks the other processes for nothing, and an empty extent stays.
+    int whole[6];
+    info->Get(Pipeline::WHOLE_EXTENT(), whole);
+    info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+  }
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
   info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), controller->GetNumberOfProcesses());
   info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),

@@ -6,6 +6,7 @@
 #include "HapticOrderLink.h"
 #include "HapticReport.h"
 #include "HapticSessionWatch.h"
+#include "HapticUndoExclusion.h"
 
 #include "vtkHapticDevice.h"
 #include "vtkNew.h"
@@ -166,6 +167,8 @@ bool vtkSMHapticDeviceProxy::Poll()
     return false;
   }
   d.IsBusy = true;
+  // The twin of the filter, the hand's state and the orders follow by themselves.
+  const VolumeHapticsLive::HapticUndoExclusion exclusion;
   if (this->CanReachServer())
   {
     d.Watch.Watch(this->Session);

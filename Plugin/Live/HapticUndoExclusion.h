@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Keeps changes of proxies off ParaView's undo stack.
+ */
+#ifndef HapticUndoExclusion_h
+#define HapticUndoExclusion_h
+
+#include "vtkSMProxyManager.h"
+#include "vtkSMUndoStackBuilder.h"
+#include "vtkSmartPointer.h"
+
+namespace VolumeHapticsLive
+{
+
+/**
+ * As long as it exists, what changes can't be undone. For what follows by itself from the device
+ * and from the user's changes: an entry for that would be undone in the place of the user's
+ * change, and would delete what could be redone.
+ */
+class HapticUndoExclusion
+{
+public:
+  HapticUndoExclusion()
+    : Builder(vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder())
+  {
+    if (this->Builder)
+    {
+      this->IgnoredBefore = this->Builder->GetIgnoreAllChanges();
+      this->Builder->SetIgnoreAllChanges(true);
+    }
+  }
+  ~HapticUndoExclusion()
+  {
+    if (this->Builder)
+    {
+      this->Builder->SetIgnoreAllChanges(this->IgnoredBefore);
+    }
+  }
+  HapticUndoExclusion(const HapticUndoExclusion&) = delete;
+  void operator=(const HapticUndoExclusion&) = delete;
+
+private:
+  const vtkSmartPointer<vtkSMUndoStackBuilder> Builder; ///< null without an undo stack
+  bool IgnoredBefore = false;
+};
+
+} // namespace VolumeHapticsLive
+
+#endif
