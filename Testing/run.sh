@@ -190,7 +190,7 @@ build_wheel()
 paraview=yes
 if require_packages paraview paraview-dev mpi-default-bin mpi-default-dev libdouble-conversion-dev \
   libx11-dev libxcursor-dev libfreetype-dev libglew-dev libgl-dev libopengl-dev \
-  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev &&
+  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev python3-pyqt5 &&
   "$root/Plugin/paraview-prefix.sh" "$plugin_dir-prefix"; then
   get_head_ct "$root/build/explore/data" ||
     echo "!!!! SKIPPED: no head CT, so traces are compared on the project's own volumes only !!!!" >&2

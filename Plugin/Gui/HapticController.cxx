@@ -34,7 +34,11 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QStringList>
+#include <QWidget>
+
+#include <algorithm>
 
 namespace
 {
@@ -65,6 +69,7 @@ HapticController::HapticController(QObject* parent)
     model, &pqServerManagerModel::aboutToRemoveServer, this, &HapticController::release);
   this->connect(
     QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &HapticController::release);
+  QCoreApplication::instance()->installEventFilter(this);
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +232,30 @@ void HapticController::setTouchMode(bool on)
     vtkSMPropertyHelper(this->View, "TouchMode").Set(on ? 1 : 0);
     this->View->UpdateVTKObjects();
   }
+  pqView* const view = on && this->View ? this->findView() : nullptr;
+  if (QWidget* const widget = view ? view->widget() : nullptr)
+  {
+    // The keys of the touch mode come next, and the button has the keyboard. The one that takes
+    // keys may be a part of the view's widget.
+    const QList<QWidget*> parts = widget->findChildren<QWidget*>();
+    const auto takesKeys = [](QWidget* part) { return part->focusPolicy() != Qt::NoFocus; };
+    const auto part = std::find_if(parts.begin(), parts.end(), takesKeys);
+    (takesKeys(widget) || part == parts.end() ? widget : *part)->setFocus(Qt::OtherFocusReason);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticController::eventFilter(QObject* watched, QEvent* event)
+{
+  // A key is first offered to whoever overrides shortcuts; in a menu, it is pressed at once.
+  const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Device &&
+    this->Device->GetDevice()->IsArmOrdered())
+  {
+    this->setTouchMode(false);
+    this->setArmed(false);
+  }
+  return this->Superclass::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,8 @@
  * arm a device.
  *
  * Before ParaView quits, and before the server, the view, the device, its filter or the volume is
- * removed, the device is detached, with zero force.
+ * removed, the device is detached, with zero force. Escape ends the touch mode and disarms,
+ * whatever has the keyboard.
  */
 #ifndef HapticController_h
 #define HapticController_h
@@ -72,6 +73,9 @@ public:
   /** Polls the device. */
   Figures look();
 
+  /** Of the application: looks for Escape. */
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 public Q_SLOTS:
   /**
    * Attaches to the active render view. The active source selects the device: it is a HapticDevice,
@@ -81,6 +85,7 @@ public Q_SLOTS:
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
   void setArmed(bool on);
+  /** On gives the view the keyboard, too. */
   void setTouchMode(bool on);
   void home();
   /** Records into a .vtp or .csv; an empty name ends and writes the recording. */

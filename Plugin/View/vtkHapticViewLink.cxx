@@ -14,6 +14,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkStringArray.h"
 #include "vtkWeakPointer.h"
 
 #include <utility>
@@ -259,6 +260,21 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);
   d.Style->SetArmed(d.Style->GetTouchMode());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticViewLink::GetKeys() const
+{
+  vtkHapticViewStyle* const style = this->Internals->Style;
+  vtkStringArray* const actions = vtkInteractorStyleHaptic::GetKeyActions();
+  std::string lines;
+  for (vtkIdType i = 0; style && i < actions->GetNumberOfValues(); ++i)
+  {
+    const std::string action = actions->GetValue(i);
+    const std::string keys = style->GetKey(action.c_str());
+    lines += keys.empty() ? keys : action + "\t" + keys + "\n";
+  }
+  return lines;
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,12 @@ public:
   bool GetTouchMode() const;
   ///@}
 
+  /**
+   * The keys of the view: lines of an action, a tabulator, and its keys, as GetKey() of
+   * vtkInteractorStyleHaptic has them. Empty unless attached.
+   */
+  std::string GetKeys() const;
+
   ///@{
   /**
    * Whether the slices of Orthographic Slice Views follow the tip: see

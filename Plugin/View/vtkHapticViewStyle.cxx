@@ -3,6 +3,7 @@
 #include "vtkHapticViewStyle.h"
 
 #include "HapticSlices.h"
+#include "HapticUndoExclusion.h"
 #include "HapticVolumeFrames.h"
 #include "vtkHapticDevice.h"
 
@@ -27,6 +28,21 @@ vtkHapticViewStyle::vtkHapticViewStyle()
 {
   // The properties of the filter Volume Haptics say what is felt: ParaView's undo and redo compare.
   this->SetKey("Compare", "");
+  // There is nothing to slice, to measure or to edit here.
+  for (const char* const action : { "Slices", "Point", "Distance", "Angle", "Path", "Area", "Undo",
+         "Redo", "RemoveLast", "Measurements", "FunctionEditor", "NextFunction", "Propose",
+         "DropProposal", "DockEditor", "ResetFunctions", "Labels" })
+  {
+    this->SetKey(action, "");
+  }
+  // Keys that ParaView's main window has do not come here; s, d, f, g and b begin a selection,
+  // which ends the touch.
+  this->SetKey("Help", "question");
+  this->SetKey("Graph", "G");
+  this->SetKey("Details", "D");
+  this->SetKey("AtTheEnd", "B");
+  this->SetKey("LargerWorkspace", "greater");
+  this->SetKey("SmallerWorkspace", "less");
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +115,7 @@ void vtkHapticViewStyle::MoveSlices()
   vtkHapticDevice* const device = this->GetDevice();
   if (this->SlicesFollowTip && this->View && this->DeviceProxy && device && device->IsRunning())
   {
+    const VolumeHapticsLive::HapticUndoExclusion exclusion;
     this->Slices->Follow(
       this->View->GetSession(), this->DeviceProxy->GetFilter(), device->GetTipPosition());
   }
@@ -109,6 +126,7 @@ void vtkHapticViewStyle::SetArmed(bool on)
 {
   if (this->DeviceProxy)
   {
+    const VolumeHapticsLive::HapticUndoExclusion exclusion; // undo must not arm a device
     vtkSMPropertyHelper(this->DeviceProxy, "Armed").Set(on ? 1 : 0);
     this->DeviceProxy->UpdateVTKObjects();
   }

@@ -49,6 +49,7 @@ void vtkSMHapticViewProxy::UpdateVTKObjects()
   if (this->Link->Attach(view, device))
   {
     this->Link->SetTouchMode(vtkSMPropertyHelper(this, "TouchMode").GetAsInt() != 0);
+    vtkSMPropertyHelper(this, "Keys").Set(this->Link->GetKeys().c_str());
   }
   else
   {

@@ -74,7 +74,8 @@ bool HasKey(const std::string& keys, const std::string& key)
 std::string Label(const std::string& key)
 {
   static const std::map<std::string, std::string> labels{ { "question", "?" }, { "plus", "+" },
-    { "minus", "-" }, { "comma", "," }, { "period", "." }, { "BackSpace", "Backspace" } };
+    { "minus", "-" }, { "comma", "," }, { "period", "." }, { "greater", ">" }, { "less", "<" },
+    { "BackSpace", "Backspace" } };
   const auto label = labels.find(key);
   return label == labels.end() ? key : label->second;
 }

@@ -207,6 +207,56 @@ class Session:
         assert device.Armed == 1 or "did not call the device" in status, f"Arm has not armed the device: {status}"
         self.stop_trace()
 
+    def keys(self):
+        """None of the view's is one of the main window's, of its actions and shortcuts, whether or not they are enabled."""
+        from PyQt5 import QtWidgets
+
+        window = self.main_window()
+        theirs = {key.toString() for action in window.findChildren(QtWidgets.QAction) for key in action.shortcuts()}
+        theirs |= {shortcut.key().toString() for shortcut in window.findChildren(QtWidgets.QShortcut)}
+        # Those that are known of ParaView 5.11 to 6.1: pqStandardViewFrameActionsImplementation.cxx.
+        assert {"S", "D", "F", "G", "B", "+", "-", "Esc", "F1"} <= theirs, theirs
+        # Qt writes letters large, which are small without Shift; X11 has names. Escape lets go, whoever else has it.
+        names = {"plus": "+", "minus": "-", "KP_Add": "+", "KP_Subtract": "-", "question": "?", "space": "Space",
+                 "comma": ",", "period": ".", "Delete": "Del", "BackSpace": "Backspace", "greater": ">", "less": "<"}
+        theirs = {key.lower() if len(key) == 1 else key for key in theirs}
+        theirs |= {key[6:] for key in theirs if re.fullmatch("Shift\\+.", key)}
+        ours = self.keys_of_view()
+        assert ours["LetGo"] == "Escape" and ours["Touch"] == "t" and len(ours) > 12, ours
+        both = {action: key for action, keys in ours.items() for key in keys.split()
+                if action != "LetGo" and names.get(key, key) in theirs}
+        assert not both, both
+
+    def keys_of_view(self):
+        from paraview import servermanager
+
+        proxy = servermanager.ProxyManager().NewProxy("misc", "HapticView")
+        link = servermanager._getPyProxy(proxy)
+        link.View, link.Device = simple.GetActiveView(), self.device()
+        link.Attached = 1
+        lines = "".join(link.GetPropertyValue("Keys")).splitlines()
+        link.Attached = 0
+        return dict(line.split("\t") for line in lines)
+
+    def main_window(self):
+        from PyQt5 import QtWidgets
+
+        return [window for window in QtWidgets.QApplication.topLevelWidgets() if window.objectName() == "pqClientMainWindow"][0]
+
+    def focused(self):
+        focus = self.main_window().focusWidget()
+        names = []
+        while focus is not None:
+            names.append(focus.objectName())
+            focus = focus.parent()
+        assert "CentralWidgetFrame" in names, f"the keyboard is at {names}"
+
+    def escaped(self):
+        device = self.device()
+        device.UpdatePipeline()
+        assert device.Armed == 0 and self.force(device) < AT_REST, f"Escape has left {self.force(device)} N"
+        assert "HapticHeadUpDisplay" in "".join(self.hands()), "and the device attached"
+
     def at_rest(self):
         """The next frame of the hand would be drawn quickly."""
         view = simple.GetActiveView()
