@@ -5,9 +5,12 @@
 The volume is a ramp, V = 100 z, pressed 2 mm from z = 10 on, so that the force is k times 2 mm: 1 N with 500 N/m.
 """
 
+import functools
 import gzip
 import math
 import re
+import struct
+import zlib
 
 import numpy as np
 import pytest
@@ -123,11 +126,130 @@ def test_a_file_has_labels_and_names(tmp_path):
     write_nrrd(file, LABELS)
     assert felt(labels=file, materials={"spleen": dict(stiffness=800)}) == [1.0, 1.6]
     assert felt(labels=str(file), materials={1: dict(stiffness=200)}) == [0.4, 1.0]
-    # As many voxels, so that it lies on the volume; with fewer, where it says.
-    write_nrrd(file, LABELS, "(5,5,5)")
-    assert felt(labels=file, materials={"spleen": dict(stiffness=800)}) == [1.0, 1.6]
-    write_nrrd(file, LABELS[:, :, :-1], "(8,0,0)")
-    assert felt(labels=file, materials={"liver": dict(stiffness=200)}) == [1.0, 0.4]
+    write_nrrd(file, LABELS[:, :, :-1], "(1,2,0)")
+    placed = image(VOLUME, origin=(-7, 2, 0))
+    assert round(press(6, volume=placed, labels=file, materials={"liver": dict(stiffness=200)}), 9) == 0.4
+
+
+# Files are written byte by byte, as the definitions of NIfTI-1 (nifti1.h) and MetaImage (itk.org, ITK/MetaIO) have them.
+# The places come from these definitions: NIfTI's world is right-anterior-superior, that of MetaImage
+# left-posterior-superior.
+
+def write_nifti(file, labels, step, origin):
+    """Index axes along the world's, with these steps."""
+    types = {"int16": (4, 16), "int64": (1024, 64), "uint8": (2, 8), "float64": (64, 64)}
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *labels.shape[::-1], 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, *types[labels.dtype.name])
+    struct.pack_into("<4f", header, 76, 1.0, *map(abs, step))
+    struct.pack_into("<f", header, 108, 352.0)  # where the voxels begin
+    struct.pack_into("<hh", header, 252, 0, 1)  # sform, of the scanner
+    for row in range(3):
+        struct.pack_into("<4f", header, 280 + 16 * row, *(step[row] * (row == column) for column in range(3)), origin[row])
+    header[344:348] = b"n+1\0"
+    with (gzip.open if str(file).endswith(".gz") else open)(file, "wb") as stream:
+        stream.write(bytes(header) + labels.tobytes())
+
+
+def write_meta_image(file, labels, step, origin, type_name=None, compressed=False, sizes=None):
+    """The same in left-posterior-superior, as SimpleITK.WriteImage() does."""
+    names = {"int16": "MET_SHORT", "int64": "MET_LONG_LONG", "uint8": "MET_UCHAR", "int32": "MET_INT"}
+    turned = np.array((-1, -1, 1))
+    sizes = sizes or labels.shape[::-1]
+    axes = len(sizes)
+    matrix, where = np.eye(axes), np.zeros(axes)
+    matrix[:3, :3] = np.diag(np.sign(step) * turned)
+    where[:3] = turned * origin
+    samples = zlib.compress(labels.tobytes()) if compressed else labels.tobytes()
+    fields = {"ObjectType": "Image", "NDims": axes, "BinaryData": "True", "BinaryDataByteOrderMSB": "False",
+              "CompressedData": compressed, **({"CompressedDataSize": len(samples)} if compressed else {}),
+              "TransformMatrix": " ".join(f"{x:g}" for x in matrix.ravel()), "Offset": " ".join(f"{x:g}" for x in where),
+              "ElementSpacing": " ".join(f"{x:g}" for x in [*np.abs(step), 1][:axes]),
+              "DimSize": " ".join(map(str, sizes)), "ElementType": type_name or names[labels.dtype.name],
+              "ElementDataFile": "LOCAL"}
+    file.write_bytes("".join(f"{key} = {value}\n" for key, value in fields.items()).encode() + samples)
+
+
+WRITERS = {"nii": write_nifti, "nii.gz": write_nifti, "mha": write_meta_image}
+ORIGIN = np.array((-7.0, 3.0, 0.0))  # of the volume, right-anterior-superior
+
+
+def felt_of(file, volume, at):
+    """What the index 5 and the index 18 along x feel, at these places."""
+    points = [np.linspace((x, at[1], 10), (x, at[1], 12), 21) for x in at[0]]
+    traces = touch(volume, points, labels=file, materials={1: dict(stiffness=200), 2: dict(stiffness=800)})
+    return [round(-arrays(trace)["Force"][-1][2], 9) for trace in traces]
+
+
+@pytest.mark.parametrize("ending", WRITERS)
+@pytest.mark.parametrize("world", ("RAS", "LPS"))
+def test_labels_of_a_file_lie_where_it_says(tmp_path, ending, world):
+    """The same labels in a file whose axis x runs backwards, that has a part of them, or both."""
+    turn = -1.0 if world == "LPS" else 1.0
+    direction = np.diag((turn, turn, 1.0))
+    volume = image(VOLUME, origin=tuple(direction @ ORIGIN), direction=direction)
+    at = turn * (ORIGIN[0] + np.array((5, 18))), turn * (ORIGIN[1] + 8)
+    file = tmp_path / f"labels.{ending}"
+    for first, last, step in ((0, 24, 1), (0, 24, -1), (3, 24, 1), (2, 20, -1)):
+        part = LABELS[:, :, first:last][:, :, ::step].copy()
+        begin = ORIGIN + ((first if step > 0 else last - 1), 0, 0)
+        WRITERS[ending](file, part, (step, 1, 1), begin)
+        assert felt_of(file, volume, at) == [0.4, 1.6], (first, last, step)
+
+
+@pytest.mark.parametrize("ending", WRITERS)
+def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
+    """Of an array, a reader has lost the place: the same file could be mirrored, so that nothing is assumed."""
+    file = tmp_path / f"labels.{ending}"
+    bare = (5.0, 18.0), 8.0
+    WRITERS[ending](file, LABELS[:, :, ::-1].copy(), (-1, 1, 1), ORIGIN + (23, 0, 0))
+    with pytest.raises(ValueError, match="do not lie on the volume.*Cure: place the volume.*direction"):
+        felt_of(file, VOLUME, bare)
+    # The three cures of the text.
+    placed = image(VOLUME, (1, 1, 1), tuple(ORIGIN), direction=np.eye(3))
+    assert felt_of(file, placed, (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)) == [0.4, 1.6]
+    assert felt_of(image(LABELS), VOLUME, bare) == felt_of(LABELS, VOLUME, bare) == [0.4, 1.6]
+    # A part of them, on finer voxels, or elsewhere.
+    for labels, step, origin in ((LABELS[:, :, 3:].copy(), (1, 1, 1), ORIGIN + (3, 0, 0)),
+                                 (LABELS, (0.5, 1, 1), ORIGIN), (LABELS, (1, 1, 1), ORIGIN + (0.5, 0, 0)),
+                                 (LABELS, (1, 1, 1), ORIGIN + (500, 0, 0))):
+        WRITERS[ending](file, labels, step, origin)
+        for volume in (VOLUME, placed) if labels is LABELS else (VOLUME,):
+            with pytest.raises(ValueError, match="do not lie on the volume"):
+                felt_of(file, volume, bare)
+
+
+def test_meta_images_that_vtk_does_not_know(tmp_path):
+    """64 bits, and headers that lie. VTK's reader takes memory for
+    one voxel, and reads all samples into it."""
+    file = tmp_path / "labels.mha"
+    volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
+    write = functools.partial(write_meta_image, file, step=(1, 1, 1), origin=ORIGIN)
+    write(LABELS.astype(np.int64))
+    assert felt_of(file, volume, at) == [0.4, 1.6]
+    write(LABELS, compressed=True)
+    assert felt_of(file, volume, at) == [0.4, 1.6]
+    for labels, options, said in (
+            (LABELS, dict(type_name="MET_STRING"), "of another type"),
+            (LABELS.astype(np.int64), dict(compressed=True), "compressed"),
+            (LABELS, dict(sizes=(24, 17, 33)), "more samples than"),
+            (LABELS, dict(sizes=(40000, 40000, 40000)), "more samples than"),
+            (LABELS, dict(sizes=(40000, 40000, 40000), compressed=True), "promises 64000000000000 voxels"),
+            (LABELS, dict(sizes=SIZE[::-1], compressed=True, type_name="MET_LONG"), "compressed")):
+        write(labels, **options)
+        with pytest.raises(ValueError, match=said):
+            felt_of(file, volume, at)
+
+
+def test_nifti_whose_header_lies(tmp_path):
+    file = tmp_path / "labels.nii"
+    write_nifti(file, LABELS, (1, 1, 1), ORIGIN)
+    whole = bytearray(file.read_bytes())
+    struct.pack_into("<8h", whole, 40, 3, 32767, 32767, 32767, 1, 1, 1, 1)
+    file.write_bytes(whole)
+    with pytest.raises(ValueError, match="promises 35181150961663 voxels"):
+        press(5, labels=file)
 
 
 @pytest.mark.parametrize("ending", (".nii", ".nii.gz", ".mha", ".vti"))

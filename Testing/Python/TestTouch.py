@@ -136,7 +136,7 @@ def test_errors_of_the_filter(head, tip, capfd, word, arguments, settings):
 
 @pytest.mark.parametrize("volume, cure", (
     (None, "$"),
-    ("head.vti", "read the file"),
+    ("head.vti", "--write-volume"),
     ([[[1.0]]], "$"),
     (vtkVolumeHapticsFilter(), r"GetOutput\(\)"),
     (vtkPolyData(), "$"),

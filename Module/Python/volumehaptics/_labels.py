@@ -5,14 +5,22 @@
 from __future__ import annotations
 
 import difflib
+import math
 import numbers
 import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from .vtkVolumeHaptics import vtkHapticLabelTable, vtkHapticSegmentationReader, vtkVolumeHapticsFilter
+from .vtkVolumeHaptics import (
+    vtkHapticLabelTable,
+    vtkHapticRegionSource,
+    vtkHapticSegmentationReader,
+    vtkVolumeHapticsFilter,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -96,47 +104,202 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
                         f"{type(materials).__name__}")
 
 
-def _make_reader(file: str) -> Any:
-    """A reader for a label image, by the ending of its name."""
-    ending = file.lower()
-    if ending.endswith((".nrrd", ".seg")):
-        return vtkHapticSegmentationReader()
-    if ending.endswith((".nii", ".nii.gz")):
-        from vtkmodules.vtkIOImage import vtkNIFTIImageReader
+def _copy(image: vtkImageData) -> vtkImageData:
+    """Without what a reader's output says of where it comes from; the samples are shared."""
+    copy = vtkImageData()
+    copy.ShallowCopy(image)
+    return copy
 
-        return vtkNIFTIImageReader()
-    if ending.endswith((".mha", ".mhd")):
+
+def _run(reader: Any, file: str) -> vtkImageData:
+    """What a reader of VTK's gives. ValueError: an error, or a header that promises more than the file can hold.
+
+    Some readers go on after an error, and read all samples into memory for one voxel; all of them take memory first."""
+    from ._touch import Errors
+
+    with Errors(reader, reader.GetExecutive()) as errors:
+        reader.SetFileName(file)
+        reader.UpdateInformation()
+        if not errors:
+            extent = [0, -1] * 3
+            reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), extent)
+            voxels = math.prod(max(0, last + 1 - first) for first, last in zip(extent[::2], extent[1::2]))
+            # Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
+            if not 0 < voxels <= 10000 * os.path.getsize(file):
+                raise ValueError(f"{file!r} can't be read: its header promises {voxels} voxels, which are not in the "
+                                 "file. Cure: check that the copy is complete, or write it again")
+            reader.Update()
+    if errors:
+        raise ValueError(f"{file!r} can't be read: {errors[0]}. Cure: check that the copy is complete, or write it again")
+    return _copy(reader.GetOutput())
+
+
+def _read_nrrd(file: str) -> tuple[vtkImageData, bool]:
+    return _run(vtkHapticSegmentationReader(), file), True
+
+
+def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
+    from vtkmodules.vtkIOImage import vtkNIFTIImageReader
+
+    reader = vtkNIFTIImageReader()
+    image = _run(reader, file)
+    place = reader.GetSFormMatrix() or reader.GetQFormMatrix()
+    if place is not None:
+        rows = [[place.GetElement(row, column) for column in range(4)] for row in range(3)]
+        _set_frame(image, [row[:3] for row in rows], [row[3] for row in rows])
+        image = _turn(image)  # NIfTI has right-anterior-superior
+    return image, place is not None
+
+
+def _read_header(file: str) -> dict[str, str]:
+    """The fields of a MetaImage."""
+    fields: dict[str, str] = {}
+    with open(file, "rb") as header:
+        for line in iter(lambda: header.readline(10000), b""):
+            key, equals, value = line.decode("latin-1").partition("=")
+            fields.setdefault(key.strip(), value.strip())
+            if not equals or key.strip() == "ElementDataFile":
+                break
+    return fields
+
+
+def _read_meta_image(file: str) -> tuple[vtkImageData, bool]:
+    from ._touch import Errors
+
+    header = _read_header(file)
+    matrix = [float(number) for number in header.get("TransformMatrix", "").split()]
+    if header.get("CompressedData", "").lower() == "true" and header.get("ElementType") in _META_TYPES and (
+            header.get("NDims") == "3" and len(header.get("DimSize", "").split()) == 3):
         from vtkmodules.vtkIOImage import vtkMetaImageReader
 
-        return vtkMetaImageReader()
-    if ending.endswith(".vti"):
-        from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+        image = _run(vtkMetaImageReader(), file)
+        if len(matrix) == 9:  # rows are the directions of the axes
+            _set_frame(image, [matrix[i::3] for i in range(3)], image.GetOrigin())
+        return image, bool(matrix)
+    source, image = vtkHapticRegionSource(), vtkImageData()
+    with Errors(source) as errors:
+        is_read = source.OpenFile(file) and source.ReadRegion(source.GetWholeExtent(), image)
+    if not is_read:
+        raise ValueError(errors[0])
+    labels = vtkImageData()
+    labels.CopyStructure(image)
+    labels.GetPointData().SetScalars(image.GetPointData().GetScalars())
+    return labels, bool(matrix)
 
-        return vtkXMLImageDataReader()
-    raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti. "
-                     "Cure: read the labels yourself, and give the image")
+
+def _read_vti(file: str) -> tuple[vtkImageData, bool]:
+    from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+    return _run(vtkXMLImageDataReader(), file), True
+
+
+_READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.gz": _read_nifti,
+            ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti}
+# That vtkMetaImageReader knows, and whose size does not depend on the system.
+_META_TYPES = ("MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE")
 
 
 def _read(volume: vtkImageData, file: str) -> vtkImageData:
-    """A label image with its table in its field data. It lies on the volume if they have the same voxels."""
+    """A label image, where it lies in the volume's world, with its table in its field data."""
     from ._touch import Errors
 
     if not os.path.isfile(file):
         raise ValueError(f"there is no file {file!r} of labels")
-    reader = _make_reader(file)
-    with Errors(reader, reader.GetExecutive()) as errors:
-        reader.SetFileName(file)
-        reader.Update()
-    if errors:
-        raise ValueError(errors[0])
-    image = vtkImageData()
-    image.ShallowCopy(reader.GetOutput())
+    read = next((_READERS[ending] for ending in _READERS if file.lower().endswith(ending)), None)
+    if read is None:
+        raise ValueError(f"{file!r} has an ending that is not known here: .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti. "
+                         "Cure: read the labels yourself, and give the image")
+    image, is_placed = read(file)
     if not image.GetFieldData().HasArray("Label"):
         table = vtkHapticLabelTable()
         with Errors(table):  # without names there are numbers
             table.ReadFile(file)
         table.WriteFieldData(image.GetFieldData())
-    return _lay(image, volume) if image.GetDimensions() == volume.GetDimensions() else image
+    return _find_place(image, is_placed, volume, file)
+
+
+def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str) -> vtkImageData:
+    """The labels of a file in the world of a volume, which may be left-posterior-superior, as that of ITK and the
+    explorer, or right-anterior-superior, as nibabel's. ValueError: it can't be told where they lie."""
+    if image.GetDimensions() == volume.GetDimensions() and (
+            not is_placed or any(_has_voxels_of(one, volume) for one in (image, _turn(image)))):
+        return _lay(image, volume)
+    if is_placed and not _is_bare(volume):
+        fitting = [one for one in (image, _turn(image)) if _has_grid_of(one, volume) and _overlaps(one, volume)]
+        if len(fitting) == 1:
+            return fitting[0]
+    raise ValueError(
+        f"the labels of {file!r} do not lie on the volume: they have {image.GetDimensions()} voxels along x, y and z from "
+        f"{_tell(image)} on, left-posterior-superior, and the volume {volume.GetDimensions()} from {_tell(volume)} on. "
+        "Cure: place the volume, as with volumehaptics.image(array, spacing, origin, direction), where its own file says; "
+        "or give the labels as an image in the volume's world, or as an array [z, y, x] of the volume's voxels")
+
+
+def _tell(image: vtkImageData) -> str:
+    return "(" + ", ".join(f"{x:.4g}" for x in image.GetOrigin()) + ")"
+
+
+def _is_bare(volume: vtkImageData) -> bool:
+    """Whether it seems to come from a reader or an array without a place."""
+    return _matrix(volume)[:2] == [[1, 0, 0], [0, 1, 0]] and tuple(volume.GetOrigin()) == (0, 0, 0)
+
+
+def _matrix(image: vtkImageData) -> list[list[float]]:
+    matrix = image.GetDirectionMatrix()
+    return [[matrix.GetElement(row, column) for column in range(3)] for row in range(3)]
+
+
+def _set_frame(image: vtkImageData, axes: list[list[float]], origin: Iterable[float]) -> None:
+    """Columns of any length are the directions of the index axes."""
+    lengths = [math.hypot(*column) for column in zip(*axes)]
+    if min(lengths) > 0:
+        image.SetDirectionMatrix([x / length for row in axes for x, length in zip(row, lengths)])
+        image.SetOrigin(*origin)
+
+
+def _turn(image: vtkImageData) -> vtkImageData:
+    """From left-posterior-superior to right-anterior-superior, or back."""
+    turned = _copy(image)
+    x, y, z = image.GetOrigin()
+    axes = _matrix(image)
+    _set_frame(turned, [[-a for a in axes[0]], [-a for a in axes[1]], axes[2]], (-x, -y, z))
+    return turned
+
+
+def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
+    """From the indices of an image to those of a volume."""
+    to_voxels = vtkMatrix4x4()
+    vtkMatrix4x4.Invert(volume.GetIndexToPhysicalMatrix(), to_voxels)
+    vtkMatrix4x4.Multiply4x4(to_voxels, image.GetIndexToPhysicalMatrix(), to_voxels)
+    return to_voxels
+
+
+def _ends(image: vtkImageData, volume: vtkImageData) -> list[tuple[float, ...]]:
+    """The first voxel of an image, and the last one along each axis, as indices of a volume."""
+    matrix, extent = _to_voxels(image, volume), image.GetExtent()
+    ends = [[extent[2 * axis + (axis == end)] for axis in range(3)] for end in (-1, 0, 1, 2)]
+    return [matrix.MultiplyPoint((*index, 1.0))[:3] for index in ends]
+
+
+_TOLERANCE = 0.05  # voxels
+
+
+def _has_voxels_of(image: vtkImageData, volume: vtkImageData) -> bool:
+    """Whether they are the same ones, in the same order; both have as many along each axis."""
+    return all(math.dist(a, b) < _TOLERANCE for a, b in zip(_ends(image, volume), _ends(volume, volume)))
+
+
+def _has_grid_of(image: vtkImageData, volume: vtkImageData) -> bool:
+    """Whether its voxels are some of the volume's, or would be beyond its border; the axes may be others."""
+    matrix = _to_voxels(image, volume)
+    steps = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
+    return all(abs(abs(step) - 0.5) > 0.4 and abs(step) < 1.1 for step in steps) and all(
+        abs(x - round(x)) < _TOLERANCE for end in _ends(image, volume) for x in end)
+
+
+def _overlaps(image: vtkImageData, volume: vtkImageData) -> bool:
+    a, b = image.GetBounds(), volume.GetBounds()
+    return all(a[2 * i] <= b[2 * i + 1] and b[2 * i] <= a[2 * i + 1] for i in range(3))
 
 
 def _lay(image: vtkImageData, volume: vtkImageData) -> vtkImageData:

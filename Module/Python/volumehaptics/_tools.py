@@ -30,7 +30,9 @@ def _read(path: str) -> vtkPolyData:
     reader = getattr(module, readers[ending])()
     with Errors(reader) as errors:
         reader.SetFileName(path)
-        reader.Update()
+        reader.UpdateInformation()
+        if not errors:  # else some readers go on
+            reader.Update()
     mesh = reader.GetOutput()
     if errors or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         raise ValueError(f"tool={path!r} has no surface: " + ("; ".join(errors) or "there are no polygons"))

@@ -172,18 +172,22 @@ def _misses(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> bool:
     return any(way[i + 1] < box[i] or way[i] > box[i + 1] for i in (0, 2, 4))
 
 
+def _warn(text: str) -> None:
+    """The line that is shown is the caller's."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, stacklevel=level)
+
+
 def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vtkPolyData]) -> None:
     """A way that misses the volume is felt as nothing, which is right, and seldom what was meant."""
     out = [i for i, (tip, trace) in enumerate(zip(tips, traces)) if _misses(volume, tip, trace)]
     if out:
         bounds = tips[out[0]].GetBounds(), volume.GetBounds()
         show = ["{:g} to {:g}, {:g} to {:g}, {:g} to {:g}".format(*one) for one in bounds]
-        level, frame = 1, sys._getframe()
-        while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-            level, frame = level + 1, frame.f_back  # the line that is shown is the caller's
         which = f" in path {out[0]} (from 0), the first of {len(out)}," if len(tips) > 1 else ""
-        text = f"the way of the tip{which} (x, y, z: {show[0]}) is outside of the volume ({show[1]}), and feels nothing"
-        warnings.warn(text, stacklevel=level)
+        _warn(f"the way of the tip{which} (x, y, z: {show[0]}) is outside of the volume ({show[1]}), and feels nothing")
 
 
 @functools.lru_cache(maxsize=1)
@@ -320,8 +324,9 @@ def touch(
         method or property, "Follow the flow" if it has vectors, or else "Slide along fibres" if it has tensors.
     labels: a segmentation: a vtkImageData of whole numbers with a geometry of its own, or an array [z, y, x] with
         the volume's voxels. Its field data may have the names: see vtkHapticLabelTable.WriteFieldData(). Or a file,
-        .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any; if it has as many voxels as the
-        volume along each axis, it is taken to lie on it, since not all readers of volumes know directions.
+        .seg.nrrd, .nii, .nii.gz, .mha, .mhd or .vti, with its names, if it has any. It lies where it says, if the
+        volume has a place, too, in left-posterior-superior or right-anterior-superior: see image(). Labels that lie
+        elsewhere than a volume without one, or on other voxels, are refused.
     materials: what the labels feel like: {"liver": dict(stiffness=300, surface_strength=1.5), 52: dict(felt=False)},
         by name or number, with the quantities of vtkHapticLabelTable; or such a table, or a file for its
         ReadFile(), or several of these, of which the later ones add to the earlier ones. What is not set comes from
@@ -368,7 +373,8 @@ def touch(
         raise TypeError("touch() takes a preset or a property, not both: call the property's ApplyPreset()")
 
     haptics = vtkVolumeHapticsFilter()
-    with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures:
+    with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures, Errors(
+            haptics, event="WarningEvent") as told:
         coarse = source.GetCoarseImage() if source is not None else None
         configure(haptics, coarse or image, preset, settings, errors, "touch")
         if source is not None:
@@ -379,5 +385,7 @@ def touch(
         set_labels(haptics, image, labels, materials)
         feeling = _Feeling(haptics, errors, failures)
         traces = feeling.feel_all(paths) if several else [feeling.feel(paths[0])]
+    for text in told:
+        _warn(text)
     _warn_outside(image, paths, traces)
     return traces if several else traces[0]

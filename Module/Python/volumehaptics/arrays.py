@@ -52,7 +52,8 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
 def _cure(wrong: object) -> str:
     """A hint how to make a volume of something that is none, if there is a way."""
     if isinstance(wrong, (str, os.PathLike)):
-        return ". Cure: read the file, such as with pyvista.read() or a reader of VTK's"
+        return (". Cure: volumehaptics-explore FILE --write-volume volume.vti writes it where it lies, which readers of VTK's "
+                "and PyVista's do not all know; then read that with pyvista.read() or vtkXMLImageDataReader")
     if isinstance(wrong, vtkAlgorithm):
         return ". Cure: Update() it, and take its GetOutput()"
     if isinstance(wrong, (vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid)):
@@ -65,16 +66,19 @@ def image(
     spacing: Sequence[float] = (1.0, 1.0, 1.0),
     origin: Sequence[float] = (0.0, 0.0, 0.0),
     name: str = "Scalars",
+    direction: Sequence[float] | None = None,
 ) -> vtkImageData:
     """A volume that shares the memory of a NumPy array [z, y, x].
 
-    array: real numbers of 8 to 64 bits, in C's order.
+    array: real numbers of 8 to 64 bits, in C's order. That of nibabel is [x, y, z], and its .T is what is wanted here.
     spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
     origin: the position of the first voxel (world units, mm): x, y and z.
     name: of the point scalars.
+    direction: nine numbers, row by row, whose columns are the directions of the array's x, y and z in the world, of any
+        length: SimpleITK's GetDirection(), or nibabel's affine[:3, :3] with origin=affine[:3, 3]. Default: the world's.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, masked ones,
-    not contiguous and aligned, or a spacing or an origin that is not three numbers.
+    not contiguous and aligned, or a spacing, an origin or a direction that is none.
 
     >>> import numpy as np
     >>> from volumehaptics import image
@@ -91,7 +95,11 @@ def image(
     if np.ma.is_masked(array):
         raise ValueError("the array has masked voxels, which would be felt. Cure: array.filled(VALUE)")
     if not array.flags.c_contiguous:
-        raise ValueError("the array is not contiguous, so that it can't be shared. Cure: np.ascontiguousarray(array)")
+        cure = "np.ascontiguousarray(array)"
+        if abs(array.strides[0]) < abs(array.strides[2]):
+            straight = "array.T" if array.T.flags.c_contiguous else "np.ascontiguousarray(array.T)"
+            cure = f"{straight} if its axes are [x, y, z], as nibabel's are, and {cure} if they are [z, y, x]"
+        raise ValueError(f"the array is not contiguous, so that it can't be shared. Cure: {cure}")
     if not array.flags.aligned:
         raise ValueError("the array's numbers are not aligned in memory, so that it can't be shared. Cure: "
                          "array.copy()")
@@ -102,6 +110,13 @@ def image(
     volume.SetDimensions(array.shape[::-1])
     volume.SetSpacing(spacing)
     volume.SetOrigin(origin)
+    if direction is not None:
+        axes = np.array(direction, float).reshape(-1)
+        lengths = np.linalg.norm(axes.reshape(3, 3), axis=0) if axes.size == 9 else np.zeros(3)
+        axes = axes.reshape(3, 3) / lengths if lengths.all() else np.zeros((3, 3))
+        if not abs(np.linalg.det(axes)) > 1e-6:
+            raise ValueError(f"direction is nine numbers, whose columns are three different directions, not {direction!r}")
+        volume.SetDirectionMatrix(axes.reshape(-1).tolist())
     volume.GetPointData().SetScalars(_shared(array.reshape(-1), name))
     return volume
 

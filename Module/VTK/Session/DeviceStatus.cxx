@@ -59,7 +59,9 @@ std::string Explain(GateReason fault, const SignVerdict& signs, const std::strin
              "its axes, lower the stiffness, then Arm() again.";
     case GateReason::Unattended:
       return "Force faded out: the program did not call the device for longer than AttentionTime. "
-             "Arm() again. If the program is often busy for that long, raise AttentionTime.";
+             "Arm() again. If it is often busy for that long, show less, or smaller data; a "
+             "program "
+             "of your own may raise AttentionTime.";
     default:
       return "";
   }
