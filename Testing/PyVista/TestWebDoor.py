@@ -341,6 +341,25 @@ def test_the_hand_lets_go_of_a_page_that_is_gone(window, hands, monkeypatch, way
     serving(haptics, steps)
 
 
+def test_a_page_that_takes_nothing_stops_no_other(window, hands, monkeypatch):
+    """A computer that sleeps: wslink sends to one page after the other, and waits for each."""
+    monkeypatch.setattr(_webview, "UNANSWERED", 2)
+    haptics = hands().haptics
+
+    async def steps(view, connect):
+        first, second = await (await connect()).show(view), await (await connect()).show(view)
+        await press(first, haptics)
+        await wait(lambda: len(view._heard) == 2, "not both answer")
+        second._task.cancel()  # it reads no more
+        await wait(lambda: len(view._heard) == 1, "it stays")
+        pictures = first.pictures
+        await first.act("MouseWheel", spinY=-1)
+        await wait(lambda: first.pictures > pictures, "the other one gets nothing")
+        assert haptics.style.GetTouchMode() and force(haptics) > 0.01
+
+    serving(haptics, steps)
+
+
 def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch):
     """Without the touch mode, as with a device in the hand of the server's user."""
     monkeypatch.setattr(_webview, "SILENCE", 1.5)
@@ -390,6 +409,9 @@ def test_the_network_is_warned_of(window, hands, monkeypatch):
         async with aiohttp.ClientSession() as session:
             client = Client(await session.ws_connect(f"http://127.0.0.1:{server.port}/ws"))
             assert "error" in await client.hello("wslink-secret")
+            async with session.get(f"http://127.0.0.1:{server.port}/index.html") as page:
+                assert page.headers["Content-Security-Policy"] == "frame-ancestors 'none'"
+                assert view._door.secret not in await page.text()
         view.close()
         await server.stop()
         return [str(one.message) for one in told if "to the whole network" in str(one.message)]

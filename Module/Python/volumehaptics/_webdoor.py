@@ -95,6 +95,7 @@ class Door:
         self._server = weakref.ref(server)
         self._in_frames = in_frames
         self._names = set(HERE)
+        self._requests: dict[str, web.Request] = {}  # of pages that are connected
         server.add_protocol_to_configure(self._configure)
         server.controller.on_server_bind.add(self._bind)
 
@@ -105,6 +106,13 @@ class Door:
     def address(self, host: str, page: str = "", *words: str) -> str:
         query = "&".join([*([f"ui={page}"] if page else []), *words, f"secret={self.secret}"])
         return f"http://{f'[{host}]' if ':' in host else host}:{self._server().port}/index.html?{query}"
+
+    def drop(self, page: str) -> None:
+        """Ends the connection of a page that takes nothing any more: others would wait until it does, as wslink sends to one
+        after the other."""
+        request = self._requests.get(page)
+        if request is not None and request.transport is not None:
+            request.transport.abort()
 
     def _bind(self, web_server: Any) -> None:
         """wslink's server is there, and does not listen yet."""
@@ -162,7 +170,11 @@ class Door:
 
     def _watch(self, handler: Any) -> None:
         """Each message is one frame, which holds it whole: wslink would take memory for what a frame says that comes later."""
-        handle, close = handler.onMessage, handler.onClose
+        connect, handle, close = handler.onConnect, handler.onMessage, handler.onClose
+
+        async def on_connect(request: web.Request, client: str) -> None:
+            self._requests[client] = request
+            await connect(request, client)
 
         async def on_message(is_binary: bool, message: Any, client: str) -> None:
             most = MOST_BYTES if handler.isClientAuthenticated(client) else MOST_UNKNOWN
@@ -176,11 +188,12 @@ class Door:
             await handle(is_binary, message, client)
 
         async def on_close(client: str) -> None:
+            self._requests.pop(client, None)
             for leave in list(self.on_leave):
                 leave(client)
             await close(client)
 
-        handler.onMessage, handler.onClose = on_message, on_close
+        handler.onConnect, handler.onMessage, handler.onClose = on_connect, on_message, on_close
 
 
 _doors: weakref.WeakKeyDictionary[Any, Door] = weakref.WeakKeyDictionary()

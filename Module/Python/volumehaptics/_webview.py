@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ._plotting import Haptics
 
 SILENCE = 3.0  # s without an answer of the page that leads the hand, after which the hand lets go
+UNANSWERED = 5  # questions, one a second, after which a page is gone: it can come again
 QUALITY = 85  # of JPEG
 MOST_PIXELS = 1.6e6  # of a picture; a finer display gets it enlarged
 MOST_WIDE = 8192  # pixels of a page's side; more is no display's
@@ -106,6 +107,7 @@ class View:
         self.leader: str | None = None  # the page that leads the hand
         self._door = door_of(server)
         self._sizes: dict[str | None, tuple[float, float, float]] = {}  # of pages
+        self._heard: dict[str, int] = {}  # the question that each page has answered last
         self._move: tuple[dict[str, Any], str | None] | None = None
         self._owed = False
         self._drawing = False
@@ -161,6 +163,7 @@ class View:
     def _leave_with(self, page: str) -> None:
         """A page has gone: if it has led, nobody holds the mouse any more."""
         self._sizes.pop(page, None)
+        self._heard.pop(page, None)
         if page == self.leader:
             self._leave()
 
@@ -262,12 +265,20 @@ class View:
             self.haptics.device.Disarm()
 
     def _ask(self, number: int) -> None:
+        for page, heard in list(self._heard.items()):
+            if number - heard > UNANSWERED:
+                self._door.drop(page)
         self._asked = {number: time.monotonic()}
         self._show("ping", number)
 
     def _answer(self, number: int) -> None:
+        page = page_now()
         asked = self._asked.get(number) if isinstance(number, int) else None
-        if asked is not None and self._may_lead(page_now()):
+        if asked is None:
+            return
+        if page is not None:
+            self._heard[page] = number
+        if self._may_lead(page):
             self._answered = time.monotonic()
             self.round_trip = self._answered - asked
 
