@@ -242,9 +242,9 @@ public:
 
   ///@{
   /**
-   * Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the
-   * distance r from the proxy at which materials are picked (fig. 4): larger ones are smoother
-   * and feel less detail. Default 2.
+   * Radius of the gradient kernel in voxels, 1 to 16. So many voxels along the normal (with the
+   * solver Paper, times the largest spacing) is the distance r from the proxy at which materials
+   * are picked (fig. 4): larger ones are smoother and feel less detail. Default 2.
    */
   vtkSetClampMacro(KernelRadius, int, 1, 16);
   vtkGetMacro(KernelRadius, int);

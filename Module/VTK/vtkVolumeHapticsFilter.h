@@ -16,7 +16,8 @@
  *   x_p += (x_0 - x_p) min(1, R / (k |x_0 - x_p|))                                (eq. 14)
  *
  * (solver PAPER). d is computed again in each line; k, mu and T_N belong to the value at x_s = x_0
- * + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest spacing.
+ * + r N and R to that at x_v = x_0 - r N (fig. 4); r is KernelRadius times the largest spacing (all
+ * but PAPER: KernelRadius voxels along N).
  * Beyond the volume the border's value continues and there is no surface; over the last
  * KernelRadius voxels inside the volume surfaces fade. A sample that is NaN or infinite makes no
  * surface, and has the value of the first finite corner of the volume (0 if no corner is finite).

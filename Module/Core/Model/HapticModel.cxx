@@ -31,6 +31,22 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
   return baked.Labels ? baked.Labels->IndexToWorld : baked.IndexToWorld;
 }
 
+/** Whether voxels are cubes but for rounding: then each direction has the same length. */
+bool IsOfCubes(const Matrix3& indexToWorld)
+{
+  constexpr double rounding = 1e-9;
+  const double largest = LargestColumn(indexToWorld);
+  const Matrix3 columns = Transpose(indexToWorld);
+  return std::fmin(Norm(columns.Row[0]), std::fmin(Norm(columns.Row[1]), Norm(columns.Row[2]))) >=
+    (1.0 - rounding) * largest;
+}
+
+/** Of the paper's solver, r is one number. */
+bool IsOfPaper(const HapticSettings& settings)
+{
+  return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;
+}
+
 /** World units: KernelRadius voxels of the coarser image. */
 double FindLabelReach(const BakedVolume& baked)
 {
@@ -92,21 +108,37 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
       Transpose(this->DeviceToWorldRotation) * Transpose(Inverse(this->Baked->IndexToWorld.Linear)))
   , FallbackNormal(
       MakeFallbackNormal(Inverse(deviceToWorld.Linear) * this->Baked->IndexToWorld.Linear))
+  , HasLengthByDirection(
+      !IsOfPaper(this->Baked->Settings) && !IsOfCubes(this->Baked->IndexToWorld.Linear))
   , KernelLength(
       this->Baked->Kernel.Radius * this->Baked->LargestSpacing / SimilarityScale(deviceToWorld))
   , InverseRadius(1.0 / this->Baked->Kernel.Radius)
   , GradientToReach(this->KernelLength * (this->DeviceToIndex.Linear * this->GradientToDevice))
-  , FallbackReach(this->DeviceToIndex.Linear * (this->KernelLength * this->FallbackNormal))
+  , FallbackReach(this->DeviceToIndex.Linear *
+      (this->KernelLengthAlong(this->FallbackNormal) * this->FallbackNormal))
   , Resident(this->Baked->Field.GetView(), this->Baked->ResidentShare)
   , IndexToLabel(MakeIndexToLabel(*this->Baked))
   , DeviceToLabel(Compose(this->IndexToLabel, this->DeviceToIndex))
   , LabelGradientToDevice(Transpose(this->DeviceToWorldRotation) *
       Transpose(Inverse(LabelToWorld(*this->Baked).Linear)))
+  , HasLabelLengthByDirection(this->HasLengthByDirection ||
+      (!IsOfPaper(this->Baked->Settings) && !IsOfCubes(LabelToWorld(*this->Baked).Linear)))
   , LabelReach(FindLabelReach(*this->Baked) / this->WorldUnitsPerMeter)
   , LabelGradientToReach(
       this->LabelReach * (this->DeviceToIndex.Linear * this->LabelGradientToDevice))
   , MostStepsPerMeter(FindMostSteps(*this))
 {
+}
+
+double HapticModel::LabelReachAlong(const Vector3& normal) const noexcept
+{
+  if (!this->HasLabelLengthByDirection)
+  {
+    return this->LabelReach;
+  }
+  const double steps =
+    std::fmin(Norm(this->DeviceToIndex.Linear * normal), Norm(this->DeviceToLabel.Linear * normal));
+  return this->Baked->Kernel.Radius / steps;
 }
 
 std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const

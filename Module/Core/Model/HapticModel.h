@@ -56,11 +56,20 @@ public:
   /** Stands in for the normal without a gradient: the volume's third axis. */
   const Vector3 FallbackNormal;
   /**
-   * KernelRadius times the largest spacing, in metres: the distance of x_s and x_v from the proxy.
+   * Whether the kernel's length depends on the direction: KernelRadius voxels along it. It does not
+   * if voxels are cubes, nor with the solver PAPER.
+   */
+  const bool HasLengthByDirection;
+  /**
+   * KernelRadius times the largest spacing, in metres: with the solver PAPER and for cubes, the
+   * distance of x_s and x_v from the proxy; for all others, the largest one.
    */
   const double KernelLength;
   const double InverseRadius; ///< 1/KernelRadius
-  /** Turns a gradient per index step, over its magnitude in device space, into x_s - x_p. */
+  /**
+   * Turns a gradient per index step, over its magnitude in device space, into x_s - x_p at
+   * KernelLength: see FindReach.
+   */
   const Matrix3 GradientToReach;
   /** x_s - x_p, as index steps, without a gradient. */
   const Vector3 FallbackReach;
@@ -72,12 +81,32 @@ public:
   ///@}
   /** Turns a gradient per index step of the label image into one per world unit on device axes. */
   const Matrix3 LabelGradientToDevice;
-  /** The distance (m) of x_s and x_v from a proxy at a wall between labels. */
+  /**
+   * As HasLengthByDirection and KernelLength, at a wall between labels: KernelRadius voxels of the
+   * coarser image.
+   */
+  const bool HasLabelLengthByDirection;
   const double LabelReach;
-  /** Turns a gradient per index step of the label image, over its magnitude, into x_s - x_p. */
+  /** As GradientToReach, of a gradient per index step of the label image and LabelReach. */
   const Matrix3 LabelGradientToReach;
   /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
+
+  /** The distance (m) of x_s and x_v from a proxy whose surface has this normal, a unit or zero. */
+  double KernelLengthAlong(const Vector3& normal) const noexcept
+  {
+    return this->HasLengthByDirection
+      ? this->Baked->Kernel.Radius / std::fmax(Norm(this->DeviceToIndex.Linear * normal), 1e-300)
+      : this->KernelLength;
+  }
+  /** x_s - x_p (index steps), of a vector in its direction; that of GradientToReach for cubes. */
+  Vector3 FindReach(const Vector3& direction) const noexcept
+  {
+    return this->HasLengthByDirection ? (this->Baked->Kernel.Radius / Norm(direction)) * direction
+                                      : direction;
+  }
+  /** As KernelLengthAlong, at a wall between labels. */
+  double LabelReachAlong(const Vector3& normal) const noexcept;
 
   bool IsCutAway(const Vector3& world) const noexcept
   {

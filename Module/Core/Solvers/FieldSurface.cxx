@@ -23,7 +23,8 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
   }
   surface = Surface{};
   surface.Normal = (-1.0 / magnitude) * gradient;
-  surface.Reach = model.DeviceToIndex.Linear * (model.LabelReach * surface.Normal);
+  surface.Reach =
+    model.DeviceToIndex.Linear * (model.LabelReachAlong(surface.Normal) * surface.Normal);
   surface.GradientMagnitude = magnitude;
   surface.Value = -place.Distance;
   surface.Fade = std::min(1.0, 1.0 + depth / zone.GetTolerance());
@@ -67,7 +68,9 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
   const double magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * magnitude;
   surface.Normal = inverse * gradient;
-  surface.Reach = inverse * (model.LabelGradientToReach * wall.Gradient);
+  surface.Reach = model.HasLabelLengthByDirection
+    ? model.DeviceToIndex.Linear * (model.LabelReachAlong(surface.Normal) * surface.Normal)
+    : inverse * (model.LabelGradientToReach * wall.Gradient);
   surface.GradientMagnitude = magnitude;
   surface.Value = wall.Value;
   surface.Fade = std::min(model.BorderFade(index), baked.Walls->BorderFade(labelIndex));

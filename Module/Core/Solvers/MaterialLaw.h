@@ -112,7 +112,7 @@ VOLUME_HAPTICS_INLINE bool FindSlope(
   slope.Magnitude = std::sqrt(square);
   const double inverse = (1.0 / square) * slope.Magnitude;
   slope.Normal = inverse * gradient;
-  slope.Reach = inverse * (model.GradientToReach * sample.Gradient);
+  slope.Reach = model.FindReach(inverse * (model.GradientToReach * sample.Gradient));
   return true;
 }
 

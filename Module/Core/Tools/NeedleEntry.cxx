@@ -92,7 +92,7 @@ HeldAt FindHeld(const HapticModel& model, const NeedleTissueReader& reader,
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
   if (held.Push > 0.0)
   {
-    held.Behind = reader.At(before.Proxy + model.KernelLength * held.Normal);
+    held.Behind = reader.At(before.Proxy + model.KernelLengthAlong(held.Normal) * held.Normal);
   }
   held.Strength = std::max(before.SurfaceStrength, record.SurfaceStrength);
   return held;
@@ -113,7 +113,7 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
   const double lag = Dot(record.Tip - record.Proxy, axis);
   const bool isForwards = Dot(record.Tip - before.Tip, axis) >= 0.0;
   return held.IsWhole() || (isForwards && lag < (1.0 - BreakShare) * lagBefore) ||
-    pushed > MostPushed * model.KernelLength;
+    pushed > MostPushed * model.KernelLengthAlong(axis);
 }
 
 /** What holds at the puncture of a surface: T, and R as far as it is not that at the entry. */
@@ -201,7 +201,7 @@ void EnterNeedle(
   }
   const NeedleTissue there = reader.At(record.Proxy);
   // A label with a strength has a surface, if it has one at all, within a kernel length.
-  const Vector3 behind = record.Proxy - model.KernelLength * axis;
+  const Vector3 behind = record.Proxy - model.KernelLengthAlong(axis) * axis;
   const bool hasSurface = there.Puncture > 0.0 && reader.At(behind).Label != there.Label;
   const double stiffness = there.Resists() ? reader.Stiffness(record.Proxy) : 0.0;
   if (hasSurface || !(stiffness > HapticModel::MinimumStiffness))
@@ -213,7 +213,7 @@ void EnterNeedle(
     isAtOnce ? FindFirstResistance(reader, before.Proxy, record.Proxy) : before.Proxy;
   const bool hasNormal = record.GradientMagnitude > 0.0;
   Begin(state, entry, axis, hasNormal ? record.Normal : Vector3{}, stiffness);
-  BeginTrack(reader, isAtOnce ? 0.0 : model.KernelLength, needle);
+  BeginTrack(reader, isAtOnce ? 0.0 : model.KernelLengthAlong(axis), needle);
   StepNeedle(model, state, record);
 }
 

@@ -32,9 +32,9 @@ public:
     , Tip(tip)
     , Proxy(state.Proxy)
     , Stiffness(Law::Capped(state.Needle.Stiffness, model.Caps.Stiffness))
-    , KernelLength(model.KernelLength)
     , LateralStrength(model.Baked->Tool->LateralStrength)
     , Axis(state.HasOrientation ? AxisOfStylus(state.Orientation) : state.Needle.Axis)
+    , KernelLength(model.KernelLengthAlong(this->Axis))
   {
     this->Needle.Axis = this->Axis;
     this->Step = this->Reader.FindStep(this->Axis);
@@ -286,9 +286,9 @@ private:
   const Vector3 Tip;
   Vector3 Proxy;
   const double Stiffness;
-  const double KernelLength;
   const double LateralStrength;
   const Vector3 Axis;
+  const double KernelLength; ///< m, along the axis
   double Step = 0.0;
   NeedleTissue Here;     ///< around the tip
   double Strength = 0.0; ///< N, of the boundary or surface that holds the tip

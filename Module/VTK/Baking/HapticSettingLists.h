@@ -82,9 +82,9 @@ inline constexpr FilterSetting All[] = {
     "voxels, which noise disturbs least. Cubic B-spline: the analytic derivative of a smoothing "
     "cubic B-spline over 64 voxels."),
   HapticIntegerMacro(KernelRadius, 1, 16, 2, "voxels", &D::KernelRadius,
-    "Radius of the gradient kernel in voxels, 1 to 16. Times the largest spacing it is the "
-    "distance r from the proxy at which materials are picked (fig. 4): larger ones are smoother "
-    "and feel less detail. Default 2."),
+    "Radius of the gradient kernel in voxels, 1 to 16. So many voxels along the normal (with the "
+    "solver Paper, times the largest spacing) is the distance r from the proxy at which materials "
+    "are picked (fig. 4): larger ones are smoother and feel less detail. Default 2."),
   HapticNumberMacro(ServoRate, 1.0, 1e5, 1000.0, "Hz", NotBaked,
     "Ticks per second (Hz), 1 to 100000. Default 1000."),
   HapticNumberMacro(MetersPerWorldUnit, 1e-12, 1e12, 0.001, "", NotBaked,

@@ -329,7 +329,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   Copy(rotation * record.Normal, this->Normal);
   // Fig. 4: on both sides of the proxy at the beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
-  const Vector3 reach = (model ? model->KernelLength : 0.0) * record.Normal;
+  const Vector3 reach = (model ? model->KernelLengthAlong(record.Normal) : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);
   Copy(toWorld(start - reach), this->MediumPosition);
   for (std::size_t mode = 0; mode < this->State.Modes.size(); ++mode)

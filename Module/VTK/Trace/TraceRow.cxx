@@ -47,7 +47,7 @@ struct RowFiller
 
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record)
 {
-  const double reach = record.Depth > 0.0 ? 0.0 : model.KernelLength;
+  const double reach = record.Depth > 0.0 ? 0.0 : model.KernelLengthAlong(record.Normal);
   const std::int64_t label = model.LabelAtDevice(record.Proxy + reach * record.Normal);
   return label == NoLabel ? 0 : label;
 }

@@ -424,8 +424,11 @@ TEST(LabelWallsReference, AgreesWithTheSurfaceOfAnAnisotropicLabelImage)
     EXPECT_NEAR(surface.Value, expected.Value, 1e-8);
     EXPECT_NEAR(surface.GradientMagnitude, Norm(gradient), 1e-6);
     EXPECT_LT(Norm(surface.Normal - (1.0 / Norm(gradient)) * gradient), 1e-4);
-    // Of the kernel's radius of 2, in voxels of the coarser image: 5 mm.
-    EXPECT_LT(Norm(surface.Reach - 5.0 * surface.Normal), 1e-9);
+    // Of the kernel's radius of 2, in voxels along the normal, of the coarser image there.
+    const Vector3 n = surface.Normal;
+    const double voxels =
+      std::min(1.0, Norm({ n.X / spacing.X, n.Y / spacing.Y, n.Z / spacing.Z }));
+    EXPECT_LT(Norm(surface.Reach - (2.0 / voxels) * n), 1e-9);
   }
   EXPECT_GT(compared, 100);
 }

@@ -221,16 +221,20 @@ private:
     const Vector3 first = (1.0 / Norm(side)) * side;
     const Vector3 axes[2] = { first, Cross(normal, first) };
     Vector3 change[2];
+    double reach[2]; // of the kernel
     for (int i = 0; i < 2; ++i)
     {
+      reach[i] = this->Model.HasLengthByDirection
+        ? this->Model.Baked->Kernel.Radius / Norm(this->WorldToIndex.Linear * axes[i])
+        : step;
       Vector3 ahead;
       Vector3 behind;
-      if (!this->FindNormal(foot + step * axes[i], ahead) ||
-        !this->FindNormal(foot - step * axes[i], behind))
+      if (!this->FindNormal(foot + reach[i] * axes[i], ahead) ||
+        !this->FindNormal(foot - reach[i] * axes[i], behind))
       {
         return {};
       }
-      change[i] = (0.5 / step) * (ahead - behind);
+      change[i] = (0.5 / reach[i]) * (ahead - behind);
     }
     const double a = Dot(change[0], axes[0]);
     const double b = Dot(change[1], axes[1]);
@@ -239,7 +243,10 @@ private:
       Sum(Sum(Product(axes[0], axes[0], 0.5 * a), Product(axes[1], axes[1], 0.5 * b)),
         Product(axes[0], axes[1], mixed));
     // A bend tighter than the kernel is noise.
-    const double most = std::sqrt(a * a + b * b + 2.0 * mixed * mixed) * step;
+    const double bendA = a * (reach[0] / step);
+    const double bendB = b * (reach[1] / step);
+    const double twist = mixed * (std::sqrt(reach[0] * reach[1]) / step);
+    const double most = std::sqrt(bendA * bendA + bendB * bendB + 2.0 * twist * twist) * step;
     const double share = std::min(1.0, 1.0 / most);
     return { share * curvature.Diagonal, share * curvature.Mixed };
   }

@@ -191,7 +191,8 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
 
 double PreciseSurroundings::FindRise(const Law::Slope& slope) const noexcept
 {
-  return slope.Magnitude * this->Model.KernelLength * this->Model.WorldUnitsPerMeter;
+  return slope.Magnitude * this->Model.KernelLengthAlong(slope.Normal) *
+    this->Model.WorldUnitsPerMeter;
 }
 
 ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope& slope,

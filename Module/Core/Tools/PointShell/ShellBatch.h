@@ -43,6 +43,7 @@ struct ShellFrame
   double UnitsPerMeter;
   double Voxel;        ///< m
   double KernelLength; ///< m
+  double KernelRadius; ///< voxels, if it counts along each direction instead; else 0
 };
 
 /** Where a tool is. */

@@ -41,6 +41,7 @@ ShellFrame MakeFrame(const HapticModel& model, double voxel) noexcept
   frame.UnitsPerMeter = model.WorldUnitsPerMeter;
   frame.Voxel = voxel;
   frame.KernelLength = model.KernelLength;
+  frame.KernelRadius = model.HasLengthByDirection ? model.Baked->Kernel.Radius : 0.0;
   return frame;
 }
 

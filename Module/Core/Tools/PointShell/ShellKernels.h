@@ -74,7 +74,9 @@ VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   const FourVectors index = LoadVectors(batch.Index, i);
   const FourVectors foot = { index.X - depth * along.X, index.Y - depth * along.Y,
     index.Z - depth * along.Z };
-  const double reach = frame.KernelLength;
+  const Double4 reach = frame.KernelRadius > 0.0
+    ? Spread(frame.KernelRadius) / Root(DotOf(along, along))
+    : Spread(frame.KernelLength);
   StoreVectors(normal, batch.Normal, i);
   StoreDouble4(magnitude, batch.Magnitude + i);
   StoreDouble4(beyond, batch.Beyond + i);
