@@ -14,10 +14,11 @@
  *   Viscosity        R (N, >= 0, default 0), of the value outside the surface, V(x_v)
  *   Distinctness     W_d (0 to 1, default from the noise), of the gradient magnitude at the proxy
  *
- * The gradient magnitude is in scalar units per world unit (HU/mm for CT), never per voxel. A
- * surface holds the proxy up to T_N W_d newtons; beyond that it is penetrated. A huge T_N makes a
- * surface impenetrable, 0 makes it penetrable without resistance. The viscosity is a Coulomb drag
- * ("3-D friction"): R newtons against any motion. Below 0.001 N/m of stiffness nothing is felt.
+ * The gradient magnitude is in scalar units per world unit (HU/mm for CT), never per voxel; see
+ * DistinctnessPerMillimeter. A surface holds the proxy up to T_N W_d newtons; beyond that it is
+ * penetrated. A huge T_N makes a surface impenetrable, 0 makes it penetrable without resistance.
+ * The viscosity is a Coulomb drag ("3-D friction"): R newtons against any motion. Below 0.001 N/m
+ * of stiffness nothing is felt.
  *
  * Presets fill all of them. Presets of one's own are files:
  *
@@ -95,7 +96,8 @@ public:
   ///@{
   /**
    * Distinctness W_d (0 to 1), which scales the surface strength (eq. 13), against the gradient
-   * magnitude in scalar units per world unit. Without points: see DistinctnessFromNoise.
+   * magnitude in scalar units per world unit. Without points: see DistinctnessFromNoise; per
+   * millimetre: see DistinctnessPerMillimeter.
    */
   void SetDistinctness(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetDistinctness();
@@ -123,6 +125,20 @@ public:
   /** Sets NoiseRamp; called by the baker. Does not change MTime. */
   void NoteNoiseRamp(double start, double full);
 #endif
+
+  ///@{
+  /**
+   * Whether the gradient magnitudes of Distinctness are in scalar units per millimetre of the hand.
+   * On, as presets with a Distinctness of their own set it: vtkVolumeHapticsFilter's
+   * MetersPerWorldUnit makes them magnitudes per world unit, so that a volume feels the same
+   * whether its world is in um, mm or m. Off (default): they are per world unit. With the default
+   * MetersPerWorldUnit of 0.001 both are the same. A vtkHapticDevice that is placed by a
+   * DeviceToWorld of another scale enlarges what is felt, and leaves its surfaces as they are.
+   */
+  vtkSetMacro(DistinctnessPerMillimeter, bool);
+  vtkGetMacro(DistinctnessPerMillimeter, bool);
+  vtkBooleanMacro(DistinctnessPerMillimeter, bool);
+  ///@}
 
   ///@{
   /**
@@ -203,12 +219,12 @@ public:
   ///@{
   /**
    * A preset of one's own as a file (JSON, readable), to keep and to share: the five functions to
-   * the bit, the tissues, the surface side, DistinctnessFromNoise and ScalarsAreLabels, but neither
-   * the component nor the visibility. WritePreset replaces an existing file only after the whole
-   * new one is on the disk. ReadPreset fills the functions in place; what the file lacks gets its
-   * default. Both return false, with an error that names the file and the cure, if that fails;
-   * nothing has changed then. Give the file a name that ends in ".json", so that ApplyPreset()
-   * takes it.
+   * the bit, the tissues, the surface side, DistinctnessFromNoise, DistinctnessPerMillimeter and
+   * ScalarsAreLabels, but neither the component nor the visibility. WritePreset replaces an
+   * existing file only after the whole new one is on the disk. ReadPreset fills the functions in
+   * place; what the file lacks gets its default. Both return false, with an error that names the
+   * file and the cure, if that fails; nothing has changed then. Give the file a name that ends in
+   * ".json", so that ApplyPreset() takes it.
    */
   bool WritePreset(const char* file);
   bool ReadPreset(const char* file);
@@ -318,6 +334,7 @@ protected:
   int Component = 0;
   int SurfaceSide = HIGHER;
   bool DistinctnessFromNoise = true;
+  bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
   double NoiseRamp[2] = { 0.0, 0.0 };
   vtkSmartPointer<vtkTable> ProposedBoundaries;

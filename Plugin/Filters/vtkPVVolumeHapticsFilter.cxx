@@ -124,6 +124,12 @@ void vtkPVVolumeHapticsFilter::SetDistinctnessFromNoise(bool fromNoise)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetDistinctnessPerMillimeter(bool perMillimeter)
+{
+  this->Choose(this->DistinctnessPerMillimeter, perMillimeter);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetScalarsAreLabels(bool areLabels)
 {
   this->Choose(this->ScalarsAreLabels, areLabels);
@@ -199,6 +205,7 @@ void vtkPVVolumeHapticsFilter::FillProperty()
     property->GetDistinctness()->RemoveAllPoints();
   }
   property->SetDistinctnessFromNoise(this->DistinctnessFromNoise);
+  property->SetDistinctnessPerMillimeter(this->DistinctnessPerMillimeter);
   property->SetScalarsAreLabels(this->ScalarsAreLabels);
   property->SetSurfaceSide(this->SurfaceSide);
 }
@@ -480,6 +487,8 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViscosityScale: " << this->Viscosity.Scale << " N\n";
   os << indent << "SurfaceStrengthScale: " << this->SurfaceStrength.Scale << " N\n";
   os << indent << "DistinctnessFromNoise: " << (this->DistinctnessFromNoise ? "On" : "Off") << "\n";
+  os << indent << "DistinctnessPerMillimeter: " << (this->DistinctnessPerMillimeter ? "On" : "Off")
+     << "\n";
   os << indent << "ScalarsAreLabels: " << (this->ScalarsAreLabels ? "On" : "Off") << "\n";
   os << indent << "SurfaceSide: " << this->SurfaceSide << "\n";
   for (const std::string& file : this->LabelFiles)

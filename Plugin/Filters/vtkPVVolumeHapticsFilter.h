@@ -60,9 +60,10 @@ public:
   ///@{
   /**
    * On (default): distinctness keeps noise from being felt, and its function is unused until this
-   * is off.
+   * is off. PerMillimeter: that of the property, of the function.
    */
   void SetDistinctnessFromNoise(bool fromNoise);
+  void SetDistinctnessPerMillimeter(bool perMillimeter);
   void SetDistinctnessFunction(vtkPiecewiseFunction* function);
   ///@}
 
@@ -195,6 +196,7 @@ private:
   Curve SurfaceStrength;
   Curve Distinctness;
   bool DistinctnessFromNoise = true;
+  bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
   int SurfaceSide = 0;
   vtkTimeStamp Chosen; // when a setting of the material was last made

@@ -82,6 +82,8 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   this->CopyFunction("Distinctness", property->GetDistinctness());
   const bool isFromNoise = property->GetDistinctness()->GetSize() == 0;
   vtkSMPropertyHelper(this, "DistinctnessFromNoise").Set(isFromNoise);
+  vtkSMPropertyHelper(this, "DistinctnessPerMillimeter")
+    .Set(property->GetDistinctnessPerMillimeter());
   vtkSMPropertyHelper(this, "ScalarsAreLabels").Set(property->GetScalarsAreLabels());
   vtkSMPropertyHelper(this, "SurfaceSide").Set(property->GetSurfaceSide());
   vtkSMPropertyHelper(this, "Preset").Set("Custom");

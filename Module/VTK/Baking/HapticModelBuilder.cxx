@@ -72,9 +72,12 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
     MaskAbove(ToPolyline(volume->GetGradientOpacity(component), 1.0), 0.0, 1.0 / average);
 }
 
-/** Keeps noise from being felt unless the user has set the gradient of a surface. */
-void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
-  int component, const WholeFacts& whole, HapticModelDescription& d)
+/**
+ * Keeps noise from being felt unless the user has set the gradient of a surface, which becomes one
+ * per world unit.
+ */
+void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)
 {
   Polyline ramp;
   if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
@@ -86,6 +89,15 @@ void BakeNoiseRamp(vtkHapticProperty* property, vtkImageData* image, vtkDataArra
   if (!ramp.empty())
   {
     d.Material.Distinctness = ramp;
+  }
+  else if (property->GetDistinctnessPerMillimeter())
+  {
+    // 1 for a world of millimetres, exactly.
+    const double millimetersPerUnit = metersPerWorldUnit / 1e-3;
+    for (Vertex& vertex : d.Material.Distinctness)
+    {
+      vertex.X *= millimetersPerUnit;
+    }
   }
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
@@ -360,7 +372,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
       return nullptr;
     }
   }
-  BakeNoiseRamp(property, image, scalars, component, whole, d);
+  BakeDistinctness(property, image, scalars, component, whole, options.MetersPerWorldUnit, d);
   if (!d.Frames.empty())
   {
     // The source may write the next step to the memory of the image.

@@ -44,6 +44,7 @@ struct HapticModelOptions
   vtkHapticTool* Tool = nullptr;     ///< null for a point
   vtkHapticRemoval* Removal = nullptr;
   const HapticCut* Cut = nullptr; ///< null if nothing is cut away
+  double MetersPerWorldUnit = 0.001;
 };
 
 /** The shape that all frames of a volume have. */

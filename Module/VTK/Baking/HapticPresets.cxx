@@ -28,8 +28,9 @@ struct Preset
 {
   const char* Name;
   std::vector<Tissue> Tissues;
-  double DistinctnessStart; ///< gradient magnitude at which a surface begins to be felt
-  double DistinctnessFull;  ///< from which on it is felt fully; 0: distinctness from the noise
+  /** Gradient magnitude, per millimetre, at which a surface begins to be felt. */
+  double DistinctnessStart;
+  double DistinctnessFull; ///< from which on it is felt fully; 0: distinctness from the noise
   int Side;
   bool IsOfLabels = false;
 };
@@ -164,6 +165,7 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       {
         property->DistinctnessFromNoiseOn();
       }
+      property->SetDistinctnessPerMillimeter(preset.DistinctnessFull > 0.0);
       property->RemoveAllTissues();
       for (const Tissue& tissue : preset.Tissues)
       {

@@ -191,6 +191,9 @@ inline constexpr PropertySetting All[] = {
     "Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces. "
     "On (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on; "
     "the noise is estimated from the flattest blocks of the image."),
+  HapticFlagMacro(DistinctnessPerMillimeter, false, NotBaked,
+    "Whether the gradient magnitudes of Distinctness are in scalar units per millimetre of the "
+    "hand."),
   HapticFlagMacro(ScalarsAreLabels, false, NotBaked,
     "Whether the scalars are labels, a segmentation that is touched itself. Off (default): they "
     "are values, and what lies between two of them is a value, too."),

@@ -211,6 +211,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   options.Tool = this->Filter->Tool;
   options.Removal = this->Filter->Removal;
   options.Cut = this->Filter->Cut.get();
+  options.MetersPerWorldUnit = this->Filter->MetersPerWorldUnit;
   vtkDataObject* const surface = this->Filter->GetInputDataObject(2, 0);
   options.Surface = vtkPolyData::SafeDownCast(surface);
   if (surface && !options.Surface && this->Filter->Method == vtkVolumeHapticsFilter::SURFACE_PROXY)

@@ -219,6 +219,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
   Replace(property->GetViscosity(), proposal.Viscosity);
   Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength);
   Replace(property->GetDistinctness(), proposal.Distinctness);
+  property->DistinctnessPerMillimeterOff();
   property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
       : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
                                                                  : vtkHapticProperty::BOTH);

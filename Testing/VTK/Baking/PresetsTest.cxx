@@ -220,8 +220,10 @@ TEST_F(Presets, EveryPresetMakesSense)
     {
       EXPECT_EQ(distinct->GetSize(), 0);
       EXPECT_TRUE(used->GetDistinctnessFromNoise());
+      EXPECT_FALSE(used->GetDistinctnessPerMillimeter());
       continue;
     }
+    EXPECT_TRUE(used->GetDistinctnessPerMillimeter());
     EXPECT_EQ(distinct->GetValue(0.0), 0.0);
     EXPECT_EQ(distinct->GetValue(1e4), 1.0);
   }

@@ -7,7 +7,11 @@
 
 #include "Rigs/ApiRig.h"
 
+#include <vtkStringArray.h>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 using namespace apitest;
 
@@ -19,6 +23,68 @@ protected:
   double Force(vtkIdType tick, int axis = 2)
   {
     return Get(this->Filter->GetOutput(), "Force", tick, axis);
+  }
+
+  /**
+   * A ball of 7 mm around (12, 12, 12) mm, of a value in another one, and a path that presses 2 mm
+   * into it and slides, in a world with so many units to a millimetre. Felt at life size.
+   */
+  void SetBall(double units, double low, double high)
+  {
+    std::uint32_t random = 1;
+    this->Image = MakeImage(25, VTK_DOUBLE,
+      [&](const Point& p)
+      {
+        random = random * 1664525U + 1013904223U;
+        const double noise =
+          2e-3 * (high - low) * (static_cast<double>(random >> 8) * 0x1p-24 - 0.5);
+        const double r = std::hypot(p[0] - 12.0, p[1] - 12.0, p[2] - 12.0);
+        return low + (high - low) * 0.5 * std::erfc((r - 7.0) / 0.9) + noise;
+      });
+    this->Image->SetSpacing(units, units, units);
+    this->Filter->SetInputDataObject(0, this->Image);
+    this->Filter->SetMetersPerWorldUnit(1e-3 / units);
+    std::vector<Point> points = Line({ 12.6, 11.3, 2 }, { 12.6, 11.3, 7 }, 50);
+    const std::vector<Point> slide = Line({ 12.7, 11.3, 7 }, { 14.6, 11.3, 7 }, 20);
+    points.insert(points.end(), slide.begin(), slide.end());
+    for (Point& point : points)
+    {
+      for (double& x : point)
+      {
+        x *= units;
+      }
+    }
+    this->Filter->SetPathData(MakePath(points));
+  }
+
+  /**
+   * Presses into the ball in worlds of other units, against that of mm. PAPER's steps make much of
+   * rounding, which there is none of with powers of two.
+   */
+  void ExpectSameForces(double low, double high, double leastForce, bool isExact = false)
+  {
+    this->SetBall(1.0, low, high);
+    const auto millimeters = (this->Run(72), Keep(this->Filter));
+    double most = 0.0;
+    const std::vector<double> worlds = isExact
+      ? std::vector<double>{ 1024.0, 0.125, 0x1p-10, 0x1p-20 }
+      : std::vector<double>{ 1e3, 0.1, 1e-3, 1e-6 }; // um, cm, m, km
+    for (const double units : worlds)
+    {
+      SCOPED_TRACE(testing::Message() << units << " units to a millimetre");
+      this->SetBall(units, low, high);
+      this->Run(72);
+      for (vtkIdType tick = 0; tick < 72; ++tick)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double expected = Get(millimeters, "Force", tick, axis);
+          EXPECT_NEAR(this->Force(tick, axis), expected, 1e-9) << "tick " << tick;
+          most = std::max(most, std::abs(expected));
+        }
+      }
+    }
+    EXPECT_GE(most, leastForce);
   }
 };
 } // namespace
@@ -119,4 +185,57 @@ TEST_F(FilterUnits, MaximumStiffnessCapsTheMaterial)
   EXPECT_NEAR(this->Force(10), -0.2, 1e-9);
   this->Filter->SetMaximumStiffness(600.0);
   EXPECT_EQ(Get(this->Run(51), "Stiffness", 10), 500.0);
+}
+
+// The same bodies and the same hand: whatever unit their lengths have, the forces are the same.
+TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
+{
+  vtkStringArray* const names = vtkHapticProperty::GetPresetNames();
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    const vtkStdString name = names->GetValue(i);
+    if (name == "Labels")
+    {
+      continue; // walls between whole numbers, without a gradient of values
+    }
+    this->Property->ApplyPreset(name.c_str());
+    for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
+    {
+      SCOPED_TRACE(testing::Message() << name << ", solver " << solver);
+      this->Filter->SetSolver(solver);
+      const bool isGrey = name == "MRI" || name == "Micro-CT";
+      this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02,
+        solver == vtkVolumeHapticsFilter::PAPER);
+    }
+  }
+}
+
+TEST_F(FilterUnits, MethodsFeelTheSameInAWorldOfAnyUnit)
+{
+  this->Property->ApplyPreset("CT contrast");
+  this->Filter->SetIsoValue(-400.0);
+  for (const int method :
+    { vtkVolumeHapticsFilter::SURFACE_PROXY, vtkVolumeHapticsFilter::LOCAL_SURFACE })
+  {
+    SCOPED_TRACE(method);
+    this->Filter->SetMethod(method);
+    this->ExpectSameForces(-1000.0, 60.0, 0.1);
+  }
+}
+
+TEST_F(FilterUnits, DistinctnessOfOnesOwnIsPerWorldUnit)
+{
+  // 100 a millimetre: half distinct.
+  this->Property->GetDistinctness()->AddPoint(50.0, 0.0);
+  this->Property->GetDistinctness()->AddPoint(150.0, 1.0);
+  this->Run(51);
+  EXPECT_NEAR(this->Force(50), -1.0, 1e-9);
+  this->Filter->SetMetersPerWorldUnit(1e-4);
+  this->Filter->SetPathData(MakePath(Line({ 7, 7, 3 }, { 7, 7, 13 }, 100)));
+  this->Property->GetStiffness()->AddPoint(0.0, 5000.0);
+  this->Run(101);
+  EXPECT_NEAR(this->Force(100), -1.0, 1e-9);
+  this->Property->DistinctnessPerMillimeterOn();
+  this->Run(101);
+  EXPECT_NEAR(this->Force(100), -2.0, 1e-9) << "1000 a millimetre";
 }

@@ -53,6 +53,7 @@ protected:
     }
     EXPECT_EQ(a->GetSurfaceSide(), b->GetSurfaceSide());
     EXPECT_EQ(a->GetDistinctnessFromNoise(), b->GetDistinctnessFromNoise());
+    EXPECT_EQ(a->GetDistinctnessPerMillimeter(), b->GetDistinctnessPerMillimeter());
     EXPECT_EQ(a->GetScalarsAreLabels(), b->GetScalarsAreLabels());
     ASSERT_EQ(a->GetNumberOfTissues(), b->GetNumberOfTissues());
     for (int i = 0; i < a->GetNumberOfTissues(); ++i)
@@ -144,6 +145,7 @@ TEST_F(PresetFile, ThatAHandWroteNeedsNoMoreThanAFunction)
   EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(7.5), 1.25);
   EXPECT_EQ(this->Property->GetStiffness()->GetSize(), 0) << "its default, not that of before";
   EXPECT_TRUE(this->Property->GetDistinctnessFromNoise());
+  EXPECT_FALSE(this->Property->GetDistinctnessPerMillimeter());
   ASSERT_EQ(this->Property->GetNumberOfTissues(), 2);
   EXPECT_STREQ(this->Property->GetTissueName(0), "air");
 }

@@ -60,6 +60,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->GetDistinctness()->RemoveAllPoints();
   property->GetDistinctness()->AddPoint(0.25 * gradient, 0.0);
   property->GetDistinctness()->AddPoint(gradient, 1.0);
+  property->DistinctnessPerMillimeterOff();
 }
 
 /// Why nothing could be proposed; empty if it was.
