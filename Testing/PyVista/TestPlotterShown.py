@@ -178,6 +178,29 @@ def test_what_is_made_invisible_is_not_felt(window, hands):
     hand.push()
 
 
+def test_frames_that_are_made_invisible_are_not_felt(window):
+    plotter = pv.Plotter(off_screen=True)
+    frames = []
+    for shift in (0.0, 1.0):
+        frames.append(pv.ImageData(dimensions=(17, 17, 17)))
+        frames[-1]["value"] = 100.0 * (frames[-1].points[:, 2] + shift)
+    actor = plotter.add_volume(frames[0])
+    haptics = add_haptics(plotter, frames)
+    plotter.show(auto_close=False)
+    assert begins(haptics)
+    actor.VisibilityOff()
+    end = haptics.device.GetTick() + 50
+    with pytest.warns(UserWarning, match="invisible.*Cure: VisibilityOn"):
+        while haptics.device.GetTick() < end:
+            haptics.update()
+    assert not haptics.style.GetTouchMode() and not haptics.device.IsArmOrdered()
+    assert refuses(haptics, "invisible")
+    actor.VisibilityOn()
+    haptics.update()
+    assert begins(haptics)
+    plotter.close()
+
+
 def test_the_actor_of_another_subplot_is_felt_there(window):
     plotter = pv.Plotter(off_screen=True, shape=(1, 2))
     grid = pv.ImageData(dimensions=(17, 17, 17))

@@ -81,6 +81,7 @@ class Haptics:
         self._style_before = None
         self._in_scene: list[Any] = []
         self._missing = 0  # of these, when they were last looked at
+        self._feels_hidden = False  # what is invisible, too
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
         self._leave_widget: Callable[[], None] | None = None
@@ -207,15 +208,17 @@ class Haptics:
 
     def _count_missing(self) -> int:
         renderer = self._renderer()
-        return sum(renderer is None or not renderer.HasViewProp(prop) for prop in self._in_scene)
+        return sum(renderer is None or not renderer.HasViewProp(prop) or
+                   not (self._feels_hidden or prop.GetVisibility()) for prop in self._in_scene)
 
     def _refuse(self) -> None:
-        """Lets nobody begin to touch what was taken out of the scene."""
-        if self._missing and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
+        """Lets nobody touch what is not in the scene, or invisible."""
+        if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
             self.style.SetTouchMode(False)
             self.device.Disarm()
-            warnings.warn("what is touched was taken out of the plotter, so that it is not felt. Cure: close() of what "
-                          "add_haptics() has returned, and add_haptics() with what is shown now", stacklevel=2)
+            warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
+                          "VisibilityOn() of the actor, or close() of what add_haptics() has returned, and add_haptics() "
+                          "with what is shown now", stacklevel=2)
 
     def _watch(self, plotter: pv.Plotter) -> None:
         """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
@@ -246,6 +249,7 @@ class Haptics:
         self._renderer().GetViewProps().AddObserver("ModifiedEvent", check)
         self.style.AddObserver("ModifiedEvent", look)
         self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
+        self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
         plotter.iren.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
 
@@ -456,6 +460,7 @@ def add_haptics(
         raise ValueError(f"the volume has {scalars.GetNumberOfComponents()} components, such as colours, and a hand "
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter, _renderer_of(plotter, volume))
+    haptics._feels_hidden = visibility is not True
     if isinstance(device, vtkHapticDevice):
         haptics.device, haptics._owns_device = device, False
     look = volume if visibility is True else visibility
