@@ -115,8 +115,9 @@
  * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
  * observer of ExitEvent is called; when the window is finalized; when the touched renderer is taken
  * out of it; and when the interactor is disabled, deleted or given another style. VTK does not
- * report that a toolkit's widget is hidden: before an application hides one, it has to call the
- * interactor's Disable(), or SetTouchMode(false) and the device's Disarm().
+ * report that a toolkit's widget is hidden: for Qt, a program calls
+ * VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once; with another toolkit, before it
+ * hides a widget, the interactor's Disable(), or SetTouchMode(false) and the device's Disarm().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same
  * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
@@ -378,6 +379,11 @@ public:
    * masks colour voxels. Materials, method and FeelCutFaces stay the filter's own.
    * A device without a filter gets one. If a matrix places the image, only its current time step
    * is felt. nullptr ends it, and leaves the filter as it is then.
+   *
+   * What is not seen is not felt: if the volume, or an assembly around it, is made invisible or
+   * taken out of the default renderer (without one: of all renderers of the window), the style
+   * leaves the touch mode, disarms and warns, and so it does whenever the touch mode or arming
+   * begins again, until the volume is shown. A vtkMultiVolume is an error.
    * Default: nullptr.
    */
   void TouchVolume(vtkVolume* volume);
