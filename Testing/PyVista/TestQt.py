@@ -100,7 +100,7 @@ def test_a_widget_that_is_shown_keeps_its_hand(window, qt_hands, application):
     assert hand.haptics.style.GetTouchMode() and hand.device.GetStatus() == vtkHapticDevice.ACTIVE
 
 
-def test_a_widget_is_followed_to_another_window_and_kept_by_nobody(application):
+def test_a_widget_is_followed_to_another_window_and_kept_by_nobody(window, application):
     calls = []
     first, second = QtWidgets.QMainWindow(), QtWidgets.QMainWindow()
     widget = QtWidgets.QWidget()
