@@ -221,17 +221,21 @@ def test_labels_that_lie_elsewhere_are_refused_with_the_cure(tmp_path, ending):
 
 
 def test_meta_images_that_vtk_does_not_know(tmp_path):
-    """64 bits, and headers that lie. VTK's reader takes memory for
+    """64 bits, MetaIO's long, which has 4 bytes, and a fourth axis; and headers that lie. VTK's reader takes memory for
     one voxel, and reads all samples into it."""
     file = tmp_path / "labels.mha"
     volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
     write = functools.partial(write_meta_image, file, step=(1, 1, 1), origin=ORIGIN)
     write(LABELS.astype(np.int64))
     assert felt_of(file, volume, at) == [0.4, 1.6]
+    write(LABELS.astype(np.int32), type_name="MET_LONG")
+    assert felt_of(file, volume, at) == [0.4, 1.6]
+    write(LABELS, sizes=(*SIZE[::-1], 1))
+    assert felt_of(file, volume, at) == [0.4, 1.6]
     write(LABELS, compressed=True)
     assert felt_of(file, volume, at) == [0.4, 1.6]
     for labels, options, said in (
-            (LABELS, dict(type_name="MET_STRING"), "of another type"),
+            (LABELS, dict(sizes=(24, 17, 16, 2)), "4 axes"), (LABELS, dict(type_name="MET_STRING"), "of another type"),
             (LABELS.astype(np.int64), dict(compressed=True), "compressed"),
             (LABELS, dict(sizes=(24, 17, 33)), "more samples than"),
             (LABELS, dict(sizes=(40000, 40000, 40000)), "more samples than"),

@@ -26,7 +26,11 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
   const unsigned long ofExecutive =
     reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(file.c_str());
-  reader->Update();
+  reader->UpdateInformation();
+  if (!hasFailed)
+  {
+    reader->Update();
+  }
   // The reader may live longer than hasFailed.
   reader->SetReaderErrorObserver(nullptr);
   reader->SetParserErrorObserver(nullptr);

@@ -27,9 +27,11 @@ namespace
 const std::map<std::string, int> SampleTypes = { { "met_char", VTK_SIGNED_CHAR },
   { "met_uchar", VTK_UNSIGNED_CHAR }, { "met_short", VTK_SHORT },
   { "met_ushort", VTK_UNSIGNED_SHORT }, { "met_int", VTK_INT }, { "met_uint", VTK_UNSIGNED_INT },
-  { "met_long_long", VTK_LONG_LONG }, { "met_ulong_long", VTK_UNSIGNED_LONG_LONG },
-  { "met_float", VTK_FLOAT }, { "met_double", VTK_DOUBLE }, { "signed char", VTK_SIGNED_CHAR },
-  { "int8", VTK_SIGNED_CHAR }, { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
+  // MetaIO's "long" has 4 bytes on all systems.
+  { "met_long", VTK_INT }, { "met_ulong", VTK_UNSIGNED_INT }, { "met_long_long", VTK_LONG_LONG },
+  { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
+  { "met_double", VTK_DOUBLE }, { "signed char", VTK_SIGNED_CHAR }, { "int8", VTK_SIGNED_CHAR },
+  { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
   { "unsigned char", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
   { "uint8_t", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT }, { "int16", VTK_SHORT },
   { "int16_t", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
@@ -89,18 +91,36 @@ bool IsTrue(const std::string& word)
   return LowerCase(word) == "true";
 }
 
+/** The nine numbers of the first three axes, of a matrix of any number of axes. */
+std::vector<double> FindThreeAxes(const std::vector<double>& matrix, std::size_t axes)
+{
+  if (axes < 3 || matrix.size() != axes * axes)
+  {
+    return {};
+  }
+  std::vector<double> three;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    const auto first = matrix.begin() + static_cast<std::ptrdiff_t>(row * axes);
+    three.insert(three.end(), first, first + 3);
+  }
+  return three;
+}
+
 RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
 {
   RawHeader header;
   header.Size = text.Numbers({ "DimSize" });
   header.Spacing = text.Numbers({ "ElementSpacing", "ElementSize" });
   header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
-  header.Axes = text.Numbers({ "TransformMatrix", "Orientation", "Rotation" });
+  header.Axes = FindThreeAxes(
+    text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
   header.Type = FindSampleType(text.Value({ "ElementType" }));
   header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
   const std::string data = text.Value({ "ElementDataFile" });
   header.IsPlain = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
     !IsTrue(text.Value({ "CompressedData" })) &&
+    LowerCase(text.Value({ "BinaryData" })) != "false" &&
     NumberOr(text.Numbers({ "ElementNumberOfChannels" }), 1.0) == 1.0;
   const bool isHere = LowerCase(data) == "local";
   header.Data = isHere ? name : FindBeside(name, data);
@@ -153,7 +173,7 @@ RawHeader ReadNrrdHeader(const HeaderText& text, const std::string& name)
 
 bool IsReadable(const RawHeader& header)
 {
-  return header.IsPlain && header.Type != 0 && header.Size.size() == 3 &&
+  return header.IsPlain && header.Type != 0 && header.Size.size() >= 3 &&
     std::all_of(header.Size.begin(), header.Size.end(),
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
@@ -163,6 +183,18 @@ double CountBytes(const RawHeader& header)
 {
   return header.Size[0] * header.Size[1] * header.Size[2] *
     vtkAbstractArray::GetDataTypeSize(header.Type);
+}
+
+/** Axes after the third one, such as that of times, are one sample long, or it throws. */
+void CheckFurtherAxes(const RawHeader& header)
+{
+  if (std::any_of(
+        header.Size.begin() + 3, header.Size.end(), [](double count) { return count != 1.0; }))
+  {
+    throw std::runtime_error("it has " + std::to_string(header.Size.size()) +
+      " axes, so that it holds several volumes. Write each of them into a file of its own; "
+      "volumehaptics-explore takes their folder.");
+  }
 }
 
 /** The bytes before the samples. Throws if the file is too short. */
@@ -224,9 +256,11 @@ LargeFile OpenRawHeader(const std::string& name)
   {
     throw std::runtime_error(
       "its samples can't be read region by region: they are compressed, in several files, "
-      "mirrored, not three-dimensional, or of another type. Write them uncompressed into one raw "
-      "file, or read the whole volume into memory.");
+      "mirrored, not three-dimensional, written as text, or of another type. Write them "
+      "uncompressed "
+      "into one raw file, or read the whole volume into memory.");
   }
+  CheckFurtherAxes(header);
   LargeFile file;
   for (std::size_t a = 0; a < 3; ++a)
   {

@@ -88,9 +88,10 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   const Explore::MessageCapture capture;
   reader->UpdateInformation();
   vtkInformation* const information = reader->GetOutputInformation(0);
+  const bool isGood = !capture.HasErrors(); // else some readers go on
   vtkInformationDoubleVectorKey* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
   const int times = information && information->Has(key) ? information->Length(key) : 0;
-  if (times > 1)
+  if (isGood && times > 1)
   {
     const double last = information->Get(key)[times - 1];
     std::ostringstream note;
@@ -98,7 +99,7 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
     volume.Notes.push_back(note.str());
     reader->UpdateTimeStep(last);
   }
-  else
+  else if (isGood)
   {
     reader->Update();
   }

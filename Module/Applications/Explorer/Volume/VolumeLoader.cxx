@@ -11,20 +11,29 @@
 #include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
+#include "VTK/Large/HeaderText.h"
+
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHapticRegionSource.h"
 #include "vtkImageShiftScale.h"
+#include "vtkInformation.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageHeader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -32,6 +41,10 @@ namespace
 {
 using Explore::InputError;
 using Explore::Volume;
+
+/// Types of MetaIO that vtkMetaImageReader knows, and whose size does not depend on the system.
+constexpr const char* META_TYPES[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
+  "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
 
 std::string ListKnown()
 {
@@ -43,6 +56,61 @@ bool EndsWith(const std::string& text, const std::string& ending)
 {
   return text.size() >= ending.size() &&
     text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// The file with the samples of a header, or the file itself; empty if they are in several.
+std::string FindSamples(const std::string& path)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  std::string data;
+  if (EndsWith(lower, ".mhd") || EndsWith(lower, ".mha"))
+  {
+    data = VolumeHaptics::HeaderText(path, '=').Value({ "ElementDataFile" });
+  }
+  else if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
+  {
+    data = VolumeHaptics::HeaderText(path, ':').Value({ "data file", "datafile" });
+  }
+  if (data == "LIST" || data.find('%') != std::string::npos)
+  {
+    return {};
+  }
+  if (data.empty() || vtksys::SystemTools::LowerCase(data) == "local")
+  {
+    return path;
+  }
+  return vtksys::SystemTools::CollapseFullPath(
+    data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
+}
+
+/// Why a reader's information can't be true of its file; empty if it can. Readers take memory for
+/// all that a header promises before they look at the samples.
+std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
+{
+  vtkInformation* const information = reader->GetOutputInformation(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  if (information && information->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  }
+  double bytes = 1.0;
+  for (int a = 0; a < 6; a += 2)
+  {
+    bytes *= std::max(0.0, 1.0 + extent[a + 1] - extent[a]);
+  }
+  vtkInformation* const scalars = vtkDataObject::GetActiveFieldInformation(
+    information, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  if (scalars && scalars->Has(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()))
+  {
+    bytes *= scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
+  }
+  // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
+  constexpr double smallest = 10000.0;
+  const std::string samples = FindSamples(path);
+  const bool isThere = vtksys::SystemTools::FileExists(samples, true);
+  const double most = smallest * static_cast<double>(vtksys::SystemTools::FileLength(samples));
+  return !isThere || bytes <= most ? std::string()
+                                   : "its header promises voxels that are not in the file";
 }
 
 /// Runs a reader and turns all of its errors into one message.
@@ -58,10 +126,31 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
     throw InputError(path, std::string("is not a ") + format + " file, whatever its name says",
       "check what the file really is; " + cure);
   }
-  reader->Update();
-  if (capture.HasErrors() || reader->GetErrorCode() != 0)
+  std::string detail;
+  const auto isGood = [&]
   {
-    const std::string detail = capture.FirstError();
+    detail = detail.empty() ? capture.FirstError() : detail;
+    return detail.empty() && reader->GetErrorCode() == 0;
+  };
+  try
+  {
+    // Some readers go on after an error, and read all samples into memory for one voxel.
+    reader->UpdateInformation();
+    if (isGood())
+    {
+      detail = FindFalsePromise(reader, path);
+    }
+    if (isGood())
+    {
+      reader->Update();
+    }
+  }
+  catch (const std::exception&)
+  {
+    detail = "there is not enough memory for what its header promises";
+  }
+  if (!isGood())
+  {
     throw InputError(path,
       std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),
       cure);
@@ -71,16 +160,77 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
   return image;
 }
 
+/// Whole numbers of 64 bits as those of 16 or 32, if they fit, for mappers that know no others.
+void NarrowSamples(vtkImageData* image)
+{
+  vtkDataArray* const wide = image ? image->GetPointData()->GetScalars() : nullptr;
+  const int type = wide ? wide->GetDataType() : VTK_VOID;
+  const bool isWide = type == VTK_LONG || type == VTK_UNSIGNED_LONG || type == VTK_LONG_LONG ||
+    type == VTK_UNSIGNED_LONG_LONG || type == VTK_ID_TYPE;
+  double range[2] = { 0.0, 0.0 };
+  for (int c = 0; isWide && c < wide->GetNumberOfComponents(); ++c)
+  {
+    double one[2];
+    wide->GetRange(one, c);
+    range[0] = std::min(range[0], one[0]);
+    range[1] = std::max(range[1], one[1]);
+  }
+  const auto fits = [&range](auto number)
+  {
+    using Limits = std::numeric_limits<decltype(number)>;
+    return range[0] >= Limits::min() && range[1] <= Limits::max();
+  };
+  if (isWide && fits(int{}))
+  {
+    const vtkSmartPointer<vtkDataArray> narrow =
+      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(fits(short{}) ? VTK_SHORT : VTK_INT));
+    narrow->DeepCopy(wide);
+    image->GetPointData()->SetScalars(narrow);
+  }
+}
+
 Volume ReadVti(const std::string& path)
 {
   vtkNew<vtkXMLImageDataReader> reader;
   return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
+/// Whether vtkMetaImageReader knows its type, with MetaIO's size of it, and its dimensions.
+bool IsKnownToVTK(const std::string& path)
+{
+  const VolumeHaptics::HeaderText header(path, '=');
+  const std::string type = header.Value({ "ElementType" });
+  const bool isKnown = std::any_of(std::begin(META_TYPES), std::end(META_TYPES),
+    [&](const char* known) { return type == known || type == std::string(known) + "_ARRAY"; });
+  const std::size_t axes = header.Numbers({ "DimSize" }).size();
+  const std::vector<double> told = header.Numbers({ "NDims" });
+  return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
+}
+
+/// Of 64 bits, of MetaIO's long, and of more than three axes.
+vtkSmartPointer<vtkImageData> ReadRawMetaImage(const std::string& path)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  vtkNew<vtkImageData> region; // and what tells that it is one
+  std::string error;
+  if (!source->OpenFile(path.c_str(), error) ||
+    !source->ReadRegion(source->GetWholeExtent(), region, error))
+  {
+    throw InputError(path, "cannot be read as MetaImage (" + error + ")",
+      "do what stands there, or write it with samples of 8, 16 or 32 bits");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(region);
+  image->GetPointData()->SetScalars(region->GetPointData()->GetScalars());
+  return image;
+}
+
 Volume ReadMetaImage(const std::string& path)
 {
   vtkNew<vtkMetaImageReader> reader;
-  Volume volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
+  const bool isRaw = reader->CanReadFile(path.c_str()) && !IsKnownToVTK(path);
+  Volume volume{ isRaw ? ReadRawMetaImage(path) : Run(reader.Get(), path, "MetaImage"), {},
+    "MetaImage", {}, {}, {} };
   Explore::ApplyMetaImageOrientation(path, volume.Image);
   volume.Axes = Explore::FindMetaImageAxes(path);
   return volume;
@@ -236,6 +386,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     }
     volume = ReadFile(path, timesAreComponents, series);
   }
+  NarrowSamples(volume.Image);
   std::string folder = path;
   vtksys::SystemTools::ConvertToUnixSlashes(folder);
   volume.Name = vtksys::SystemTools::GetFilenameName(folder);
