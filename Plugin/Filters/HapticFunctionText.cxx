@@ -5,6 +5,7 @@
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
+#include <locale>
 #include <sstream>
 #include <vector>
 
@@ -12,6 +13,7 @@ bool ReadFunctionText(std::string text, vtkPiecewiseFunction* function)
 {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream words(text);
+  words.imbue(std::locale::classic());
   std::vector<double> numbers;
   for (double number; words >> number;)
   {

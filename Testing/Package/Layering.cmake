@@ -88,7 +88,9 @@ allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
 allow(VTK/Baking Core/Math Core/Carving Core/Field Core/Model Core/Solvers VTK/Files VTK/Work)
 allow(VTK/Proposal Core/Math Core/Field Core/Proposal VTK/Baking VTK/Work)
 allow(VTK/Files)
-allow(VTK/Labels VTK/Files)
+# How numbers are read in any locale.
+set(numbers Core/Math/NumberText.h)
+allow(VTK/Labels VTK/Files ${numbers})
 allow(VTK/Headset VTK/Files)
 allow(VTK/Large Core/Math Core/Field Core/Model Core/Regions Core/Solvers Core/Servo/ServoClock.h VTK/Baking VTK/Files VTK/Work)
 allow(VTK/Trace Core VTK/Baking VTK/Files)
@@ -110,9 +112,9 @@ allow(Qt)
 
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
-# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, shows a CT as the plugin does, and reads the heads of
-# files and places grids as the library does.
-allow(Applications/DeviceTool)
+# headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, shows a CT as the
+# plugin does, and reads the heads of files and places grids as the library does. All read numbers in any locale.
+allow(Applications/DeviceTool ${numbers})
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
 set(chart VTK/Charts/HapticForceChart.h VTK/Charts/HapticForceTable.h)
@@ -123,13 +125,13 @@ set(look VTK/Scene/CTLook.h)
 set(aspect VTK/Docks/RendererAspect.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts})
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts} ${numbers})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
 allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts})
 allow(${explorer}/Record ${explorer}/Errors)
 allow(${explorer}/Analysis)
-allow(${explorer}/View ${explorer}/Errors ${pixels} ${aspect})
+allow(${explorer}/View ${explorer}/Errors ${pixels} ${aspect} ${numbers})
 allow(${explorer}/Path ${explorer}/Analysis ${explorer}/View)
 set(exploration ${explorer}/Errors ${explorer}/Volume ${explorer}/Analysis ${explorer}/View ${explorer}/Path)
 list(APPEND exploration ${explorer}/Sound)

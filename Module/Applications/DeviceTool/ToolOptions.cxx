@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/DeviceTool/ToolOptions.h"
 
+#include "Core/Math/NumberText.h"
+
 #include <cmath>
-#include <cstdlib>
 #include <map>
+#include <optional>
 
 const char* const ToolUsage =
   R"(usage: volumehaptics-device list
@@ -44,9 +46,9 @@ namespace
 
 bool ReadNumber(const std::string& text, double& number)
 {
-  char* end = nullptr;
-  number = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == '\0' && std::isfinite(number);
+  const std::optional<double> read = VolumeHaptics::ParseNumber(text);
+  number = read.value_or(0.0);
+  return read && std::isfinite(number);
 }
 
 bool ReadNewtons(const std::string& text, double newtons[2])

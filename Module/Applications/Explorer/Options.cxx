@@ -11,6 +11,8 @@
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/View/StereoModes.h"
 
+#include "Core/Math/NumberText.h"
+
 #include "vtkStringArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -73,9 +75,7 @@ std::map<std::string, std::string> Methods()
 
 double ParseNumber(const std::string& text)
 {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  return text.empty() || *end != '\0' ? std::nan("") : number;
+  return VolumeHaptics::ParseNumber(text).value_or(std::nan(""));
 }
 
 /// Along a stick's axes: "2.5" of both, or "2.5,0".

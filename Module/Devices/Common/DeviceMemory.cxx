@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Common/DeviceMemory.h"
 
+#include "Core/Math/NumberText.h"
 #include "Core/Servo/ServoClock.h"
 
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -28,12 +31,11 @@ std::string GetVariable(const char* name)
   return value ? value : "";
 }
 
-/** A number as C writes it, whatever the locale of the program. */
 bool ReadNumber(const std::string& text, double& number)
 {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  return static_cast<bool>(in >> number) && in.peek() == std::char_traits<char>::eof();
+  const std::optional<double> read = ParseNumber(text);
+  number = read.value_or(number);
+  return read && std::isfinite(number);
 }
 
 std::string WriteNumber(double number)

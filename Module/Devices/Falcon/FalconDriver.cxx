@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Falcon/FalconDriver.h"
 
+#include "Core/Math/NumberText.h"
 #include "Core/Servo/ServoClock.h"
 #include "Devices/Falcon/FalconController.h"
 #include "Devices/Falcon/FalconFirmware.h"
@@ -60,7 +61,7 @@ std::unique_ptr<HardwareDriver> FalconDriver::MakeFromWords(
     return nullptr;
   }
   DeviceOptions options;
-  options.HomingTime = std::atof(words[2].c_str()) / MicrosecondsPerSecond;
+  options.HomingTime = ParseNumber(words[2]).value_or(0.0) / MicrosecondsPerSecond;
   options.FirmwareFile = words[3];
   return std::make_unique<FalconDriver>(std::atoi(words[1].c_str()), options);
 }

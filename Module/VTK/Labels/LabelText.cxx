@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Labels/LabelText.h"
 
+#include "Core/Math/NumberText.h"
 #include "VTK/Files/HapticFiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 
 namespace VolumeHaptics
 {
@@ -73,19 +72,8 @@ std::string MakeKey(std::string_view text)
 std::optional<double> ReadNumber(std::string_view text)
 {
   text = Trim(text);
-  // Only what a stream reads alike in every library: no hexadecimal numbers, no words.
-  if (text.empty() || text.find_first_not_of("+-.0123456789eE") != std::string_view::npos)
-  {
-    return {};
-  }
-  std::istringstream stream{ std::string(text) };
-  stream.imbue(std::locale::classic());
-  double number = 0.0;
-  stream >> number;
-  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof() &&
-      std::isfinite(number)
-    ? std::optional<double>(number)
-    : std::nullopt;
+  const std::optional<double> number = ParseNumber(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 std::optional<int> ReadLabel(std::string_view text, std::string& error)

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/HeaderText.h"
 
-#include <cstdlib>
+#include "Core/Math/NumberText.h"
+
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -71,11 +73,9 @@ std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) co
   std::string word;
   while (words >> word)
   {
-    char* end = nullptr;
-    const double number = std::strtod(word.c_str(), &end);
-    if (end != word.c_str())
+    if (const std::optional<double> number = ParseNumber(word))
     {
-      numbers.push_back(number);
+      numbers.push_back(*number);
     }
   }
   return numbers;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <locale>
 #include <memory>
 #include <new>
 #include <optional>
@@ -191,6 +192,7 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
   {
     const TouchedArrays touched = HapticBaker(felt).GetTouched();
     std::ostringstream settings;
+    settings.imbue(std::locale::classic()); // a replay reads them
     felt->PrintSettings(settings, vtkIndent());
     settings << "ServoRate of the device: " << this->Session.GetRate() << " Hz\n";
     if (touched[1].Array)

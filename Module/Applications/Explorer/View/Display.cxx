@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/Display.h"
 
+#include "Core/Math/NumberText.h"
 #include "VTK/Charts/HapticPixels.h"
 
 #include "vtkNew.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #if defined(__linux__)
@@ -47,7 +47,7 @@ double FindDots([[maybe_unused]] vtkRenderWindow* window)
     const char* const chosen = getDefault(display, "Xft", "dpi");
     const int millimetres = getMillimetres(display, 0);
     const double reported = millimetres > 0 ? inch * getHeight(display, 0) / millimetres : 0.0;
-    dots = chosen ? std::strtod(chosen, nullptr) : reported;
+    dots = VolumeHaptics::ParseNumber(chosen ? chosen : "").value_or(reported);
   }
   dlclose(library);
 #endif

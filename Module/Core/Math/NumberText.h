@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Numbers in files, on command lines and between processes.
+ */
+#ifndef NumberText_h
+#define NumberText_h
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace VolumeHaptics
+{
+
+/**
+ * The decimal number that a text is, with a point, as C writes it: strtod, atof and streams read
+ * 1.6 as 1 in programs that follow the locale of a user who writes 1,6. None if there is anything
+ * else in the text, or if the number is beyond doubles.
+ */
+inline std::optional<double> ParseNumber(std::string_view text) noexcept
+{
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+  {
+    text.remove_prefix(1);
+  }
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool isWhole = error == std::errc() && end == text.data() + text.size();
+  return isWhole ? std::optional<double>(number) : std::nullopt;
+}
+
+} // namespace VolumeHaptics
+
+#endif

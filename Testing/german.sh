@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Runs test programs of Google Test as a user does who writes 1,6 and not 1.6: in German, which the programs follow.
+# LIBRARY is that of Rigs/FollowLocale.cxx. The locale is made in a temporary folder if the system has none.
+#
+# usage: Testing/german.sh LIBRARY PROGRAM [PROGRAM ...]
+set -euo pipefail
+
+library=$1
+shift
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+if ! locale -a | grep -qix 'de_DE\.utf-\?8'; then
+  if ! command -v localedef > /dev/null || ! localedef -i de_DE -f UTF-8 "$folder/de_DE.UTF-8" 2> "$folder/log"; then
+    cat "$folder/log" 2> /dev/null || true
+    echo "The locale de_DE.UTF-8 can't be made. Cure: apt-get install locales"
+    exit 77
+  fi
+  export LOCPATH=$folder
+fi
+failed=0
+for program in "$@"; do
+  mkdir "$folder/temporary"
+  # The system's own messages stay as the tests know them.
+  if ! env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" TEST_TMPDIR="$folder/temporary" \
+    "$program" --gtest_brief=1 > "$folder/output" 2>&1; then
+    echo "$(basename "$program") fails in German:"
+    cat "$folder/output"
+    failed=1
+  fi
+  rm -rf "$folder/temporary"
+done
+exit $failed
