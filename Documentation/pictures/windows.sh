@@ -42,7 +42,7 @@ explore()
   local name=$1
   shift
   cat > "$name.txt"
-  rm -f picture-*.png
+  rm -rf picture-*.png "$XDG_STATE_HOME" # what was not saved is not offered
   "$explorer" "$volume" --size 1000 "$@" --script "$name.txt" > "$folder/explorer.log" 2>&1 &
   child=$!
   wait_for "the program's end" has_ended

@@ -19,7 +19,6 @@ take_own_screen "$@"
 explorer=$(realpath "$1")
 volume=$(realpath "$2")
 take_own_home
-export XDG_STATE_HOME=$folder/state
 cd "$folder"
 mkdir data
 cp "$volume" data/first.vti

@@ -49,7 +49,7 @@ take_own_screen()
 take_own_home()
 {
   folder=$(mktemp -d)
-  export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder
+  export HOME=$folder XDG_CONFIG_HOME=$folder XDG_CACHE_HOME=$folder XDG_STATE_HOME=$folder/state
   trap clean_up EXIT
 }
 clean_up()
