@@ -52,21 +52,23 @@ const std::vector<Preset>& Presets()
 {
   // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
   // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
-  // falls and rises again for fluid. The distinctness of the CT presets starts at 8 HU/mm: beyond
-  // 3.4 standard deviations of the gradient for 20 HU of noise, 1 mm voxels and the default kernel,
-  // so that noise is not felt as surfaces.
+  // falls and rises again for fluid. Fluid has the drag of muscle: in a brain, noise would make
+  // grains of a ramp between the two. The distinctness of the presets for comfort starts at 16
+  // HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for 20 HU of white noise, 1 mm
+  // voxels and the default kernel, and twice that where neighbours share their noise, as those of
+  // CT do. So noise is not felt as surfaces.
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
         { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
-        { "fluid", -10, 10, K, 0.12, 0.15, 1.5 },
+        { "fluid", -10, 10, K, 0.12, 0.50, 1.5 },
         { "muscle, organ", 50, 80, K, 0.30, 0.50, 2.2 },
         { "contrast medium, cartilage", 150, 250, K, 0.25, 0.50, 3.2 },
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
-      8, 40, vtkHapticProperty::HIGHER },
+      16, 48, vtkHapticProperty::HIGHER },
     { "CT physical",
       {
         { "air", -1024, -955, 8, 0.00, 0.00, 0.00 },
@@ -88,18 +90,19 @@ const std::vector<Preset>& Presets()
         { "vessel, spongy bone", 180, 450, K, 0.05, 0.30, 3.2 },
         { "bone", 650, 3071, K, 0.30, 0.00, Solid },
       },
-      8, 40, vtkHapticProperty::HIGHER },
-    // Lung has strengths of its own; fluid is not told apart in the noise of a chest.
+      16, 48, vtkHapticProperty::HIGHER },
+    // Lung has one drag from emphysema to vessels, and no walls; fluid is not told apart in the
+    // noise of a chest.
     { "CT chest",
       {
-        { "air", -1024, -980, K, 0.00, 0.00, 0.0 },
-        { "lung", -920, -750, K, 0.10, 0.10, 0.6 },
+        { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
+        { "lung", -960, -300, K, 0.10, 0.10, 0.0 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
         { "muscle, organ, blood", 20, 80, K, 0.30, 0.50, 2.2 },
         { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.50, 3.2 },
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
-      8, 40, vtkHapticProperty::HIGHER },
+      16, 48, vtkHapticProperty::HIGHER },
     // Surfaces are felt from both sides here. Two surfaces of opposite sides are often a few voxels
     // apart (scalp and skull): distinctness rises slowly, so that the one does not take over from
     // the other in a step.
