@@ -84,6 +84,30 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
   EXPECT_FALSE(half.Removal->IsUsedUp());
 }
 
+/// B3 with levels of contact that lie anywhere in the ramp of what was removed, as in a CT whose
+/// level is that of skin and whose bone is far beyond it: the level of a share r of the tissue is
+/// (1/2 - r) 3 voxels before the sphere, which is more than the head is pressed in.
+TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
+{
+  constexpr double size = 0.5;
+  constexpr double force = 10.0;
+  for (const double level : { 10.0, 20.0, 40.0, 100.0, 160.0 })
+  {
+    HalfSpace half({ 32, 32, 24 }, size, 10);
+    BurrInVolume hand(half.Scene, MakeBurr(5e10, level), ConstantPolyline(10.0), 2000);
+    hand.Tick({ 15.6 * size, 15.4 * size, half.Surface - 2.0 - size });
+    double before = 0.0;
+    for (int i = 0; i < 1500; ++i)
+    {
+      hand.Press(force);
+      before = i == 500 ? hand.Removed : before;
+    }
+    EXPECT_NEAR(Norm(hand.Record.Shell.Force), force, 0.01 * force) << level;
+    const double rate = 0.3 * force * 12.566 / 10.0;
+    EXPECT_NEAR(hand.Removed - before, rate, 0.02 * rate) << level;
+  }
+}
+
 /// B3 on a random way through tissues that take 2 to 20 J/mm^3: what is missing in the end has cost
 /// what the burr had, which is never more.
 TEST(Burr, RemovesWhatItsEnergyPaysFor)

@@ -260,9 +260,13 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.LastCost = state.LastWay = state.Shorter = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
-  // The level that is felt in a cavity lies a little before the sphere that was removed: as long as
-  // it is pressed, the burr goes on.
-  const double beyond = 0.25 * memory.Carver.GetVoxel();
+  // The level that is felt in a cavity lies before the sphere that was removed: by half of the
+  // ramp, and a part of a voxel, if the tissue is far beyond the level. As long as the head is
+  // pressed, the burr goes on, but no farther than takes away what it is pressed into.
+  const double ahead = Dot(head - state.Carved, record.Shell.Force) / force;
+  const double least = 0.25 * memory.Carver.GetVoxel();
+  const double most = std::max(least, std::min(radius, memory.Carver.GetRampWidth()));
+  const double beyond = std::clamp(FindDepth(memory.Shell) + ahead, least, most);
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
   removing.Follow(head - (beyond / force) * record.Shell.Force,
     burr.Settings.Friction * force * speed * hand.Step);
