@@ -100,17 +100,15 @@ private:
   /** Whether a boundary in front of the tip holds it; if not, the tip is through. */
   bool IsHeldAtBoundary(double pull, double shaft) noexcept
   {
-    const double gap = BoundaryShare * this->Step;
-    const NeedleTissue ahead = this->Reader.At(this->Ahead(gap));
     this->Strength = this->Needle.Puncture;
-    if (pull <= ahead.Cutting + shaft + this->Needle.Puncture + Law::ForceEpsilon)
+    if (pull <= this->Here.Cutting + shaft + this->Needle.Puncture + Law::ForceEpsilon)
     {
-      this->Here.Cutting = ahead.Cutting;
       return true;
     }
     this->Needle.Puncture = this->Strength = 0.0;
     this->Needle.PuncturedAt = this->Needle.Depth;
-    this->MoveBy(gap, ahead);
+    const double gap = BoundaryShare * this->Step;
+    this->MoveBy(gap, this->Reader.At(this->Ahead(gap)));
     return false;
   }
 

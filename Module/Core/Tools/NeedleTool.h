@@ -22,8 +22,8 @@
  * anything between at rest; the one across it is k times the lag, up to s_l. The tip moves in
  * steps of a quarter voxel at most, which end at boundaries between labels, to the balance.
  *
- * Each puncture loses T^2/(2(k + tau)), and a fall of R by dR loses dR^2/(2(k + tau)). Nothing
- * gives energy: the proxy only moves towards the tip, along the axis or across it.
+ * A puncture from R1 to R2 loses (T + R1 - R2)^2/(2(k + tau)), and so does a fall of R, with T = 0.
+ * Nothing gives energy: the proxy only moves towards the tip, along the axis or across it.
  */
 #ifndef NeedleTool_h
 #define NeedleTool_h
