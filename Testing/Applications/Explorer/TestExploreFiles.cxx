@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of types and sizes that the readers of VTK do not know, and headers that lie. They are
-// written byte by byte: MetaImage after "ITK/MetaIO/Documentation" (itk.org), with the sizes of
-// MET_ValueTypeSize in its metaTypes.h, by which MET_LONG has 4 bytes
+// Files of types and sizes that the readers of VTK do not know, headers that lie, and samples that
+// are no numbers. They are written byte by byte: MetaImage after "ITK/MetaIO/Documentation"
+// (itk.org), with the sizes of MET_ValueTypeSize in its metaTypes.h, by which MET_LONG has 4 bytes
 // and MET_LONG_LONG 8; the header is that of SimpleITK.WriteImage() of int64. NRRD after
 // teem.sourceforge.net/nrrd/format.html, and NIfTI after nifti1.h.
 #include "Applications/Explorer/Errors/InputError.h"
@@ -11,12 +11,15 @@
 #include "HeadExploration.h"
 
 #include "vtkDataArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkXMLImageDataWriter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <string>
 
 namespace
@@ -155,6 +158,43 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
   }
 }
 
+/// A CT of which some values are none: it is still taken for CT, what is outside is air, and what
+/// stood there is told. Of the head phantom, whose air is -1000 HU.
+void ExpectCT(
+  vtkImageData* head, const std::string& name, double bad, bool isAround, const std::string& told)
+{
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(head);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  const int* const size = head->GetDimensions();
+  for (vtkIdType p = 0; p < head->GetNumberOfPoints(); ++p)
+  {
+    const auto i = static_cast<double>(p % size[0]), j = static_cast<double>(p / size[0] % size[1]);
+    const double r = std::hypot(i - 0.5 * (size[0] - 1), j - 0.5 * (size[1] - 1));
+    const bool isBad = isAround ? r > 0.5 * size[0] : p == head->GetNumberOfPoints() / 2;
+    image->GetPointData()->GetScalars()->SetComponent(
+      p, 0, isBad ? bad : head->GetPointData()->GetScalars()->GetComponent(p, 0));
+  }
+  vtkNew<vtkXMLImageDataWriter> writer;
+  const std::string path = folder + "/" + name;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  const Explore::Exploration explored =
+    Explore::ExploreVolume(Explore::LoadVolume(path), Explore::Settings());
+  Expect(explored.Values.Kind == Explore::VolumeKind::CT, name + " is no CT");
+  vtkImageData* const read = explored.Input.Image;
+  Expect(!isAround || read->GetScalarComponentAsDouble(0, 0, 0, 0) == -1000.0,
+    name + " has a corner that is not air");
+  Expect(explored.Trace->GetPointData()->GetArray("NormalForce")->GetMaxNorm() > 0.5,
+    name + " is not felt");
+  std::string notes;
+  for (const std::string& note : explored.Input.Notes)
+  {
+    notes += note + "\n";
+  }
+  Expect(notes.find(told) != std::string::npos, name + " tells only: " + notes);
+}
 } // namespace
 
 int TestExploreFiles(int argc, char* argv[])
@@ -210,6 +250,15 @@ int TestExploreFiles(int argc, char* argv[])
       message = error.what();
     }
     Expect(message.find("promises voxels") != std::string::npos, message);
+  }
+
+  const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ExpectCT(head, "infinite.vti", infinity, false, "");
+  ExpectCT(head, "masked.vti", std::nan(""), true, "no numbers are outside");
+  for (const double missing : { -9999.0, -32768.0, 1e37 })
+  {
+    ExpectCT(head, "missing.vti", missing, true, "is taken for \"missing\"");
   }
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

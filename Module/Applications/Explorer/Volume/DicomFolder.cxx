@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -168,9 +170,55 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
+/// The value of pixels that were not measured, if the file tells it. Its two bytes may or may not
+/// have a sign, whatever those of the pixels have.
+std::optional<double> FindPadding(const DicomHeader& slice)
+{
+  if (!slice.Padding)
+  {
+    return {};
+  }
+  const int sign = slice.IsSigned && *slice.Padding >= 0x8000 ? 0x10000 : 0;
+  return slice.Slope * (*slice.Padding - sign) + slice.Intercept;
+}
+
+/// Gives pixels that were not measured the least value of the others. Returns how many they are.
+template <typename Value>
+vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count, Value* values)
+{
+  Value least = std::numeric_limits<Value>::max();
+  vtkIdType replaced = 0;
+  for (const bool isSearch : { true, false })
+  {
+    for (std::size_t k = 0; k < slices.size(); ++k)
+    {
+      const std::optional<double> padding = FindPadding(slices[k]);
+      Value* const first = values + static_cast<vtkIdType>(k) * count;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const bool isPadding = padding && static_cast<double>(first[i]) == *padding;
+        if (isSearch)
+        {
+          least = isPadding ? least : std::min(least, first[i]);
+        }
+        else if (isPadding)
+        {
+          first[i] = least;
+          ++replaced;
+        }
+      }
+    }
+    if (least == std::numeric_limits<Value>::max())
+    {
+      return 0; // nothing was measured
+    }
+  }
+  return replaced;
+}
+
 /// Rows and slices in the order of their places.
 vtkSmartPointer<vtkImageData> ReadSlices(
-  const std::string& path, const std::vector<DicomHeader>& slices)
+  const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
   const DicomHeader& first = slices.front();
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -187,6 +235,23 @@ vtkSmartPointer<vtkImageData> ReadSlices(
     {
       vtkTemplateMacro(Fill(bytes, slice, static_cast<VTK_TT*>(values)));
     }
+  }
+  const bool isPadded = first.Samples == 1 &&
+    std::any_of(slices.begin(), slices.end(),
+      [](const DicomHeader& slice) { return slice.Padding.has_value(); });
+  vtkIdType replaced = 0;
+  void* const values = image->GetScalarPointer();
+  switch (isPadded ? image->GetScalarType() : VTK_VOID)
+  {
+    vtkTemplateMacro(replaced = ReplacePadding(slices, vtkIdType{ first.Width } * first.Height,
+                       static_cast<VTK_TT*>(values)));
+    default:
+      break;
+  }
+  if (replaced > 0)
+  {
+    volume.Notes.push_back(std::to_string(replaced) +
+      " pixels were not measured, as the files say: they are outside, with the least value");
   }
   return image;
 }
@@ -232,7 +297,7 @@ Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, 
   volume.Axes = Explore::WorldAxes::Patient;
   CheckSlices(path, slices);
   const double spacing = FindSpacing(path, slices, volume);
-  volume.Image = ReadSlices(path, slices);
+  volume.Image = ReadSlices(path, slices, volume);
   PlaceSlices(slices.front(), spacing, volume.Image);
   for (std::size_t i = 0; i < all.size(); ++i)
   {

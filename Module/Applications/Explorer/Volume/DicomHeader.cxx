@@ -139,6 +139,12 @@ void TakeValue(const DicomStream& stream, std::uint32_t tag, const std::string& 
     case 0x00280103:
       header.IsSigned = number() == 1;
       break;
+    case 0x00280120:
+      if (value.size() >= 2)
+      {
+        header.Padding = number();
+      }
+      break;
     case 0x00281052:
       ReadDecimals(value, &header.Intercept, 1);
       break;

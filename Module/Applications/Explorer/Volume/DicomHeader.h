@@ -4,6 +4,7 @@
 #define Explore_DicomHeader_h
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct DicomHeader
   /// The value, such as Hounsfield units, is slope times sample plus intercept.
   double Slope = 1.0, Intercept = 0.0;
   ///@}
+  std::optional<int> Padding; // the sample of pixels that were not measured
   // Of the first pixel, and along rows and columns; axial at 0 if the file does not tell.
   double Position[3] = { 0.0, 0.0, 0.0 };
   double Row[3] = { 1.0, 0.0, 0.0 };

@@ -5,6 +5,8 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeLoader.h"
 
+#include "VTK/Baking/OutsideSamples.h"
+
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkDataArray.h"
@@ -156,6 +158,25 @@ void CheckRange(const std::string& path, vtkImageData* image)
       "check the export, in particular its rescale slope and window");
   }
 }
+
+/// What is outside gets the least value inside, for the picture, the thresholds and the kind of the
+/// volume as well as for the hand.
+void UseOutside(Volume& volume)
+{
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const VolumeHaptics::FilledSamples filled = VolumeHaptics::FillOutside(volume.Image, scalars, 0);
+  if (!filled.Array)
+  {
+    return;
+  }
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(volume.Image);
+  image->GetPointData()->SetScalars(filled.Array);
+  volume.Image = image;
+  volume.Notes.push_back(filled.Missing.empty()
+      ? "samples around the body that are no numbers are outside, with the least value"
+      : filled.Missing);
+}
 } // namespace
 
 namespace Explore
@@ -165,6 +186,7 @@ void CheckVolume(const std::string& path, Volume& volume)
   CheckGeometry(path, volume.Image);
   FindScalars(path, volume);
   UseFirstComponent(volume);
+  UseOutside(volume);
   CheckRange(path, volume.Image);
 }
 } // namespace Explore
