@@ -21,15 +21,29 @@ if ! locale -a | grep -qix 'de_DE\.utf-\?8'; then
   export LOCPATH=$folder
 fi
 failed=0
-for program in "$@"; do
+run()
+{
   mkdir "$folder/temporary"
+  local status=0
   # The system's own messages stay as the tests know them.
-  if ! env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" TEST_TMPDIR="$folder/temporary" \
-    "$program" --gtest_brief=1 > "$folder/output" 2>&1; then
-    echo "$(basename "$program") fails in German:"
-    cat "$folder/output"
-    failed=1
-  fi
+  env -u LC_ALL -u LANGUAGE LANG=de_DE.UTF-8 LC_MESSAGES=C LD_PRELOAD="$library" TEST_TMPDIR="$folder/temporary" \
+    "$@" > "$folder/output" 2>&1 || status=$?
   rm -rf "$folder/temporary"
+  return $status
+}
+# Each case in a process of its own, as CTest runs them: some change what the process may do.
+for program in "$@"; do
+  cases=$("$program" --gtest_list_tests --gtest_filter="${GTEST_FILTER:-*}" | sed 's/ *#.*//')
+  suite=
+  while read -r word; do
+    if [[ $word == *. ]]; then
+      suite=$word
+    elif [[ -n $suite && -n $word && $word != DISABLED_* ]] && ! run "$program" --gtest_brief=1 \
+      --gtest_filter="$suite$word"; then
+      echo "$suite$word of $(basename "$program") fails in German:"
+      cat "$folder/output"
+      failed=1
+    fi
+  done <<< "$cases"
 done
 exit $failed
