@@ -112,7 +112,8 @@ void CheckTissues(int argc, char* argv[])
   vtkIdType begin = Stroke(exploration, -110.0, 30.0, 6.0);
   const double skin =
     Hear(exploration, begin + start, begin + SLIDE, -150.0, -80.0, "skin over fat (neck)");
-  begin = Stroke(exploration, 40.0, 0.0, 12.0);
+  // Where the muscle under the fat holds: deeper, the hand goes through it.
+  begin = Stroke(exploration, 40.0, 0.0, 11.0);
   const double muscle =
     Hear(exploration, begin + start, begin + SLIDE, 35.0, 80.0, "muscle (temple)");
   exploration.Filter->SetPathData(exploration.Tip.Path);
