@@ -429,6 +429,16 @@ public:
 
   ///@{
   /**
+   * Time constant (s) with which the force of a proxy that leaps goes over to the new one, with the
+   * solver PRECISE and materials of the FAR_SIDE, 0 to 1: where a surface gives way, the hand feels
+   * that over some milliseconds, by 150 N a second at most. 0: at once. Default 0.005.
+   */
+  vtkSetClampMacro(ReleaseTime, double, 0.0, 1.0);
+  vtkGetMacro(ReleaseTime, double);
+  ///@}
+
+  ///@{
+  /**
    * Time (s) in which the force of the method LOCAL_SURFACE goes over from one surface to the
    * next, 0 to 10: longer ones are smoother, and follow later. Default 0.015.
    */
@@ -546,6 +556,7 @@ protected:
   int LocalSurfaceShape = PLANE;
   double LocalSurfaceRate = 60.0;
   double RecoveryTime = 0.015;
+  double ReleaseTime = 0.005;
   double MaximumForce = 0.0;
   double MaximumStiffness = 0.0;
 

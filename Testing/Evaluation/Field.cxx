@@ -151,6 +151,7 @@ HapticModelDescription Volume::Describe(const Touching& touching) const
   d.Settings.Solver = touching.Solver;
   d.Settings.Alignment = touching.Alignment;
   d.Settings.Placement = touching.Placement;
+  d.Settings.ReleaseTime = touching.ReleaseTime;
   d.Settings.Side = touching.Side;
   return d;
 }

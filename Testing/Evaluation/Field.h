@@ -42,6 +42,7 @@ struct Touching
   VolumeHaptics::GradientEstimator Estimator = VolumeHaptics::GradientEstimator::Gaussian;
   int KernelRadius = 2;
   VolumeHaptics::HapticMaterial Material;
+  double ReleaseTime = VolumeHaptics::HapticSettings{}.ReleaseTime; ///< s
 };
 
 /** Constant material functions. */

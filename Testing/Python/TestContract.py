@@ -53,6 +53,7 @@ FILTER = {
     "SetLocalSurfaceShape": ("PLANE (default)", "QUADRIC"),
     "SetLocalSurfaceRate": ("Hz", "Default 60"),
     "SetRecoveryTime": ("(s)", "Default 0.015"),
+    "SetReleaseTime": ("(s)", "PRECISE", "Default 0.005"),
     "SetMaximumForce": ("(N)", "0 (default)"),
     "SetPathConnection": ("path", "port 1"),
     "SetSurfaceConnection": ("surface", "port 2"),

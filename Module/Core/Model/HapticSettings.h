@@ -79,6 +79,7 @@ struct HapticSettings
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that have any
+  double ReleaseTime = 0.005;       ///< s, of a leap of Precise with FarSide; 0: at once
   double CouplingStiffness = 500.0; ///< N/m, with SameShape, and of Primitives
   double TickPeriod = 1e-3;         ///< s
   double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand

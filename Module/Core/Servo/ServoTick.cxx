@@ -116,6 +116,8 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.DataTime = state.DataTime;
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
+  record.Leap = Vector3{};
+  record.LeapStiffness = 0.0;
   record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
   record.Request = RemovalRequest::None;
   record.IsServed = false;
@@ -138,10 +140,18 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
     record.Value = model.ValueAtDevice(record.Proxy);
   }
   state.Proxy = record.Proxy;
-  state.PreviousTip = tip;
   state.CarriedTo = state.DataTime;
   state.Stiffness = record.Stiffness;
   state.SurfaceStrength = record.SurfaceStrength;
+  if (!state.Enabled || state.Needle.IsInserted)
+  {
+    state.Release = ReleaseState{}; // a needle in the tissue has a law of its own
+  }
+  else
+  {
+    ReleaseProxy(model.Baked->Settings, tip - state.PreviousTip, state.Release, record);
+  }
+  state.PreviousTip = tip;
   state.Enabled = true;
 
   const double limit = model.Baked->Settings.MaximumForce;

@@ -16,6 +16,7 @@
 #include "Core/Solvers/NeedleState.h"
 #include "Core/Solvers/PreciseState.h"
 #include "Core/Solvers/PrimitiveMemory.h"
+#include "Core/Solvers/ProxyRelease.h"
 #include "Core/Solvers/ShellState.h"
 #include "Core/Solvers/TickRecord.h"
 
@@ -32,6 +33,7 @@ struct ServoState
   Vector3 PreviousTip;
   bool Enabled = false; ///< if false, the next tick puts the proxy on the tip with no force
   PreciseState Precise;
+  ReleaseState Release; ///< what the hand feels beside the law, whose proxy the state has
   LocalState Local;
   PrimitiveMemory Primitives;
   LabelMemory Labels; ///< only saves time

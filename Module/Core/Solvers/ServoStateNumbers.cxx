@@ -231,6 +231,9 @@ void VisitState(State& state, Function&& visit)
   VisitShell(state.Shell, visit);
   visit(state.IsSpinning);
   VisitBurr(state.Burr, visit);
+  VisitVector(state.Release.Force, visit);
+  visit(state.Release.Stiffness);
+  visit(state.Release.Absorbed);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -331,6 +334,12 @@ bool IsPossible(const BurrState& burr)
     burr.Shorter >= 0.0 && burr.Shorter < FarthestTip;
 }
 
+bool IsPossible(const ReleaseState& release)
+{
+  return IsNear(release.Force, MostOfForce) && IsAmount(release.Stiffness) &&
+    std::abs(release.Absorbed) <= MostOfMaterial;
+}
+
 } // namespace
 
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept
@@ -359,7 +368,7 @@ bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept
     IsAmount(state.Stiffness) && IsAmount(state.SurfaceStrength) && IsPossible(state.Precise) &&
     IsPossible(state.Local) && IsPossible(state.Primitives) && IsPossible(state.Needle) &&
     IsPossible(state.Orientation, state.HasOrientation) && IsPossible(state.Shell) &&
-    IsPossible(state.Burr);
+    IsPossible(state.Burr) && IsPossible(state.Release);
 }
 
 } // namespace VolumeHaptics

@@ -14,13 +14,13 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 293;
+constexpr int ServoStateSize = 298;
 /**
  * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
- * their directions, before tools, before those with a shape, before burrs, and before theirs that
- * take more than a tick; the other numbers are 0 then.
+ * their directions, before tools, before those with a shape, before burrs, before theirs that take
+ * more than a tick, and before releases; the other numbers are 0 then.
  */
-constexpr std::array<int, 9> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292 };
+constexpr std::array<int, 10> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

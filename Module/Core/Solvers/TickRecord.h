@@ -40,6 +40,9 @@ struct TickRecord : MaterialPoint
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
+  /// N, the change of Force by a leap of the proxy; of PRECISE, for ProxyRelease.h
+  Vector3 Leap;
+  double LeapStiffness = 0.0; ///< N/m, of the spring before it
   double Depth = 0.0;         ///< m, of a needle that is inserted; 0: it is not
   double ShaftForce = 0.0;    ///< N, the most that the tissue along a needle's shaft holds
   double RemovedVolume = 0.0; ///< mm^3 of the hand's space, by a burr in this tick

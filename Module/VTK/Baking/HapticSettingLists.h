@@ -76,6 +76,10 @@ inline constexpr FilterSetting All[] = {
     "those a kernel radius to either side of the proxy, as in the paper. Far side (default): those "
     "that a blurred edge leads to, so that skin feels as what lies behind it, from the first touch "
     "on."),
+  HapticNumberMacro(ReleaseTime, 0.0, 1.0, 0.005, "s", &S::ReleaseTime,
+    "Time constant (s) with which the force of a proxy that leaps goes over to the new one, with "
+    "the solver Precise and materials of the Far side, 0 to 1: where a surface gives way, the hand "
+    "feels that over some milliseconds, by 150 N a second at most. 0: at once. Default 0.005."),
   HapticChoiceMacro(GradientEstimator, Owner::GAUSSIAN, &D::Estimator,
     "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
     "voxels away. Gaussian (default): the derivative of a Gaussian of scale 0.53 Kernel Radius "

@@ -135,6 +135,7 @@ TEST(DragLimit, HoldsInNoise)
     {
       HapticModelDescription d = Describe(volume);
       d.Settings.Placement = placement;
+      d.Settings.ReleaseTime = 0.0; // the law alone
       d.Material.Stiffness = { { -20.0, 0.0 }, { 60.0, stiffness } };
       d.Material.Viscosity = { { -60.0, 0.0 }, { 20.0, 0.5 } };
       d.Material.SurfaceStrength = ConstantPolyline(0.0);

@@ -56,6 +56,7 @@ public:
       });
     HapticModelDescription d = Describe(this->Volume);
     d.Settings.Solver = solver;
+    d.Settings.ReleaseTime = 0.0; // the law alone
     d.Settings.Side = seed % 2 ? SurfaceSide::Both : SurfaceSide::Higher;
     d.Estimator = static_cast<GradientEstimator>(seed % 3);
     d.KernelRadius = 1 + static_cast<int>(seed % 3);

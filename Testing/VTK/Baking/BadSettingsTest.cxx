@@ -29,6 +29,7 @@ const BadSetting BadSettings[] = {
   { "ProxyRadius", &vtkVolumeHapticsFilter::SetProxyRadius },
   { "LocalSurfaceRate", &vtkVolumeHapticsFilter::SetLocalSurfaceRate },
   { "RecoveryTime", &vtkVolumeHapticsFilter::SetRecoveryTime },
+  { "ReleaseTime", &vtkVolumeHapticsFilter::SetReleaseTime },
   { "MaximumForce", &vtkVolumeHapticsFilter::SetMaximumForce },
   { "MaximumStiffness", &vtkVolumeHapticsFilter::SetMaximumStiffness },
 };

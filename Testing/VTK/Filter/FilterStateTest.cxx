@@ -35,6 +35,7 @@ TEST(FilterState, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(filter->GetLocalSurfaceShape(), vtkVolumeHapticsFilter::PLANE);
   EXPECT_EQ(filter->GetLocalSurfaceRate(), 60.0);
   EXPECT_EQ(filter->GetRecoveryTime(), 0.015);
+  EXPECT_EQ(filter->GetReleaseTime(), 0.005);
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 4);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
   ASSERT_NE(filter->GetProperty(), nullptr);
@@ -62,6 +63,7 @@ TEST(FilterState, EverySetterModifiesOnChangeOnly)
     { "LocalSurfaceShape", [&] { filter->SetLocalSurfaceShapeToQuadric(); } },
     { "LocalSurfaceRate", [&] { filter->SetLocalSurfaceRate(30.0); } },
     { "RecoveryTime", [&] { filter->SetRecoveryTime(0.05); } },
+    { "ReleaseTime", [&] { filter->SetReleaseTime(0.0); } },
     { "TimeUnitsPerSecond", [&] { filter->SetTimeUnitsPerSecond(2.0); } },
     { "DisplacementArrayName", [&] { filter->SetDisplacementArrayName("motion"); } },
     { "no DisplacementArrayName", [&] { filter->SetDisplacementArrayName(nullptr); } },
@@ -107,6 +109,10 @@ TEST(FilterState, SettingsAreKeptInTheirRange)
   EXPECT_EQ(filter->GetMethod(), vtkVolumeHapticsFilter::PRIMITIVES);
   filter->SetRecoveryTime(-1.0);
   EXPECT_EQ(filter->GetRecoveryTime(), 0.0);
+  filter->SetReleaseTime(-1.0);
+  EXPECT_EQ(filter->GetReleaseTime(), 0.0);
+  filter->SetReleaseTime(2.0);
+  EXPECT_EQ(filter->GetReleaseTime(), 1.0);
   filter->SetLocalSurfaceRate(0.0);
   EXPECT_EQ(filter->GetLocalSurfaceRate(), 1.0);
   filter->SetProxyRadius(-1.0);

@@ -38,6 +38,7 @@ public:
     f->SetLocalSurfaceShapeToQuadric();
     f->SetLocalSurfaceRate(this->Draw(100.0));
     f->SetRecoveryTime(this->Draw(0.5));
+    f->SetReleaseTime(this->Draw(0.5));
     f->SetContactAlignmentToEdge();
     f->SetTimeUnitsPerSecond(this->Draw(9.0));
     f->SetDisplacementArrayName("motion of \"tissue\"");

@@ -43,12 +43,12 @@ inline Numbers Everything(Scene& s)
     1.0 * f->GetKernelRadius(), f->GetServoRate(), f->GetMetersPerWorldUnit(),
     f->GetForceFieldGain(), f->GetForceFieldDamping(), f->GetIsoValue(), f->GetProxyRadius(),
     f->GetForceShading() ? 1.0 : 0.0, 1.0 * f->GetLocalSurfaceShape(), f->GetLocalSurfaceRate(),
-    f->GetRecoveryTime(), 1.0 * f->GetContactAlignment(), 1.0 * f->GetMaterialPlacement(),
-    1.0 * f->GetGeometry(), f->GetSameShape() ? 1.0 : 0.0, f->GetCouplingStiffness(),
-    f->GetTimeUnitsPerSecond(), 1.0 * f->GetFrames(), f->GetFrameSpacing(), f->GetMaximumForce(),
-    f->GetMaximumStiffness(), 1.0 * p->GetComponent(), 1.0 * p->GetSurfaceSide(),
-    p->GetVisibilityFrom() == v ? 1.0 : 0.0, 1.0 * v->GetInterpolationType(),
-    1.0 * v->GetIndependentComponents() };
+    f->GetRecoveryTime(), f->GetReleaseTime(), 1.0 * f->GetContactAlignment(),
+    1.0 * f->GetMaterialPlacement(), 1.0 * f->GetGeometry(), f->GetSameShape() ? 1.0 : 0.0,
+    f->GetCouplingStiffness(), f->GetTimeUnitsPerSecond(), 1.0 * f->GetFrames(),
+    f->GetFrameSpacing(), f->GetMaximumForce(), f->GetMaximumStiffness(), 1.0 * p->GetComponent(),
+    1.0 * p->GetSurfaceSide(), p->GetVisibilityFrom() == v ? 1.0 : 0.0,
+    1.0 * v->GetInterpolationType(), 1.0 * v->GetIndependentComponents() };
   const std::string motion = f->GetDisplacementArrayName();
   Append(all, Numbers(motion.begin(), motion.end()));
   for (vtkPiecewiseFunction* function : s.Materials())

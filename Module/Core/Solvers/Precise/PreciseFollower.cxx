@@ -34,6 +34,9 @@ constexpr double MostPrediction = 1.5;
 /** The learned share of a tick's prediction: the remainder appears in the next tick. */
 constexpr double LearnedShare = 0.5;
 
+/** N: a smaller change of the force is no leap. */
+constexpr double LeastLeap = 0.02;
+
 /** Of a quotient: rounding on another machine must not add a step. */
 constexpr double Rounding = 1e-9;
 /** The most motions at one tip that may lengthen the spring. */
@@ -51,6 +54,13 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
     this->LookAround(lag, this->FindTouched(lag));
     this->Refresh(Norm(lag));
   }
+  if (Law::IsFelt(this->State.Here))
+  {
+    this->StiffnessBefore = this->State.Spring.GetEffective();
+    this->ForceBefore = this->StiffnessBefore * (this->Proxy - from);
+    this->FrictionBefore = this->State.Here.Friction;
+  }
+  this->TipBefore = from;
   Vector3 at = from;
   for (double steps = 2.0; steps > 1.0;)
   {
@@ -100,6 +110,22 @@ void PreciseFollower::Write(TickRecord& record) const noexcept
     record.Contact = this->WentThrough
       ? ContactState::Penetrating
       : (this->Slid ? ContactState::Sliding : ContactState::Sticking);
+  }
+}
+
+void PreciseFollower::WriteLeap(TickRecord& record) const noexcept
+{
+  // Without a leap, a force changes as much as its spring, and friction with it.
+  const double k = std::max(this->StiffnessBefore, record.Stiffness);
+  const double mu = std::max(this->FrictionBefore, record.Friction);
+  const double motion = Norm(this->State.ReachedTip - this->TipBefore) + this->Carried;
+  const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
+  const Vector3 change = record.Force - this->ForceBefore;
+  const double square = Dot(change, change);
+  if (square > most * most)
+  {
+    record.Leap = (1.0 - most / std::sqrt(square)) * change;
+    record.LeapStiffness = k;
   }
 }
 

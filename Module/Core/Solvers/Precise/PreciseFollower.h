@@ -29,10 +29,14 @@ public:
 
   /** The volume moves: the proxy was carried by a motion (m) to the surface that is there. */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
+  /** Before that, the volume has carried the proxy by a distance (m). */
+  void NoteCarried(double distance) noexcept { this->Carried = distance; }
   /** Moves the tip straight to a position, and makes the proxy follow it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */
   void Write(TickRecord& record) const noexcept;
+  /** The change of the force by leaps of the proxy: more than the tip's motion explains. */
+  void WriteLeap(TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
@@ -67,6 +71,14 @@ private:
   bool WentThrough = false;
   bool Slid = false;
   bool LooksAreSpent = false;
+  ///@{
+  /** Before the tick. */
+  Vector3 TipBefore;
+  Vector3 ForceBefore;
+  double StiffnessBefore = 0.0;
+  double FrictionBefore = 0.0;
+  double Carried = 0.0;
+  ///@}
 };
 
 } // namespace VolumeHaptics

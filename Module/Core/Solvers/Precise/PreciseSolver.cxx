@@ -10,10 +10,14 @@ namespace VolumeHaptics
 namespace
 {
 
-void Follow(PreciseFollower& follower, TickRecord& record) noexcept
+void Follow(const HapticModel& model, PreciseFollower& follower, TickRecord& record) noexcept
 {
   follower.Follow(record.Tip);
   follower.Write(record);
+  if (model.Baked->Settings.Placement != MaterialPlacement::Kernel)
+  {
+    follower.WriteLeap(record);
+  }
   record.IsUnfinished = follower.IsUnfinished();
 }
 
@@ -32,7 +36,7 @@ void StepPrecise(
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);
-    Follow(follower, record);
+    Follow(model, follower, record);
     return;
   }
   const Vector3 before = state.Proxy;
@@ -46,11 +50,12 @@ void StepPrecise(
     state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
   }
   PreciseFollower follower(model, state, memory);
+  follower.NoteCarried(Norm(state.Proxy - before));
   if (carried.There)
   {
     follower.TakeOver(*carried.There, carried.Motion);
   }
-  Follow(follower, record);
+  Follow(model, follower, record);
 }
 
 } // namespace VolumeHaptics
