@@ -58,9 +58,9 @@ protected:
   }
 
   /**
-   * Presses into the ball in worlds of other units, against that of mm. Units that are powers of two
-   * round nothing: the law knows no unit. Decimal ones round, and a solver that accepts an end within
-   * a share of 2e-4 of its lag may then accept another one.
+   * Presses into the ball in worlds of other units, against that of mm. Units that are powers of
+   * two round nothing: the law knows no unit. Decimal ones round, and a solver that accepts an end
+   * within a share of 2e-4 of its lag may then accept another one.
    */
   void ExpectSameForces(double low, double high, double leastForce)
   {
