@@ -51,6 +51,7 @@ set(Explore_SOURCES
   Live/HandTool.cxx
   Live/KeptWork.cxx
   Live/LiveRun.cxx
+  Live/LookSwitch.cxx
   Live/PresetSaver.cxx
   Live/SavedMeasurements.cxx
   Live/ToolFile.cxx

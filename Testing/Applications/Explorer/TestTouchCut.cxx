@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A head that is cut open: keys and mouse cut, what is cut away is not felt, and the mouse is the
-// handle's while it drags one. The picture shows the box of which a face was dragged.
+// handle's while it drags one. The picture shows the box of which a face was dragged; the brain in
+// the cut face, whose gradients point anywhere, is not black in it.
 #include "TouchedHead.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRegressionTestImage.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeMapper.h"
 
 #include <array>
@@ -191,6 +193,11 @@ int TestTouchCut(int argc, char* argv[])
   vtkRenderWindow* const window = head.Touch.Scene.Window;
   head.Touch.Hand->VisibilityOff();
   window->Render();
+  vtkNew<vtkUnsignedCharArray> brain;
+  window->GetPixelData(208, 199, 224, 219, 0, brain);
+  double red[2];
+  brain->GetRange(red, 0);
+  head.Expect(red[0] > 40.0, "the light falls on the brain in the cut face");
   const bool looksRight = vtkRegressionTestImage(window) == vtkTesting::PASSED;
   head.Press('x', "x");
   head.Expect(!head.Mapper->GetCropping() && !head.Exploration.Filter->GetCropping(),

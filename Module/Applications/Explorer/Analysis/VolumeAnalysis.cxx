@@ -146,6 +146,7 @@ void SetScale(Explore::Analysis& analysis, vtkImageData* image)
   {
     largest = std::max(largest, image->GetSpacing()[axis] * (image->GetDimensions()[axis] - 1));
   }
+  analysis.Voxel = *std::min_element(image->GetSpacing(), image->GetSpacing() + 3);
   analysis.MetersPerWorldUnit = largest > 50.0 && largest < 1000.0 ? 0.001 : 0.2 / largest;
 }
 } // namespace

@@ -30,6 +30,7 @@ struct Analysis
   double Centre[3] = { 0, 0, 0 }; // of the voxels above the outer threshold, world units
   double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // of the same voxels, world units
   double MetersPerWorldUnit = 0.001;
+  double Voxel = 1.0;     // its shortest edge, world units
   std::string KindReason; // why this kind was chosen, for the summary
 };
 

@@ -7,6 +7,7 @@
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/KeptWork.h"
+#include "Applications/Explorer/Live/LookSwitch.h"
 #include "Applications/Explorer/Live/PresetSaver.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchReplay.h"
@@ -207,6 +208,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   saved.SaveByKey(interactor);
   auto presets = std::make_unique<PresetSaver>(touch, interactor);
   auto tool = std::make_unique<HandTool>(touch, exploration, interactor, wanted.Tool);
+  auto look = std::make_unique<LookSwitch>(touch, exploration.Values, interactor);
   auto recorder = std::make_unique<WindowRecorder>(touch, interactor, wanted.Movie);
   auto script = wanted.Script.empty()
     ? nullptr
@@ -223,8 +225,8 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
-  touch.Style->SetApplicationKeys((PresetSaver::ListKeys() + tool->ListKeys() + keys +
-    files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
+  touch.Style->SetApplicationKeys((look->ListKeys() + PresetSaver::ListKeys() + tool->ListKeys() +
+    keys + files->ListKeys() + WindowRecorder::ListKeys() + "Window\n3\tstereo\n" + sound +
     "S\tsave measurements\n" + kept->ListKeys() + "q\tclose\n")
                                     .c_str());
   touch.Scene.Renderer->GetActiveCamera()->SetWindowCenter(BESIDE_PLOT, 0.0);
@@ -259,6 +261,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
+  look.reset();
   const bool isSetUp = !setup.empty() && touch.Setup->Save(setup.c_str());
   const std::string error = saved.SaveAtEnd();
   kept->KeepAtEnd(isSetUp);

@@ -15,6 +15,7 @@
 #include "vtkProperty.h"
 #include "vtkTransform.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWidgetEvent.h"
 #include "vtkWidgetEventTranslator.h"
 
@@ -171,6 +172,7 @@ void VolumeCut::SetKind(CutKind kind)
   }
   this->Kind = kind;
   this->IsTurned = false;
+  this->Volume->GetProperty()->SetDisableGradientOpacity(kind == CutKind::None); // VolumeLook.h
   if (kind == CutKind::Plane)
   {
     this->PlacePlane();

@@ -34,27 +34,58 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
   property->SetScalarOpacity(opacity);
 }
 
-void LookByThresholds(const Analysis& analysis, vtkVolumeProperty* property)
+/// The opacity of a layer of LAYER voxels where a surface is felt. Half of the picture is the first
+/// half voxel of it, and rays in steps of a voxel do not show the steps.
+constexpr double OPAQUE = 0.998;
+constexpr double LAYER = 4.0;
+
+/// Tissues, or from slow to fast.
+const Colour COLOURS[2][5] = {
+  { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
+    { 0.98, 0.90, 0.82 } },
+  { { 0.23, 0.32, 0.62 }, { 0.20, 0.50, 0.68 }, { 0.18, 0.62, 0.63 }, { 0.45, 0.77, 0.50 },
+    { 0.98, 0.91, 0.36 } },
+};
+
+/// The shares of opacity of the body's outer part, and of what is dense in it.
+void LookByThresholds(
+  const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
-  // Tissues, or from slow to fast.
-  const Colour colours[2][5] = {
-    { { 0.70, 0.48, 0.40 }, { 0.86, 0.62, 0.51 }, { 0.88, 0.66, 0.56 }, { 0.92, 0.76, 0.67 },
-      { 0.98, 0.90, 0.82 } },
-    { { 0.23, 0.32, 0.62 }, { 0.20, 0.50, 0.68 }, { 0.18, 0.62, 0.63 }, { 0.45, 0.77, 0.50 },
-      { 0.98, 0.91, 0.36 } },
-  };
-  const auto& of = colours[analysis.Kind == Explore::VolumeKind::Field];
+  const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
     { outer - edge, 0.00, of[0] },
-    { outer + edge, 0.30, of[1] },
-    { deep, 0.30, of[2] },
-    { deep + edge, 0.55, of[3] },
-    { std::max(analysis.High, deep + 2.0 * edge), 0.80, of[4] },
+    { outer + edge, body, of[1] },
+    { deep, body, of[2] },
+    { deep + edge, dense, of[3] },
+    { std::max(analysis.High, deep + 2.0 * edge), most, of[4] },
   };
   Apply(stops, property);
+}
+
+/// The colours of CTLook with the opacity of steps: from nothing to all of it between two values.
+void LookAtCT(double from, double to, vtkVolumeProperty* property)
+{
+  Apply(VolumeHaptics::CTLook, property);
+  vtkPiecewiseFunction* const opacity = property->GetScalarOpacity();
+  opacity->RemoveAllPoints();
+  opacity->AddPoint(from, 0.0);
+  opacity->AddPoint(to, OPAQUE);
+}
+
+/// For a cut: looks through tissue in which values change by less than at the outer surface, or a
+/// cut face would show nothing but the shading of noise.
+void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
+{
+  const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
+  const double edge = analysis.OuterThreshold - air; // in a voxel, of a surface two voxels wide
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.1 * edge, 0.05);
+  opacity->AddPoint(0.3 * edge, 1.0);
+  property->SetGradientOpacity(opacity);
+  property->DisableGradientOpacityOn();
 }
 } // namespace
 
@@ -62,7 +93,7 @@ namespace Explore
 {
 void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property)
 {
-  constexpr double half = 0.499, opacity = 0.9;
+  constexpr double half = 0.499, opacity = OPAQUE;
   vtkNew<vtkColorTransferFunction> colour;
   vtkNew<vtkPiecewiseFunction> opacities;
   opacities->AddPoint(0.0, 0.0);
@@ -91,19 +122,46 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
 {
   if (analysis.Kind == VolumeKind::CT)
   {
-    Apply(VolumeHaptics::CTLook, property);
+    // Around the middle of the edge from air to fat and skin, where a hand meets it.
+    LookAtCT(-600.0, -400.0, property);
+  }
+  else if (analysis.Kind == VolumeKind::Field)
+  {
+    LookByThresholds(analysis, 0.30, 0.55, 0.80, property);
   }
   else
   {
-    LookByThresholds(analysis, property);
+    LookByThresholds(analysis, OPAQUE, OPAQUE, OPAQUE, property);
   }
+  if (HasInside(analysis))
+  {
+    LookThroughNoise(analysis, property);
+  }
+  const double glass = 1e-3 * VolumeHaptics::CTLookThickness / analysis.MetersPerWorldUnit;
   property->SetScalarOpacityUnitDistance(
-    1e-3 * VolumeHaptics::CTLookThickness / analysis.MetersPerWorldUnit);
+    analysis.Kind == VolumeKind::Field ? glass : LAYER * analysis.Voxel);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
   property->SetAmbient(0.2);
   property->SetDiffuse(0.85);
   property->SetSpecular(0.2);
   property->SetSpecularPower(18.0);
+}
+
+bool HasInside(const Analysis& analysis)
+{
+  return analysis.Kind != VolumeKind::Field && analysis.Kind != VolumeKind::Labels;
+}
+
+void SetInsideLook(const Analysis& analysis, vtkVolumeProperty* property)
+{
+  if (analysis.Kind == VolumeKind::CT)
+  {
+    LookAtCT(200.0, 350.0, property);
+  }
+  else
+  {
+    LookByThresholds(analysis, 0.0, OPAQUE, OPAQUE, property);
+  }
 }
 } // namespace Explore

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Applications/Explorer/Live/LookSwitch.h"
+
+#include "Applications/Explorer/Scene/VolumeLook.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+
+namespace
+{
+template <typename Function>
+void Exchange(Function* a, Function* b)
+{
+  vtkNew<Function> kept;
+  kept->DeepCopy(a);
+  a->DeepCopy(b);
+  b->DeepCopy(kept);
+}
+} // namespace
+
+namespace Explore
+{
+LookSwitch::LookSwitch(
+  TouchScene& touch, const Analysis& analysis, vtkRenderWindowInteractor* interactor)
+  : Touch(touch)
+  , Interactor(interactor)
+  , HasOther(HasInside(analysis))
+{
+  SetInsideLook(analysis, this->Other);
+  this->Key->SetClientData(this);
+  this->Key->SetCallback(
+    [](vtkObject* caller, unsigned long, void* self, void*)
+    {
+      if (static_cast<vtkRenderWindowInteractor*>(caller)->GetKeyCode() == 'O')
+      {
+        static_cast<LookSwitch*>(self)->Switch();
+      }
+    });
+  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
+}
+
+LookSwitch::~LookSwitch()
+{
+  this->Interactor->RemoveObserver(this->Key);
+  if (this->IsInside)
+  {
+    this->Swap();
+  }
+}
+
+std::string LookSwitch::ListKeys() const
+{
+  return this->HasOther ? "Look\nO\tsee and feel the inside; the outside\n" : "";
+}
+
+void LookSwitch::Swap()
+{
+  vtkVolumeProperty* const look = this->Touch.Scene.Look;
+  Exchange(look->GetScalarOpacity(), this->Other->GetScalarOpacity());
+  Exchange(look->GetRGBTransferFunction(), this->Other->GetRGBTransferFunction());
+  this->IsInside = !this->IsInside;
+}
+
+void LookSwitch::Switch()
+{
+  if (!this->HasOther)
+  {
+    return;
+  }
+  this->Swap();
+  this->Touch.Display->SetNotice(
+    this->IsInside ? "The inside: what is hidden is not felt. O shows the outside" : "The outside");
+  this->Interactor->Render();
+}
+} // namespace Explore

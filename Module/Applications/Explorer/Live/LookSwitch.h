@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_LookSwitch_h
+#define Explore_LookSwitch_h
+
+#include "Applications/Explorer/Live/TouchScene.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
+
+#include <string>
+
+namespace Explore
+{
+/// Key O shows the dense inside of a volume alone, and again the outside. Hidden tissue is not
+/// felt: the hand goes through the skin to what is seen. Each look keeps its edited functions.
+class LookSwitch
+{
+public:
+  LookSwitch(TouchScene& touch, const Analysis& analysis, vtkRenderWindowInteractor* interactor);
+  /// Shows the outside, so that the inside is not taken for an edit.
+  ~LookSwitch();
+  LookSwitch(const LookSwitch&) = delete;
+  LookSwitch& operator=(const LookSwitch&) = delete;
+
+  /// As in vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
+  std::string ListKeys() const;
+
+private:
+  void Swap();
+  void Switch();
+
+  TouchScene& Touch;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkVolumeProperty> Other; ///< the functions that are not shown
+  const bool HasOther;
+  bool IsInside = false;
+  vtkNew<vtkCallbackCommand> Key;
+};
+} // namespace Explore
+
+#endif
