@@ -41,7 +41,7 @@ bool IsOfCubes(const Matrix3& indexToWorld)
     (1.0 - rounding) * largest;
 }
 
-/** Of the paper's solver, r is one number. */
+/** Whether the solver is the paper's, whose r is one number in all directions. */
 bool IsOfPaper(const HapticSettings& settings)
 {
   return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;

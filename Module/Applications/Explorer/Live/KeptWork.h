@@ -44,7 +44,7 @@ public:
 
 private:
   std::vector<double> ListFunctions() const;
-  /// What is not saved, as words.
+  /// Names the unsaved work in words.
   std::string Describe(bool hasMeasurements, bool hasFunctions, bool hasRemoval) const;
 
   TouchScene& Touch;

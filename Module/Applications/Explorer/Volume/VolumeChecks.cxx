@@ -159,8 +159,8 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// What is outside gets the least value inside, for the picture, the thresholds and the kind of the
-/// volume as well as for the hand.
+/// Gives samples outside the least value inside: for the picture, the thresholds and the kind of
+/// the volume as well as for the hand.
 void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();

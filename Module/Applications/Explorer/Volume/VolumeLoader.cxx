@@ -207,7 +207,7 @@ bool IsKnownToVTK(const std::string& path)
   return isKnown && axes >= 1 && axes <= 3 && !told.empty() && told[0] == static_cast<double>(axes);
 }
 
-/// Of 64 bits, of MetaIO's long, and of more than three axes.
+/// Reads what VTK's reader can't: samples of 64 bits, MetaIO's long, and more than three axes.
 vtkSmartPointer<vtkImageData> ReadRawMetaImage(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
