@@ -21,7 +21,7 @@ namespace VolumeHaptics
 
 /**
  * VTK tells nobody that a widget of Qt is hidden, minimised or closed. This watches for it, and
- * then leaves the touch mode and disarms. One call does it:
+ * then lets the force fade and leaves the touch mode. One call does it:
  *
  *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
  *   VolumeHaptics::WidgetWatch::Watch(view, style);
@@ -81,11 +81,11 @@ private:
     {
       return;
     }
-    this->Style->TouchModeOff();
     if (vtkHapticDevice* const device = this->Style->GetDevice())
     {
-      device->Disarm();
+      device->FadeOut();
     }
+    this->Style->TouchModeOff();
   }
 
   vtkWeakPointer<vtkInteractorStyleHaptic> Style;

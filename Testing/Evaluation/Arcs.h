@@ -25,6 +25,9 @@ struct Arc
   Path Tips;               ///< mm, one a tick
   std::size_t Pressed = 0; ///< how many of these press, before the others stroke
   Vector3 Middle;          ///< mm, where the rays to the surface begin
+
+  /** The first tick that is judged: the stroke begins 200 ticks before. */
+  std::size_t FindSettled() const { return this->Pressed + 200; }
 };
 
 /** The surface of a scan, and the rays on which it is looked for. */

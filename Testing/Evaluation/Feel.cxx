@@ -24,9 +24,8 @@ namespace
 {
 using Filter = vtkVolumeHapticsFilter;
 
-constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
-constexpr std::size_t Window = 5;    // ticks in which a drop falls
-constexpr double LongMove = 0.3;     // mm in a tick
+constexpr std::size_t Window = 5; // ticks in which a drop falls
+constexpr double LongMove = 0.3;  // mm in a tick
 
 constexpr const char* ByDefault = "PRECISE";
 constexpr const char* SmoothedMesh = "SURFACE_PROXY, of smoothed data";
@@ -174,7 +173,7 @@ Felt FeelArcs(const FeltSurface& surface, const Variant& variant, vtkImageData* 
   {
     const Arc& arc = surface.Arcs[i];
     const Trace trace = Play(*model, arc.Tips);
-    const std::size_t first = arc.Pressed + Settled;
+    const std::size_t first = arc.FindSettled();
     std::vector<double> force;
     for (std::size_t tick = first; tick < trace.size(); ++tick)
     {

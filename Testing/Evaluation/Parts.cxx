@@ -25,8 +25,7 @@ constexpr double Cupping = 0.12;
 constexpr double BeamBlur = 1.2; // mm
 constexpr double NoiseOfMetal = 400.0;
 constexpr double Label = 3.0;
-constexpr double Room = 14.0;        // mm, around a ball: the hand comes from there
-constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
+constexpr double Room = 14.0; // mm, around a ball: the hand comes from there
 
 double OffBall(const Vector3& x)
 {
@@ -126,7 +125,7 @@ PartFeel FeelPart(const FeltSurface& part)
   {
     const Arc& arc = part.Arcs[i];
     const Trace trace = Play(*model, arc.Tips);
-    for (std::size_t tick = arc.Pressed + Settled; tick < trace.size(); ++tick)
+    for (std::size_t tick = arc.FindSettled(); tick < trace.size(); ++tick)
     {
       const double off = std::abs(OffBall(ProxyOf(trace[tick])));
       felt.Distance += off;

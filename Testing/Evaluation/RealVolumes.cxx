@@ -31,8 +31,6 @@ namespace evaluation
 {
 namespace
 {
-constexpr std::size_t Settled = 200; // ticks of a stroke that are not judged
-
 struct KnownVolume
 {
   std::string Name;
@@ -177,7 +175,7 @@ Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Eff
       }
       const Trace trace = Play(*pressed.Model, arc.Tips);
       std::vector<double> force;
-      for (std::size_t i = arc.Pressed + Settled; i < trace.size(); ++i)
+      for (std::size_t i = arc.FindSettled(); i < trace.size(); ++i)
       {
         force.push_back(Norm(trace[i].Force));
       }

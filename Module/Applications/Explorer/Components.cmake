@@ -38,6 +38,7 @@ set(Explore_SOURCES
   Analysis/BodyIsolation.cxx
   Analysis/ValueProbe.cxx
   Analysis/VolumeAnalysis.cxx
+  Errors/CheckedReading.cxx
   Errors/MessageCapture.cxx
   Exploration/Exploration.cxx
   Exploration/GuideFile.cxx
@@ -50,6 +51,7 @@ set(Explore_SOURCES
   Live/FreeFile.cxx
   Live/HandTool.cxx
   Live/KeptWork.cxx
+  Live/KeyBinding.cxx
   Live/LiveRun.cxx
   Live/LookSwitch.cxx
   Live/PresetSaver.cxx

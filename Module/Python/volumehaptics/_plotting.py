@@ -180,8 +180,12 @@ class Haptics:
         """Ends the touch if the volume or the hand was taken out of the scene."""
         before, self._missing = self._missing, self._count_missing()
         if self._missing > before:
-            self.style.SetTouchMode(False)
-            self.device.Disarm()
+            self._let_go()
+
+    def _let_go(self) -> None:
+        """Ends the touch. The force fades, since nobody ordered the hand to let go at once."""
+        self.device.FadeOut()
+        self.style.SetTouchMode(False)
 
     def _has_key(self, pressed: str) -> bool:
         """Whether a key does something in the scene as it is: those that the style lists."""
@@ -214,8 +218,7 @@ class Haptics:
     def _refuse(self) -> None:
         """Lets nobody touch what is not in the scene, or invisible."""
         if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
-            self.style.SetTouchMode(False)
-            self.device.Disarm()
+            self._let_go()
             warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
                           "VisibilityOn() of the actor, or close() of what add_haptics() has returned, and add_haptics() "
                           "with what is shown now", stacklevel=2)
@@ -256,8 +259,7 @@ class Haptics:
         def let_go() -> None:
             haptics = itself()
             if haptics is not None and not haptics.closed:
-                haptics.style.SetTouchMode(False)
-                haptics.device.Disarm()
+                haptics._let_go()
 
         self._leave_widget = watch_widget(plotter, let_go)  # if it is one of Qt
 

@@ -261,8 +261,7 @@ class View:
         """The hand lets go."""
         self.leader = self._move = None
         if not self.haptics.closed:
-            self.haptics.style.SetTouchMode(False)
-            self.haptics.device.Disarm()
+            self.haptics._let_go()
 
     def _ask(self, number: int) -> None:
         for page, heard in list(self._heard.items()):

@@ -543,10 +543,14 @@ void HapticInteraction::FollowVolumes()
   if (this->Touch.IsOn() || device->IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    this->LetGo();
+    this->Measure.End();
+    // What is hidden by the user, or by the program, is no reason to shock the hand.
+    device->FadeOut();
+    this->Touch.Set(false);
+    return;
   }
-  // After that, another one pushes nobody.
-  if (this->Scene.Device == device)
+  // After the fade, another one pushes nobody.
+  if (this->Scene.Device == device && !this->Scene.IsArmed())
   {
     this->Touched.FeelShown();
   }

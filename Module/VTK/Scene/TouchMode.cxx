@@ -42,9 +42,9 @@ void TouchMode::Set(bool on)
   this->IsTouching = false;
   this->ReleaseButton();
   this->Window.Look();
-  if (this->Scene.Device)
+  if (this->Scene.Device && this->Scene.Device->IsArmOrdered())
   {
-    this->Scene.Device->Disarm();
+    this->Scene.Device->Disarm(); // a force that fades already goes on to fade
   }
   this->Scene.Style->Modified();
 }

@@ -78,9 +78,9 @@ int TestTouchInside(int argc, char* argv[])
     });
   const auto press = [&]
   {
-    head.Interactor->SetKeyCode('O');
+    head.Interactor->SetKeySym("O");
     head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
-    head.Interactor->SetKeyCode(0);
+    head.Interactor->SetKeySym(nullptr);
   };
   press();
   head.Run(20);

@@ -39,6 +39,34 @@ protected:
     volume->SetMapper(mapper);
     this->Renderer->AddVolume(volume);
   }
+  /// The other one stands beside the first one, and the mouse touches it.
+  bool TouchOtherBeside()
+  {
+    this->Other->SetPosition(70.0, 0.0, 0.0);
+    EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
+    this->Pointer(150 + 70, 150);
+    this->Style->TouchModeOn();
+    this->Run(20);
+    return this->FeelsOther();
+  }
+  /// The other one gives way to 0.5 N.
+  vtkPiecewiseFunction* WeakenOther()
+  {
+    vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
+    strength->RemoveAllPoints();
+    strength->AddPoint(0.0, 0.0);
+    strength->AddPoint(0.1, 0.5);
+    return strength;
+  }
+  bool RunUntilOtherIsFelt(bool isOther)
+  {
+    return Eventually(
+      [=]
+      {
+        this->Style->UpdateHaptics();
+        return this->FeelsOther() == isOther;
+      });
+  }
   bool FeelsOther() { return this->Device->GetVolumeHaptics() == this->OtherFilter; }
   /// Notes the force of a state, and how it changes while the other volume takes over.
   void Watch(vtkTable* states, vtkIdType row)
@@ -102,10 +130,7 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
 {
   // In front of the first one, with 10 mm of air between them; it gives way to 0.5 N.
   this->Other->SetPosition(0.0, 0.0, 70.0);
-  vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
-  strength->RemoveAllPoints();
-  strength->AddPoint(0.0, 0.0);
-  strength->AddPoint(0.1, 0.5);
+  this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
@@ -135,10 +160,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   // Fused: the other one surrounds the first one, 5 mm larger, and gives way to 0.5 N. 4 mm of 500
   // N/m press the first one with 2 N.
   this->Other->SetScale(35.0 / 30.0);
-  vtkPiecewiseFunction* const strength = this->OtherFilter->GetProperty()->GetSurfaceStrength();
-  strength->RemoveAllPoints();
-  strength->AddPoint(0.0, 0.0);
-  strength->AddPoint(0.1, 0.5);
+  vtkPiecewiseFunction* const strength = this->WeakenOther();
   EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
   this->Style->SetFeltVolumeToStrongest();
   this->Pointer(150, 150);
@@ -156,21 +178,11 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Style->TouchModeOff();
   this->Device->PlaceVirtualTip(0.0, 0.0, 60.0);
   this->Style->SetFeltVolumeToStrongest();
-  ASSERT_TRUE(Eventually(
-    [this]
-    {
-      this->Style->UpdateHaptics();
-      return !this->FeelsOther();
-    }));
+  ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
   // As strong as the other one, it is not chosen, because it is behind.
   strength->AddPoint(0.1, 8.0);
   this->Device->PlaceVirtualTip(0.0, 0.0, 55.0);
-  ASSERT_TRUE(Eventually(
-    [this]
-    {
-      this->Style->UpdateHaptics();
-      return this->FeelsOther();
-    }));
+  ASSERT_TRUE(this->RunUntilOtherIsFelt(true));
 }
 
 TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
@@ -187,17 +199,13 @@ TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
 
 TEST_F(StyleSeveral, InsteadOfOneThatIsHiddenTheOtherOneIsFelt)
 {
-  this->Other->SetPosition(70.0, 0.0, 0.0);
-  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
-  this->Pointer(150 + 70, 150);
-  this->Style->TouchModeOn();
-  this->Run(20);
-  ASSERT_TRUE(this->FeelsOther());
+  ASSERT_TRUE(this->TouchOtherBeside());
   this->Other->VisibilityOff();
-  this->Run(20);
-  EXPECT_FALSE(this->FeelsOther());
-  EXPECT_FALSE(this->Style->GetTouchMode()) << "no other one comes under a hand that presses";
-  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+  this->Style->UpdateHaptics();
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  ASSERT_TRUE(this->RunUntilOtherIsFelt(false));
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY)
+    << "no other one comes under a hand that presses";
   ASSERT_EQ(this->Log.Warnings.size(), 1U);
   EXPECT_NE(this->Log.Warnings[0].find("hidden"), std::string::npos);
   this->Log.Warnings.clear();
@@ -209,12 +217,7 @@ TEST_F(StyleSeveral, InsteadOfOneThatIsHiddenTheOtherOneIsFelt)
 
 TEST_F(StyleSeveral, AnotherOneForAllIsFeltByTheFirstFilter)
 {
-  this->Other->SetPosition(70.0, 0.0, 0.0);
-  EXPECT_TRUE(this->Style->AddTouchedVolume(this->Other, this->OtherFilter));
-  this->Pointer(150 + 70, 150);
-  this->Style->TouchModeOn();
-  this->Run(20);
-  ASSERT_TRUE(this->FeelsOther());
+  ASSERT_TRUE(this->TouchOtherBeside());
   this->Style->TouchModeOff();
   vtkImageData* const others = this->OtherFilter->GetTouchedImage();
   this->Style->TouchVolume(this->Volume);

@@ -5,6 +5,7 @@
  * Volumes that show what is felt in a way that is not felt: one warning for each reason.
  */
 
+#include "Rigs/LoopPauses.h"
 #include "StyleRig.h"
 
 #include <vtkAssembly.h>
@@ -71,7 +72,7 @@ protected:
   {
     for (const char* const when : { "touched before", "begins anew" })
     {
-      this->Run(20);
+      this->RunUntilReady();
       EXPECT_FALSE(this->Style->GetTouchMode()) << when;
       EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY) << when;
       EXPECT_EQ(Length(this->Device->GetForce()), 0.0) << when;
@@ -83,10 +84,41 @@ protected:
     this->Log.Warnings.clear();
     // Nor by arming, as with a real device.
     this->Device->Arm();
-    this->Run(20);
-    EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::READY);
+    this->RunUntilReady();
     EXPECT_EQ(this->Log.Warnings.size(), 1U);
     this->Log.Warnings.clear();
+  }
+  /// The force has faded.
+  void RunUntilReady()
+  {
+    EXPECT_TRUE(Eventually(
+      [this]
+      {
+        this->Style->UpdateHaptics();
+        return this->Device->GetStatus() == vtkHapticDevice::READY;
+      }));
+  }
+  /// The largest change of the force between two ticks (N), until none is left.
+  double FindLargestStep(LoopPauses& pauses)
+  {
+    double last = Length(this->Device->GetForce());
+    double largest = 0.0;
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        this->Style->UpdateHaptics();
+        pauses.Look(this->Device);
+        vtkTable* const states = this->Style->GetStates();
+        for (vtkIdType i = 0; i < states->GetNumberOfRows(); ++i)
+        {
+          const double force =
+            Length(vtkDataArray::SafeDownCast(states->GetColumnByName("Command"))->GetTuple3(i));
+          largest = std::max(largest, std::abs(force - last));
+          last = force;
+        }
+        return last == 0.0 && this->Device->GetStatus() == vtkHapticDevice::READY;
+      }));
+    return largest;
   }
 
   vtkSmartPointer<vtkVolumeMapper> Mapper;
@@ -247,6 +279,34 @@ TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
   this->Volume->VisibilityOn();
   this->Push();
   EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
+}
+
+// As ForceGate::FadeTime, 50 ms, and a servo of 1000 Hz have it: a fiftieth of the force a tick.
+TEST_F(StyleVolumes, ThatAreHiddenOrRemovedFade)
+{
+  constexpr double ticks = 50.0;
+  this->Style->TouchVolume(this->Volume);
+  for (const bool isRemoved : { false, true })
+  {
+    LoopPauses pauses;
+    double force = 0.0;
+    double step = 0.0;
+    do // a servo that was held up does not fade from where it was
+    {
+      this->Push();
+      this->Style->UpdateHaptics(); // takes the states before
+      pauses.Look(this->Device);
+      pauses.Forget();
+      force = Length(this->Device->GetForce());
+      isRemoved ? this->Renderer->RemoveVolume(this->Volume) : this->Volume->VisibilityOff();
+      step = this->FindLargestStep(pauses);
+      this->Log.Warnings.clear();
+      this->Volume->VisibilityOn();
+      this->Renderer->AddVolume(this->Volume);
+    } while (pauses.WasHeldUp() && !this->HasFatalFailure());
+    EXPECT_LT(step, 1.2 * force / ticks) << (isRemoved ? "removed" : "hidden");
+    EXPECT_GT(step, 0.0);
+  }
 }
 
 TEST_F(StyleVolumes, ThatAreReplacedAreNotFelt)

@@ -2,45 +2,177 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Exploration/ShapeFile.h"
 
+#include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 
-#include "vtkNew.h"
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkPolyDataReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLPolyDataReader.h"
 
+#include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
+
+#include <cstdlib>
+#include <istream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <vector>
 
 namespace
 {
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadWith(const std::string& name)
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  return reader->GetOutput();
+  const auto make = [&name](auto reader) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    reader->SetFileName(name.c_str());
+    return reader;
+  };
+  const std::string ending = Explore::FindEnding(name);
+  return ending == ".stl" ? make(vtkSmartPointer<vtkSTLReader>::New())
+    : ending == ".ply"    ? make(vtkSmartPointer<vtkPLYReader>::New())
+    : ending == ".vtk"    ? make(vtkSmartPointer<vtkPolyDataReader>::New())
+    : ending == ".obj"    ? make(vtkSmartPointer<vtkOBJReader>::New())
+                          : make(vtkSmartPointer<vtkXMLPolyDataReader>::New());
 }
 
-vtkSmartPointer<vtkPolyData> ReadShape(const std::string& name)
+/// The bytes of a number in a .ply; 0 if the type is not known.
+std::size_t FindPlySize(const std::string& type)
 {
-  const std::string ending = Explore::FindEnding(name);
-  if (ending == ".stl")
+  const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
+    { "uint8", 1 }, { "short", 2 }, { "int16", 2 }, { "ushort", 2 }, { "uint16", 2 }, { "int", 4 },
+    { "int32", 4 }, { "uint", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 },
+    { "double", 8 }, { "float64", 8 } };
+  const auto found = sizes.find(type);
+  return found == sizes.end() ? 0 : found->second;
+}
+
+struct PlyProperty
+{
+  std::size_t CountSize = 0; ///< bytes; 0 if it is no list
+  std::size_t Size = 0;      ///< bytes of a number
+};
+struct PlyElements
+{
+  double Count = 0.0;
+  std::vector<PlyProperty> Properties;
+};
+
+/// Whether an element is all there in binary; goes on behind it.
+bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, std::size_t& at)
+{
+  for (const PlyProperty& property : kind.Properties)
   {
-    return ReadWith<vtkSTLReader>(name);
+    std::size_t numbers = 1;
+    if (property.CountSize > 0)
+    {
+      numbers = 0;
+      for (std::size_t i = 0; i < property.CountSize && at + i < bytes.size(); ++i)
+      {
+        const std::size_t shift = 8 * (isBig ? property.CountSize - 1 - i : i);
+        numbers |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[at + i])) << shift;
+      }
+      at += property.CountSize;
+    }
+    if (at > bytes.size() || numbers > (bytes.size() - at) / property.Size)
+    {
+      return false;
+    }
+    at += numbers * property.Size;
   }
-  if (ending == ".ply")
+  return true;
+}
+
+/// The same of a line of text.
+bool SkipLine(const PlyElements& kind, std::istream& text)
+{
+  std::string line;
+  std::getline(text, line);
+  std::istringstream words(line);
+  double number = 0.0;
+  for (const PlyProperty& property : kind.Properties)
   {
-    return ReadWith<vtkPLYReader>(name);
+    words >> number;
+    for (double left = property.CountSize > 0 ? number : 0.0; left > 0.0 && words; --left)
+    {
+      words >> number;
+    }
   }
-  if (ending == ".vtk")
+  return static_cast<bool>(words);
+}
+
+/// Whether a .ply has all elements that its header promises: VTK's reader goes on without them, and
+/// frees memory that it never had. A header that this does not know is left to the reader.
+bool HasAllElements(const std::string& name)
+{
+  std::vector<PlyElements> kinds;
+  std::string format, line;
+  vtksys::ifstream in(name.c_str(), std::ios::binary);
+  while (std::getline(in, line) && line.find("end_header") != 0)
   {
-    return ReadWith<vtkPolyDataReader>(name);
+    std::istringstream words(line);
+    std::string word, first, second, third;
+    words >> word >> first >> second >> third;
+    if (word == "format")
+    {
+      format = first;
+    }
+    else if (word == "element")
+    {
+      kinds.push_back({ std::strtod(second.c_str(), nullptr), {} });
+    }
+    else if (word == "property" && !kinds.empty())
+    {
+      const bool isList = first == "list";
+      kinds.back().Properties.push_back(
+        { isList ? FindPlySize(second) : 0, FindPlySize(isList ? third : first) });
+      if (kinds.back().Properties.back().Size == 0)
+      {
+        return true;
+      }
+    }
   }
-  return ending == ".obj" ? ReadWith<vtkOBJReader>(name) : ReadWith<vtkXMLPolyDataReader>(name);
+  std::string bytes;
+  if (format != "ascii")
+  {
+    bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  std::size_t at = 0;
+  for (const PlyElements& kind : kinds)
+  {
+    for (double i = 0.0; i < kind.Count; ++i)
+    {
+      if (!(format == "ascii" ? SkipLine(kind, in)
+                              : SkipBinary(kind, bytes, format == "binary_big_endian", at)) ||
+        kind.Properties.empty())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool HasAllPoints(vtkPolyData* shape)
+{
+  for (vtkCellArray* const cells :
+    { shape->GetVerts(), shape->GetLines(), shape->GetPolys(), shape->GetStrips() })
+  {
+    vtkDataArray* const ids = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < cells->GetNumberOfConnectivityIds(); ++i)
+    {
+      const double id = ids->GetComponent(i, 0);
+      if (id < 0.0 || id >= static_cast<double>(shape->GetNumberOfPoints()))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 } // namespace
 
@@ -51,6 +183,28 @@ std::string FindEnding(const std::string& name)
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
 }
 
+vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error)
+{
+  const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(name);
+  const auto check = [&name]
+  {
+    return FindEnding(name) != ".ply" || HasAllElements(name)
+      ? std::string()
+      : "its header promises elements that are not in the file";
+  };
+  const bool isRead = ReadChecked(reader, error, check);
+  const vtkSmartPointer<vtkPolyData> shape =
+    vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+  if (isRead && shape && HasAllPoints(shape))
+  {
+    return shape;
+  }
+  error = !error.empty() ? error
+    : isRead && shape    ? "it has a cell with a point that does not exist"
+                         : "it is damaged";
+  return nullptr;
+}
+
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure)
 {
@@ -58,10 +212,9 @@ vtkSmartPointer<vtkPolyData> ReadShapeFile(
   {
     throw InputError(option + " " + name, "there is no such file", "name one that is there");
   }
-  const MessageCapture capture;
-  vtkSmartPointer<vtkPolyData> shape = ReadShape(name);
-  const std::string error = capture.FirstError();
-  if (!error.empty())
+  std::string error;
+  vtkSmartPointer<vtkPolyData> shape = ReadPolyData(name, error);
+  if (!shape)
   {
     throw InputError(option + " " + name, "it can't be read: " + error, cure);
   }

@@ -102,23 +102,8 @@ KeptWork::KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter,
   , Folder(FindFolder(shown))
   , Offered(FindLast(this->Folder))
   , Functions(this->ListFunctions())
+  , Key(interactor, "F11", [this] { this->BringBack(); })
 {
-  this->Key->SetClientData(this);
-  this->Key->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void*)
-    {
-      const char* const key = static_cast<vtkRenderWindowInteractor*>(caller)->GetKeySym();
-      if (key && key == std::string("F11"))
-      {
-        static_cast<KeptWork*>(self)->BringBack();
-      }
-    });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
-}
-
-KeptWork::~KeptWork()
-{
-  this->Interactor->RemoveObserver(this->Key);
 }
 
 std::string KeptWork::ListKeys() const

@@ -4,11 +4,10 @@
 #define Explore_KeptWork_h
 
 #include "Applications/Explorer/Live/HandTool.h"
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
 
@@ -27,9 +26,6 @@ public:
   /// `shown` is the file of the window. The functions that the window begins with are not kept.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, vtkRenderWindowInteractor* interactor, const FileChoice& shown);
-  ~KeptWork();
-  KeptWork(const KeptWork&) = delete;
-  KeptWork& operator=(const KeptWork&) = delete;
 
   /// As in vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to bring back.
   std::string ListKeys() const;
@@ -56,7 +52,7 @@ private:
   std::string Offered; ///< a folder; empty if there is none, or it was brought back
   std::string Brought; ///< a folder
   std::vector<double> Functions; ///< at the beginning
-  vtkNew<vtkCallbackCommand> Key;
+  KeyBinding Key;
 };
 } // namespace Explore
 

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Live/LiveRun.h"
 
 #include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/ShapeFile.h"
 #include "VTK/Trace/TraceWriter.h"
 
 #include "vtkDataArray.h"
@@ -10,12 +11,12 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkVolumeHapticsFilter.h"
-#include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <iomanip>
 #include <sstream>
 #include <thread>
@@ -118,12 +119,25 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
   return agreement;
 }
 
-vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& file)
+/// With these arrays, or it throws.
+vtkSmartPointer<vtkPolyData> ReadRecording(
+  const std::string& file, std::initializer_list<const char*> arrays)
 {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
+  std::string error;
+  vtkSmartPointer<vtkPolyData> recording = Explore::ReadPolyData(file, error);
+  for (const char* const name : arrays)
+  {
+    vtkDataArray* const array = recording ? recording->GetPointData()->GetArray(name) : nullptr;
+    if (recording && (!array || array->GetNumberOfComponents() > 3))
+    {
+      error = std::string("it has no array ") + name;
+    }
+  }
+  if (!error.empty())
+  {
+    throw std::runtime_error("the recording " + file + " can't be read: " + error);
+  }
+  return recording;
 }
 
 /// Plays the planned path through the servo in real time, a point in each tick, as no hand could
@@ -153,7 +167,8 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   }
   Demand(device->StopRecording(), "the recording can't be written", capture);
   device->Stop();
-  const Agreement agreement = CompareTicks(ReadPolyData(recorded), exploration.Trace);
+  const Agreement agreement =
+    CompareTicks(ReadRecording(recorded, { "Tick", "Tip", "Force" }), exploration.Trace);
   vtksys::SystemTools::RemoveFile(planned);
   vtksys::SystemTools::RemoveFile(recorded);
   return agreement;
@@ -182,7 +197,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   Demand(device->StopRecording(), "the recording can't be written", capture);
   device->Stop();
 
-  run.Trace = ReadPolyData(file);
+  run.Trace = ReadRecording(file, { "Force" });
   filter->SetPathData(run.Trace);
   filter->Update();
   const vtkIdType differs = FirstDifference(run.Trace, filter->GetOutput());

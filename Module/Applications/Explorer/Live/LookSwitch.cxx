@@ -26,23 +26,13 @@ LookSwitch::LookSwitch(
   : Touch(touch)
   , Interactor(interactor)
   , HasOther(HasInside(analysis))
+  , Key(interactor, "O", [this] { this->Switch(); })
 {
   SetInsideLook(analysis, this->Other);
-  this->Key->SetClientData(this);
-  this->Key->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void*)
-    {
-      if (static_cast<vtkRenderWindowInteractor*>(caller)->GetKeyCode() == 'O')
-      {
-        static_cast<LookSwitch*>(self)->Switch();
-      }
-    });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
 }
 
 LookSwitch::~LookSwitch()
 {
-  this->Interactor->RemoveObserver(this->Key);
   if (this->IsInside)
   {
     this->Swap();

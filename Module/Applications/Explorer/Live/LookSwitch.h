@@ -3,9 +3,9 @@
 #ifndef Explore_LookSwitch_h
 #define Explore_LookSwitch_h
 
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSmartPointer.h"
@@ -38,7 +38,7 @@ private:
   vtkNew<vtkVolumeProperty> Other; ///< the functions that are not shown
   const bool HasOther;
   bool IsInside = false;
-  vtkNew<vtkCallbackCommand> Key;
+  KeyBinding Key;
 };
 } // namespace Explore
 

@@ -12,23 +12,8 @@ namespace Explore
 PresetSaver::PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor)
   : Touch(touch)
   , Interactor(interactor)
+  , Key(interactor, "F8", [this] { this->Save(); })
 {
-  this->Key->SetClientData(this);
-  this->Key->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void*)
-    {
-      const char* const key = static_cast<vtkRenderWindowInteractor*>(caller)->GetKeySym();
-      if (key && key == std::string("F8"))
-      {
-        static_cast<PresetSaver*>(self)->Save();
-      }
-    });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
-}
-
-PresetSaver::~PresetSaver()
-{
-  this->Interactor->RemoveObserver(this->Key);
 }
 
 void PresetSaver::Save()

@@ -3,10 +3,9 @@
 #ifndef Explore_PresetSaver_h
 #define Explore_PresetSaver_h
 
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <string>
@@ -19,9 +18,6 @@ class PresetSaver
 {
 public:
   PresetSaver(TouchScene& touch, vtkRenderWindowInteractor* interactor);
-  ~PresetSaver();
-  PresetSaver(const PresetSaver&) = delete;
-  PresetSaver& operator=(const PresetSaver&) = delete;
 
   /// For vtkInteractorStyleHaptic::SetApplicationKeys.
   static std::string ListKeys() { return "Preset\nF8\tsave the materials to a file\n"; }
@@ -31,7 +27,7 @@ private:
 
   TouchScene& Touch;
   vtkRenderWindowInteractor* const Interactor;
-  vtkNew<vtkCallbackCommand> Key;
+  KeyBinding Key;
 };
 } // namespace Explore
 

@@ -52,29 +52,20 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
 
 void SavedMeasurements::SaveByKey(vtkRenderWindowInteractor* interactor)
 {
-  this->Key->SetClientData(this);
-  this->Key->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void*)
+  this->Key = std::make_unique<KeyBinding>(interactor, "S",
+    [this, interactor]
     {
-      auto* const pressed = static_cast<vtkRenderWindowInteractor*>(caller);
-      const char* const key = pressed->GetKeySym();
-      if (key && key == std::string("S"))
+      if (this->File.empty())
       {
-        auto& saved = *static_cast<SavedMeasurements*>(self);
-        if (saved.File.empty())
-        {
-          saved.File = FindFreeFile("measurements", ".mrk.json");
-        }
-        std::string error;
-        const bool isSaved = saved.Save(error);
-        const std::string count =
-          std::to_string(saved.Touch.Measurements->GetNumberOfMeasurements());
-        saved.Touch.Display->SetNotice(
-          (isSaved ? "Measurements saved to " + saved.File + ": " + count : error).c_str());
-        pressed->Render();
+        this->File = FindFreeFile("measurements", ".mrk.json");
       }
+      std::string error;
+      const bool isSaved = this->Save(error);
+      const std::string count = std::to_string(this->Touch.Measurements->GetNumberOfMeasurements());
+      this->Touch.Display->SetNotice(
+        (isSaved ? "Measurements saved to " + this->File + ": " + count : error).c_str());
+      interactor->Render();
     });
-  interactor->AddObserver(vtkCommand::KeyPressEvent, this->Key);
 }
 
 std::string SavedMeasurements::SaveAtEnd()

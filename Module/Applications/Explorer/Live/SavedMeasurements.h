@@ -3,13 +3,13 @@
 #ifndef Explore_SavedMeasurements_h
 #define Explore_SavedMeasurements_h
 
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkNew.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace Explore
@@ -41,7 +41,7 @@ private:
   std::string File;
   vtkMTimeType Saved;   ///< the time of the list in the file
   vtkIdType InFile = 0; ///< the length of the list in the file
-  vtkNew<vtkCallbackCommand> Key;
+  std::unique_ptr<KeyBinding> Key;
 };
 } // namespace Explore
 

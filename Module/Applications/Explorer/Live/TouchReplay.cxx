@@ -3,7 +3,7 @@
 #include "Applications/Explorer/Live/TouchReplay.h"
 
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
+#include "Applications/Explorer/Exploration/ShapeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"
@@ -13,7 +13,6 @@
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
 #include "vtkTextProperty.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -112,22 +111,18 @@ std::string TouchReplay::ListKeys()
 
 void TouchReplay::ReadFile(const std::string& file)
 {
-  const MessageCapture capture;
-  vtkNew<vtkXMLPolyDataReader> reader;
+  std::string error;
   const bool isThere = vtksys::SystemTools::FileExists(file, true);
-  if (isThere && reader->CanReadFile(file.c_str()))
-  {
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    this->Trace = reader->GetOutput();
-  }
+  this->Trace = isThere ? ReadPolyData(file, error) : nullptr;
   vtkPointData* const data = this->Trace ? this->Trace->GetPointData() : nullptr;
   vtkDataArray* const times = data ? data->GetArray("Time") : nullptr;
-  if (!times || !data->GetArray("Force") || !data->GetArray("Tip") ||
-    times->GetNumberOfTuples() < 2)
+  const auto isVector = [data](const char* name)
+  { return data->GetArray(name) && data->GetArray(name)->GetNumberOfComponents() == 3; };
+  if (!times || !isVector("Force") || !isVector("Tip") || times->GetNumberOfTuples() < 2)
   {
     throw InputError("--replay " + file,
-      isThere ? "is no recording of a touch" : "there is no such file",
+      isThere ? "is no recording of a touch" + (error.empty() ? "" : " (" + error + ")")
+              : "there is no such file",
       "name a .vtp that key F10 or vtkHapticDevice::StartRecording() has written");
   }
   this->Begin = times->GetComponent(0, 0);

@@ -10,25 +10,20 @@ namespace Explore
 WindowSound::WindowSound(TouchScene& touch, vtkRenderWindowInteractor* interactor)
   : Device(touch.Device)
   , Style(touch.Style)
-  , Interactor(interactor)
   , Ticks(touch.Device->GetVolumeHaptics())
   , Stream(SAMPLES_PER_SECOND)
   , Output(SoundOutput::Open(this->Stream))
+  , Key(interactor, "o", [this] { this->PressKey(); })
 {
   this->StatesObserver->SetClientData(this);
   this->StatesObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<WindowSound*>(self)->TakeStates(); });
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<WindowSound*>(self)->PressKey(); });
   this->Style->AddObserver(vtkInteractorStyleHaptic::StatesEvent, this->StatesObserver);
-  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver);
 }
 
 WindowSound::~WindowSound()
 {
   this->Style->RemoveObserver(this->StatesObserver);
-  this->Interactor->RemoveObserver(this->KeyObserver);
 }
 
 void WindowSound::TakeStates()
@@ -49,10 +44,6 @@ void WindowSound::TakeStates()
 
 void WindowSound::PressKey()
 {
-  if (this->Interactor->GetKeyCode() != 'o')
-  {
-    return;
-  }
   if (this->HasFailed)
   {
     this->Output.reset();

@@ -4,6 +4,7 @@
 #define Explore_WindowSound_h
 
 #include "Applications/Explorer/Exploration/HeardTicks.h"
+#include "Applications/Explorer/Live/KeyBinding.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 #include "Applications/Explorer/Sound/SoundOutput.h"
 #include "Applications/Explorer/Sound/SoundStream.h"
@@ -39,13 +40,12 @@ private:
 
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
-  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   HeardTicks Ticks;
   SoundStream Stream;
   std::unique_ptr<SoundOutput> Output; // after the stream, which it plays
   bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
-  vtkNew<vtkCallbackCommand> KeyObserver;
+  KeyBinding Key;
 };
 } // namespace Explore
 

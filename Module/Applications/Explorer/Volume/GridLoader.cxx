@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/GridLoader.h"
 
+#include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
-#include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Volume/GridOutline.h"
 #include "VTK/Large/DataSetParts.h"
 
@@ -85,27 +85,26 @@ const Format* FindFormat(const std::string& path)
 vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& format, Volume& volume)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
-  const Explore::MessageCapture capture;
-  reader->UpdateInformation();
-  vtkInformation* const information = reader->GetOutputInformation(0);
-  const bool isGood = !capture.HasErrors(); // else some readers go on
-  vtkInformationDoubleVectorKey* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  const int times = information && information->Has(key) ? information->Length(key) : 0;
-  if (isGood && times > 1)
+  const auto chooseTime = [&]
   {
-    const double last = information->Get(key)[times - 1];
-    std::ostringstream note;
-    note << "the last of " << times << " times, " << last << ", is felt";
-    volume.Notes.push_back(note.str());
-    reader->UpdateTimeStep(last);
-  }
-  else if (isGood)
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* const information = reader->GetOutputInformation(0);
+    const int times = information && information->Has(Pipeline::TIME_STEPS())
+      ? information->Length(Pipeline::TIME_STEPS())
+      : 0;
+    if (times > 1)
+    {
+      const double last = information->Get(Pipeline::TIME_STEPS())[times - 1];
+      std::ostringstream note;
+      note << "the last of " << times << " times, " << last << ", is felt";
+      volume.Notes.push_back(note.str());
+      information->Set(Pipeline::UPDATE_TIME_STEP(), last);
+    }
+    return std::string();
+  };
+  std::string detail;
+  if (!Explore::ReadChecked(reader, detail, chooseTime) || !reader->GetOutputDataObject(0))
   {
-    reader->Update();
-  }
-  if (capture.HasErrors() || reader->GetErrorCode() != 0 || !reader->GetOutputDataObject(0))
-  {
-    const std::string detail = capture.FirstError();
     throw InputError(path,
       std::string("cannot be read as ") + format.Name + (detail.empty() ? "" : " (" + detail + ")"),
       "check what the file really is, export it again, and check that the copy is complete");

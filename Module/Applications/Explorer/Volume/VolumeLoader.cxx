@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/VolumeLoader.h"
 
+#include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Errors/MessageCapture.h"
 #include "Applications/Explorer/Volume/DicomFolder.h"
@@ -32,7 +33,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -127,29 +127,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
       "check what the file really is; " + cure);
   }
   std::string detail;
-  const auto isGood = [&]
-  {
-    detail = detail.empty() ? capture.FirstError() : detail;
-    return detail.empty() && reader->GetErrorCode() == 0;
-  };
-  try
-  {
-    // Some readers go on after an error, and read all samples into memory for one voxel.
-    reader->UpdateInformation();
-    if (isGood())
-    {
-      detail = FindFalsePromise(reader, path);
-    }
-    if (isGood())
-    {
-      reader->Update();
-    }
-  }
-  catch (const std::exception&)
-  {
-    detail = "there is not enough memory for what its header promises";
-  }
-  if (!isGood())
+  if (!Explore::ReadChecked(reader, detail, [&] { return FindFalsePromise(reader, path); }))
   {
     throw InputError(path,
       std::string("cannot be read as ") + format + (detail.empty() ? "" : " (" + detail + ")"),

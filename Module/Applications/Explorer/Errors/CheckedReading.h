@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_CheckedReading_h
+#define Explore_CheckedReading_h
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+
+namespace Explore
+{
+/// Runs a reader, and looks at its errors before it reads samples: some readers go on after an
+/// error, and read all samples into memory for one voxel. `check` is called between, and returns
+/// why what the header tells can't be true; empty if it can. False after an error: `detail` then
+/// has it in one line, if the reader told one.
+bool ReadChecked(
+  vtkAlgorithm* reader, std::string& detail, const std::function<std::string()>& check = nullptr);
+} // namespace Explore
+
+#endif
