@@ -63,13 +63,28 @@ inline std::vector<std::uint8_t> CopyShares(const CarvedBricks& bricks, const st
   return shares;
 }
 
-/// What is left of a voxel's volume: 6 (rho - 1/2) + 1/2.
-inline double LeftOf(std::uint8_t share)
+/// The share with which a sample of a solid value has the level: r = (V_c - V_air)/(V - V_air),
+/// from half a share of 255 to as much less than all.
+inline double EdgeOf(double value, double level, double air)
 {
-  return std::clamp(6.0 * (share / 255.0 - 0.5) + 0.5, 0.0, 1.0);
+  return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) of all samples; in voxels of size 1, w = 3.
+/// What is left of a voxel's volume, all of which goes while rho passes r: from 1/12 before it to
+/// 1/12 behind it, as far as there are such shares.
+inline double LeftOf(double rho, double edge)
+{
+  const double low = std::max(edge - 1.0 / 12.0, 0.0);
+  const double high = std::min(edge + 1.0 / 12.0, 1.0);
+  return std::clamp((rho - low) / (high - low), 0.0, 1.0);
+}
+inline double LeftOf(std::uint8_t share, double edge = 0.5)
+{
+  return LeftOf(share / 255.0, edge);
+}
+
+/// rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) of all samples, whose level is
+/// half of their value; in voxels of size 1, w = 3.
 inline void CarveSlowly(
   std::vector<std::uint8_t>& shares, const std::int64_t* n, const Vector3& centre, double radius)
 {

@@ -37,6 +37,8 @@ struct BurrState
   ///@}
   /** m: the next step is no longer, since a later part of one met what nothing removes; 0: any. */
   double Shorter = 0.0;
+  /** m: how much larger the sphere at Carved is, since the tissue around still held the head. */
+  double Room = 0.0;
 };
 
 } // namespace VolumeHaptics

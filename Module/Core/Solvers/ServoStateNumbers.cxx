@@ -234,6 +234,7 @@ void VisitState(State& state, Function&& visit)
   VisitVector(state.Release.Force, visit);
   visit(state.Release.Stiffness);
   visit(state.Release.Absorbed);
+  visit(state.Burr.Room);
 }
 
 /** World units: beyond FarthestTip even if they are micrometres. */
@@ -331,7 +332,8 @@ bool IsPossible(const BurrState& burr)
     burr.LastWay >= 0.0 && burr.LastWay < FarthestTip && IsAmount(burr.Idle) && burr.Phase >= 0.0 &&
     burr.Phase <= 1.0 && std::abs(burr.Lost) <= MostOfMaterial &&
     IsNear(burr.Vibration, MostOfMaterial) && IsNear(burr.Next, FarthestTip) &&
-    burr.Shorter >= 0.0 && burr.Shorter < FarthestTip;
+    burr.Shorter >= 0.0 && burr.Shorter < FarthestTip && burr.Room >= 0.0 &&
+    burr.Room < FarthestTip;
 }
 
 bool IsPossible(const ReleaseState& release)

@@ -14,13 +14,14 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 298;
+constexpr int ServoStateSize = 299;
 /**
  * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
  * their directions, before tools, before those with a shape, before burrs, before theirs that take
- * more than a tick, and before releases; the other numbers are 0 then.
+ * more than a tick, before releases, and before the room of burrs; the other numbers are 0 then.
  */
-constexpr std::array<int, 10> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293 };
+constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
+  298 };
 
 /** A state for a file: every number of it. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -6,10 +6,12 @@
  * small volume, in double precision, a burr of radius a that has moved along a line from p to q
  * leaves
  *
- *   rho <- min(rho, clamp(1/2 + (d - a)/w)),   w = 3 voxels,
+ *   rho <- min(rho, clamp(r + (d - a)/w)),   w = 3 voxels,
  *
- * with the distance d to the line. It takes what removal decides, how far the centre follows the
- * head; and tells what that has cost.
+ * with the distance d to the line, and r = (V_c - V_air)/(V - V_air) of the sample, so that the
+ * level V_c is at d = a (method.md, "The burr"). It takes what removal decides, how far the centre
+ * follows the head, and how much larger a sphere is that gives it room; and tells what that has
+ * cost. The random way is one on which no step is given up.
  */
 
 #include "Rigs/BurrRig.h"
@@ -24,20 +26,22 @@ namespace
 class SlowRemoval
 {
 public:
-  SlowRemoval(const std::int64_t* n, const Vector3& spacing, double radius)
-    : Left(static_cast<std::size_t>(n[0] * n[1] * n[2]), 1.0)
-    , N{ n[0], n[1], n[2] }
+  SlowRemoval(const TestVolume& volume, double level, const Vector3& spacing, double radius)
+    : Volume(volume)
+    , Level(level)
+    , N{ volume.View.Dimensions[0], volume.View.Dimensions[1], volume.View.Dimensions[2] }
+    , Left(static_cast<std::size_t>(N[0] * N[1] * N[2]), 1.0)
     , Spacing(spacing)
     , Radius(radius)
     , Width(3.0 * std::max(spacing.X, std::max(spacing.Y, spacing.Z)))
   {
   }
 
-  void Move(const Vector3& from, const Vector3& to)
+  void Move(const Vector3& from, const Vector3& to, double room = 0.0)
   {
     const Vector3 way = to - from;
     const double square = Dot(way, way);
-    const double reach = this->Radius + 0.5 * this->Width;
+    const double reach = this->Radius + room + this->Width;
     std::size_t at = 0;
     for (std::int64_t k = 0; k < this->N[2]; ++k)
     {
@@ -51,7 +55,8 @@ public:
           const double distance = Norm(x - (from + share * way));
           if (distance < reach)
           {
-            const double rho = 0.5 + (distance - this->Radius) / this->Width;
+            const double rho =
+              this->EdgeOf(i, j, k) + (distance - this->Radius - room) / this->Width;
             this->Left[at] = std::min(this->Left[at], std::max(rho, 0.0));
           }
         }
@@ -64,8 +69,16 @@ public:
       double(k) * this->Spacing.Z };
   }
 
-  std::vector<double> Left; ///< rho
+  /// r
+  double EdgeOf(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    return coretest::EdgeOf(this->Volume(i, j, k), this->Level, 0.0);
+  }
+
+  const TestVolume& Volume;
+  const double Level;
   const std::int64_t N[3];
+  std::vector<double> Left; ///< rho
   const Vector3 Spacing;
   const double Radius;
   const double Width;
@@ -97,7 +110,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
 {
   const Vector3 spacing = GetParam();
   const double voxel = std::cbrt(spacing.X * spacing.Y * spacing.Z);
-  std::mt19937_64 engine(27);
+  std::mt19937_64 engine(28);
   const TestVolume volume = MakeBody(engine);
   const std::int64_t* const n = volume.View.Dimensions;
   HapticModelDescription scene = Describe(volume);
@@ -106,7 +119,7 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
   BurrInHand settings = MakeBurr(5e9, 300.0);
   const Polyline energies{ { 400.0, 0.2 }, { 1700.0, 2.0 } };
   BurrInVolume hand(scene, settings, energies, 1000);
-  SlowRemoval reference(n, spacing, settings.Radius);
+  SlowRemoval reference(volume, settings.Shell.Level, spacing, settings.Radius);
   const Vector3 middle = reference.PlaceOf(19, 19, 10);
   Vector3 at{ middle.X, middle.Y, 0.0 };
   hand.Tick(at);
@@ -162,6 +175,10 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
       {
         reference.Move(from, 1000.0 * after.Carved);
       }
+      if (after.Room > 0.0 && after.Part == 0)
+      {
+        reference.Move(1000.0 * after.Carved, 1000.0 * after.Carved, 1000.0 * after.Room);
+      }
     }
   }
   EXPECT_GT(begun, 3);
@@ -191,8 +208,9 @@ TEST_P(DrilledAtRandom, LeavesWhatTheReferenceLeaves)
         worst = std::max(worst, std::abs(shares[s] - 255.0 * rho));
         carved += rho < 1.0 ? 1 : 0;
         const double energy = whole * table(value)[0];
-        cost += energy * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
-        const bool isOnRamp = std::abs(rho - 0.5) < 1.0 / 12.0 + bound / 255.0;
+        const double edge = reference.EdgeOf(i, j, k);
+        cost += energy * (1.0 - LeftOf(rho, edge));
+        const bool isOnRamp = std::abs(rho - edge) < 1.0 / 12.0 + bound / 255.0;
         uncertain += isOnRamp ? energy * 6.0 * bound / 255.0 : 0.0;
       }
     }

@@ -84,9 +84,8 @@ TEST(Burr, SinksIntoAHalfSpaceAsItsVolumeIsRemoved)
   EXPECT_FALSE(half.Removal->IsUsedUp());
 }
 
-/// B3 with levels of contact that lie anywhere in the ramp of what was removed, as in a CT whose
-/// level is that of skin and whose bone is far beyond it: the level of a share r of the tissue is
-/// (1/2 - r) 3 voxels before the sphere, which is more than the head is pressed in.
+/// B3 with levels of contact of any share of the tissue, as in a CT whose level is that of skin and
+/// whose bone is far beyond it.
 TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
 {
   constexpr double size = 0.5;
@@ -106,6 +105,72 @@ TEST(Burr, GoesOnWhereverTheLevelOfContactLies)
     const double rate = 0.3 * force * 12.566 / 10.0;
     EXPECT_NEAR(hand.Removed - before, rate, 0.02 * rate) << level;
   }
+}
+
+/// B3 where tissue rises slowly from the level: all samples of a layer have it, and would be paid
+/// for at once if a sample lost its volume with the first share. The energy is spent as it comes.
+TEST(Burr, GoesOnSteadilyWhereTissueBeginsAtTheLevel)
+{
+  const TestVolume volume = MakeRamp(16);
+  HapticModelDescription scene = Describe(volume);
+  scene.Removal = std::make_shared<TissueRemoval>();
+  BurrInHand settings;
+  settings.Radius = 2.5;
+  settings.Shell.Level = 800.0;
+  BurrInVolume hand(scene, settings, ConstantPolyline(1.0), 1000);
+  hand.Tick({ 7.0, 7.0, 4.0 });
+  hand.IsSpinning = false;
+  hand.Lead({ 7.0, 7.0, 9.0 });
+  hand.IsSpinning = true;
+  for (int tick = 1; tick <= 3000; ++tick)
+  {
+    hand.Tick({ 7.0, 7.0, 9.0 });
+    ASSERT_GE(hand.Energy, hand.Earned - 1.0) << "J after " << tick << " ms";
+  }
+  EXPECT_LE(hand.Energy, hand.Earned);
+}
+
+/// A press on bone of a head CT with the level of skin: bone of 1500 HU, with grains, lies far
+/// beyond it, and the head would be held between the samples of the walls. The burr goes on, and
+/// its energy removes tissue.
+TEST(Burr, GoesOnInBoneWithTheLevelOfSkin)
+{
+  const Vector3 spacing{ 0.957, 0.957, 1.5 };
+  TestVolume volume(ScalarType::Int16, { 26, 44, 18 });
+  std::mt19937_64 engine(52);
+  volume.Fill<std::int16_t>(
+    [&](std::int64_t, std::int64_t j, std::int64_t)
+    {
+      const double grain = static_cast<double>(engine() % 600) - 300.0;
+      return static_cast<std::int16_t>(j < 10 ? -1024.0 : (j < 13 ? 40.0 : 1500.0 + grain));
+    });
+  HapticModelDescription scene = Describe(volume);
+  scene.IndexToWorld.Linear = { { { spacing.X, 0, 0 }, { 0, spacing.Y, 0 }, { 0, 0, spacing.Z } } };
+  scene.Removal = std::make_shared<TissueRemoval>();
+  scene.AirValue = -1024.0;
+  BurrInHand settings;
+  settings.Radius = 4.0;
+  settings.Shell.Level = -300.0;
+  const Polyline energies{ { -300.0, 0.2 }, { 1800.0, 2.0 } };
+  BurrInVolume hand(scene, settings, energies, 1000);
+  Vector3 at{ 12.7 * spacing.X, 1.0, 8.6 * spacing.Z };
+  hand.Tick(at);
+  double before = 0.0;
+  for (int second = 0; second < 6; ++second)
+  {
+    for (int i = 0; i < 1000; ++i)
+    {
+      const double tool = 1000.0 * hand.Record.Shell.Tool.Position.Y;
+      at.Y = std::min(at.Y + 0.05, tool + 1000.0 * 10.0 / settings.Shell.CouplingStiffness);
+      hand.Tick(at);
+    }
+    // The rest of a second may be saved for a step of the next one.
+    EXPECT_GT(hand.Energy - before, 0.5 * 0.3 * 10.0 * 25.13 * (second == 0 ? 0.5 : 1.0))
+      << "J in second " << second;
+    before = hand.Energy;
+  }
+  EXPECT_LE(hand.Energy, hand.Earned);
+  EXPECT_GE(hand.Energy, 0.95 * hand.Earned);
 }
 
 /// B3 on a random way through tissues that take 2 to 20 J/mm^3: what is missing in the end has cost
@@ -157,7 +222,8 @@ TEST(Burr, RemovesWhatItsEnergyPaysFor)
   {
     const auto i = static_cast<std::int64_t>(n++);
     const double value = volume(i % 64, i / 64 % 64, i / 4096);
-    const double part = value >= 300.0 ? 0.4 * 0.4 * 0.4 * (1.0 - LeftOf(share)) : 0.0;
+    const double part =
+      value >= 300.0 ? 0.4 * 0.4 * 0.4 * (1.0 - LeftOf(share, EdgeOf(value, 300.0, 0.0))) : 0.0;
     missing += part;
     cost += part * table(value)[0];
   }

@@ -113,6 +113,45 @@ TEST_F(CarvedSphere, HasASmoothSurfaceInItsPlace)
   }
 }
 
+/// Whatever the level is: the tissue that is felt begins at the sphere. Tissue with grains, whose
+/// samples have the level with shares of 0.27 to 0.8.
+TEST_F(CarvedSphere, HasTheLevelOfContactInItsPlace)
+{
+  TestVolume tissue(ScalarType::Int16, { 32, 32, 32 });
+  std::mt19937_64 engine(52);
+  tissue.Fill<std::int16_t>([&](std::int64_t, std::int64_t, std::int64_t)
+    { return static_cast<std::int16_t>(900 + engine() % 201); });
+  const HapticModel model(Describe(tissue));
+  constexpr double radius = 8.0;
+  const Vector3 centre{ 15.6, 15.3, 15.8 };
+  const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
+  for (const double level : { 300.0, 500.0, 700.0 })
+  {
+    TissueRemoval removal(512);
+    this->Carver.SetTissue(model, { level, false, &this->Energies });
+    this->Carver.Try(removal, 0.001 * centre, 0.001 * radius);
+    this->Carver.Carve(removal);
+    const TestVolume left = MakeLeft(tissue, removal.Bricks, 0.0);
+    const FieldSampler field(left.View, kernel);
+    double squares = 0.0;
+    constexpr int rays = 500;
+    for (int i = 0; i < rays; ++i)
+    {
+      const Vector3 random = RandomIn(engine, 1.0);
+      const Vector3 ray = (1.0 / Norm(random)) * random;
+      double low = 0.0;
+      double high = radius + 3.0;
+      for (int n = 0; n < 50; ++n)
+      {
+        const double middle = 0.5 * (low + high);
+        (field.Value(centre + middle * ray) < level ? low : high) = middle;
+      }
+      squares += std::pow(low - radius, 2);
+    }
+    EXPECT_LE(std::sqrt(squares / rays), 0.05) << "voxels, at the level " << level;
+  }
+}
+
 /// Random spheres, and ways of one in steps of a quarter voxel.
 TEST_F(CarvedSphere, IsThatOfLoopsOverAllSamples)
 {

@@ -15,6 +15,8 @@ constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
 /** Voxels: so little is not felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
+/** Voxels, of the burr's room, which is never more than a voxel. */
+constexpr double RoomStep = 1.0 / 16.0;
 /** s: no tick is longer. */
 constexpr double LongestTick = 0.1;
 /** s without removal, after which a stroke ends. */
@@ -56,12 +58,13 @@ public:
     {
       const Vector3 lag = goal - s.Carved;
       const double distance = Norm(lag);
-      if (distance == 0.0)
+      const bool isWidened = s.Room > 0.0 && distance < ShortestStep * this->Carver.GetVoxel();
+      if (distance == 0.0 || isWidened)
       {
-        // There is nothing to spend more on.
-        s.Unspent = std::min(s.Unspent, earned);
+        this->Widen(earned);
         return;
       }
+      s.Room = 0.0;
       const double most = 0.25 * this->Carver.GetVoxel();
       const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
@@ -90,8 +93,9 @@ private:
   {
     const BurrState& s = this->State;
     const CarvingPart part{ s.Part, MostBurrWork - this->Record.Work };
+    const Vector3* const from = s.IsRemoved && s.Room == 0.0 ? &s.Carved : nullptr;
     const CarvingCost cost =
-      this->Carver.Try(this->Removal, next, this->Radius, s.IsRemoved ? &s.Carved : nullptr, part);
+      this->Carver.Try(this->Removal, next, this->Radius + s.Room, from, part);
     this->Record.Work += cost.Work;
     return cost;
   }
@@ -123,6 +127,37 @@ private:
     this->Take(s.Next, 0.0, cost);
     this->Record.IsUnfinished = s.Part > 0;
     return s.Part == 0;
+  }
+
+  /** Removes tissue that touches the head still, between the samples, by a larger sphere. */
+  void Widen(double earned) noexcept
+  {
+    BurrState& s = this->State;
+    const double before = s.Room;
+    s.Room += RoomStep * this->Carver.GetVoxel();
+    if (s.Room > this->Carver.GetVoxel())
+    {
+      // There is nothing to spend more on.
+      s.Room = before;
+      s.Unspent = std::min(s.Unspent, earned);
+      return;
+    }
+    const CarvingCost cost = this->Try(s.Carved);
+    if (cost.IsUsedUp)
+    {
+      this->EndUsedUp();
+    }
+    else if (cost.Energy <= s.Unspent)
+    {
+      s.Unspent = std::min(s.Unspent, std::max(earned, cost.Energy));
+      this->Take(s.Carved, 0.0, cost);
+      this->Record.IsUnfinished = s.Part > 0;
+    }
+    else
+    {
+      s.Room = before;
+      s.Unspent = cost.Energy < HUGE_VAL ? s.Unspent : 0.0;
+    }
   }
 
   void EndUsedUp() noexcept
@@ -186,10 +221,13 @@ private:
     this->Carver.Carve(this->Removal);
     this->Removal.Journal.Count(cost.Volume);
     s.Unspent -= cost.Energy;
-    // Shares are whole numbers: a single step may cost nothing, or more than those around it.
-    const double kept = s.Part == 0 ? 0.9 : 1.0;
-    s.LastCost = kept * s.LastCost + cost.Energy;
-    s.LastWay = kept * s.LastWay + way;
+    if (s.Room == 0.0)
+    {
+      // Shares are whole numbers: a single step may cost nothing, or more than those around it.
+      const double kept = s.Part == 0 ? 0.9 : 1.0;
+      s.LastCost = kept * s.LastCost + cost.Energy;
+      s.LastWay = kept * s.LastWay + way;
+    }
     s.Next = next;
     s.Part = cost.Next;
     if (s.Part == 0)
@@ -257,16 +295,12 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.IsRemoved = false;
     state.Part = 0;
     state.Carved = head + (away / force) * record.Shell.Force;
-    state.LastCost = state.LastWay = state.Shorter = 0.0;
+    state.LastCost = state.LastWay = state.Shorter = state.Room = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
-  // The level that is felt in a cavity lies before the sphere that was removed: by half of the
-  // ramp, and a part of a voxel, if the tissue is far beyond the level. As long as the head is
-  // pressed, the burr goes on, but no farther than takes away what it is pressed into.
-  const double ahead = Dot(head - state.Carved, record.Shell.Force) / force;
-  const double least = 0.25 * memory.Carver.GetVoxel();
-  const double most = std::max(least, std::min(radius, memory.Carver.GetRampWidth()));
-  const double beyond = std::clamp(FindDepth(memory.Shell) + ahead, least, most);
+  // The level that is felt in a cavity lies a little before the sphere that was removed: as long as
+  // it is pressed, the burr goes on.
+  const double beyond = 0.25 * memory.Carver.GetVoxel();
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
   removing.Follow(head - (beyond / force) * record.Shell.Force,
     burr.Settings.Friction * force * speed * hand.Step);

@@ -14,7 +14,8 @@
  * of a quarter voxel at most, each as far as the energy so far pays for. While the head is pressed
  * in, it stays behind; so tissue is removed in proportion to how deep it is pressed, as by
  * Archard's law, and the cavity that is left has the head's radius. What a tick does not spend, the
- * next one has, but no more than the next step costs.
+ * next one has, but no more than the next step costs. If the centre has come to the head, and what
+ * is left between the samples still holds the head, larger spheres are removed, up to a voxel.
  *
  * The time of a tick is bounded (MostBurrWork). Where more is paid for, because the head has many
  * voxels or the tissue is soft, a step goes on in the next ticks, in parts, and no energy is lost

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace VolumeHaptics
 {
@@ -36,6 +37,17 @@ double ReachAlong(const Vector3& row, double radius) noexcept
   return radius * Norm(row);
 }
 
+/** Half of a share, as a part of all of them. */
+constexpr double HalfShare = 0.5 / CarvedBricks::Whole;
+/** The part of a voxel's volume that a share leaves, if `edge` is the share at the surface. */
+double FindLeft(std::int32_t share, double edge) noexcept
+{
+  const double rho = static_cast<double>(share) / CarvedBricks::Whole;
+  const double low = std::max(edge - 0.5 * SphereCarver::CountedPart, 0.0);
+  const double high = std::min(edge + 0.5 * SphereCarver::CountedPart, 1.0);
+  return std::clamp((rho - low) / (high - low), 0.0, 1.0);
+}
+
 } // namespace
 
 /** A sphere that is tried, with what each row of samples needs. */
@@ -46,6 +58,7 @@ struct SphereCarver::Sphere
   double Radius;
   double Width;
   double Outer;       ///< m^2: everything remains beyond
+  double Ramp;        ///< m^2: what has the level with half of its share, or more, remains beyond
   bool HasFrom;       ///< samples that are no nearer to Centre than to From keep what they have
   Vector3 Way;        ///< m, from From to Centre
   double Middle;      ///< m^2, of the middle between them along Way, from Centre
@@ -71,6 +84,7 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   this->Model = model.Baked->Number;
   this->View = view;
   this->View.Data = WholeData(view);
+  this->Air = model.Baked->Field.GetCarved().Air;
   this->ToIndex = model.DeviceToIndex;
   const BakedLabels* const labels = model.Baked->Labels.get();
   this->Labels = labels && labels->Table.HasSpecificEnergy() ? labels : nullptr;
@@ -86,11 +100,14 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   {
     this->Longest = std::max(this->Longest, cube * Norm(step));
   }
-  for (int share = 0; share <= CarvedBricks::Whole; ++share)
-  {
-    const double rho = static_cast<double>(share) / CarvedBricks::Whole;
-    this->Volumes[share] = 1e9 * volume * std::clamp(0.5 + (rho - 0.5) / CountedPart, 0.0, 1.0);
-  }
+  this->Volume = 1e9 * volume;
+  const double strongest = WithSampleType(view.Type,
+    [&](auto sample)
+    {
+      using Limits = std::numeric_limits<decltype(sample)>;
+      return static_cast<double>(tissue.IsBelow ? Limits::lowest() : Limits::max());
+    });
+  this->Reach = std::max(0.5, 1.0 - this->FindEdge(strongest));
   if (!isResident)
   {
     std::fill(this->Empty.begin(), this->Empty.end(), 0);
@@ -107,8 +124,10 @@ CarvingCost SphereCarver::Try(const TissueRemoval& removal, const Vector3& centr
   sphere.Index = this->ToIndex(centre);
   sphere.Radius = radius;
   sphere.Width = this->GetRampWidth();
-  const double outer = radius + 0.5 * sphere.Width;
+  const double outer = radius + this->Reach * sphere.Width;
   sphere.Outer = outer * outer;
+  const double ramp = radius + 0.5 * sphere.Width;
+  sphere.Ramp = ramp * ramp;
   sphere.HasFrom = from != nullptr;
   if (from)
   {
@@ -232,6 +251,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
     part.High[a] = std::min(sphere.Box.High[a], bases[a] + BrickSide - 1);
   }
   const double sign = this->Tissue.IsBelow ? -1.0 : 1.0;
+  const double twice = this->Air + 2.0 * (this->Tissue.Level - this->Air);
   const double square = Dot(this->Step[0], this->Step[0]);
   const double slope = Dot(this->Step[0], sphere.Way);
   const double perWidth = 1.0 / sphere.Width;
@@ -257,7 +277,8 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       const double b = Dot(begin, this->Step[0]);
       const double nearest = -b / square;
       const double within = std::min(std::max(nearest, 0.0), double(BrickSide - 1));
-      if (c + within * (2.0 * b + within * square) >= sphere.Outer)
+      const double nearestSquare = c + within * (2.0 * b + within * square);
+      if (nearestSquare >= sphere.Outer)
       {
         continue;
       }
@@ -270,34 +291,53 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
       {
         continue;
       }
+      if (nearestSquare >= sphere.Ramp)
+      {
+        const T* const line = static_cast<const T*>(this->View.Data) + bases[0] * stride[0] +
+          j * stride[1] + k * stride[2];
+        bool isReached = false;
+        for (std::int64_t i = low; i <= high; ++i)
+        {
+          isReached |= sign * (static_cast<double>(line[i * stride[0]]) - twice) > 0.0;
+        }
+        if (!isReached)
+        {
+          continue;
+        }
+      }
       cost.Work += WorkOfShares;
       // All at once: the compiler takes several of them together.
-      std::int32_t targets[BrickSide];
+      double ramp[BrickSide]; // from the surface, in widths
       for (int i = 0; i < BrickSide; ++i)
       {
         const double at = i;
         const double distance = std::sqrt(std::max(c + at * (2.0 * b + at * square), 0.0));
-        const double rho = 0.5 + (distance - sphere.Radius) * perWidth;
-        targets[i] =
-          static_cast<std::int32_t>(CarvedBricks::Whole * std::min(std::max(rho, 0.0), 1.0) + 0.5);
+        ramp[i] = (distance - sphere.Radius) * perWidth;
       }
       std::uint64_t left = shares;
       for (std::int64_t i = low; i <= high; ++i)
       {
         const auto old = static_cast<std::int32_t>(shares >> (8 * i) & 255);
-        const std::int32_t share = targets[i];
-        if (share >= old ||
+        if (old == 0 || ramp[i] >= 1.0 ||
           (sphere.HasFrom && side + static_cast<double>(i) * slope < sphere.Middle))
+        {
+          continue;
+        }
+        const auto value = static_cast<double>(static_cast<const T*>(
+          this->View.Data)[(bases[0] + i) * stride[0] + j * stride[1] + k * stride[2]]);
+        const double edge = this->FindEdge(value);
+        const double rho = edge + ramp[i];
+        const auto share =
+          static_cast<std::int32_t>(CarvedBricks::Whole * std::min(std::max(rho, 0.0), 1.0) + 0.5);
+        if (share >= old)
         {
           continue;
         }
         left &= ~(std::uint64_t{ 255 } << (8 * i));
         left |= static_cast<std::uint64_t>(share) << (8 * i);
-        const auto value = static_cast<double>(static_cast<const T*>(
-          this->View.Data)[(bases[0] + i) * stride[0] + j * stride[1] + k * stride[2]]);
         if (sign * (value - this->Tissue.Level) >= 0.0)
         {
-          const double volume = this->Volumes[old] - this->Volumes[share];
+          const double volume = this->Volume * (FindLeft(old, edge) - FindLeft(share, edge));
           cost.Volume += volume;
           if (volume > 0.0) // nothing takes no energy, even of what nothing can remove
           {
@@ -315,6 +355,13 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
     }
   }
   return brick == CarvedBricks::None && this->Count > before;
+}
+
+double SphereCarver::FindEdge(double value) const noexcept
+{
+  const double share = (this->Tissue.Level - this->Air) / (value - this->Air);
+  // What is not solid keeps the rest that is not felt; also without a share at all.
+  return share >= 0.0 && share < 1.0 - HalfShare ? std::max(share, HalfShare) : 1.0 - HalfShare;
 }
 
 double SphereCarver::FindEnergy(double value, const Vector3& index) const noexcept

@@ -6,16 +6,15 @@
  *
  * A sphere of radius a around c leaves at x no more than the share
  *
- *   rho = 1/2 + (|x - c| - a)/w,   from 0 to 1,
+ *   rho = r + (|x - c| - a)/w,   from 0 to 1,   r = (V_c - V_air)/(V - V_air),
  *
- * with w three voxels, or the length of three where they are longest. So the surface that is left
- * lies at |x - c| = a to a small part of a voxel, and has smooth normals.
+ * with w three voxels, or the length of three where they are longest. With the share r the sample
+ * of value V has the level V_c. So the surface that is left lies at |x - c| = a to a small part of
+ * a voxel, whatever the tissue is, and has smooth normals.
  *
- * The volume that is removed is that which the surface passes, where rho = 1/2: of each voxel,
- *
- *   6 (rho - 1/2) + 1/2,   from 0 to 1,
- *
- * is left. (The sum of rho itself is that of a sphere whose surface is three voxels wide: of a cap
+ * The volume that is removed is that which the surface passes, where rho = r: what is left of each
+ * voxel falls from 1 to 0 between rho = r + 1/12 and r - 1/12, as far as there are such shares.
+ * (The sum of rho itself is that of a sphere whose surface is three voxels wide: of a cap
  * that is h deep, it has pi w^2 (a + h)/12 more, in a CT several times the cap's volume.) It costs
  * the energy U of the label at its samples, or U(V) where that has none; samples that are not
  * solid cost nothing. Bricks in which, and around which, no sample is solid stay as they are: there
@@ -72,7 +71,7 @@ class SphereCarver
 public:
   /** Voxels, along the axis where they are longest: w. */
   static constexpr double RampWidth = 3.0;
-  /** The part of the ramp in which a voxel loses its volume. */
+  /** The largest part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
   /** A part does no more work than CarvingPart::MostWork and that of one brick. */
   static constexpr std::size_t MostWorkOfBrick = 1385;
@@ -118,6 +117,8 @@ private:
     CarvingCost& cost) noexcept;
   template <typename T>
   bool IsAnySolid(const BrickPlace& place) noexcept;
+  /** The share with which a sample has the level: what is left of it at the sphere's surface. */
+  double FindEdge(double value) const noexcept;
   /** U, J/mm^3, of the sample at an index. */
   double FindEnergy(double value, const Vector3& index) const noexcept;
 
@@ -126,7 +127,9 @@ private:
   Vector3 Step[3]; ///< m, of an index along each axis
   double Voxel = 0.0;
   double Longest = 0.0; ///< m, of the sides of a voxel
-  double Volumes[256];  ///< mm^3, of a voxel with a share of tissue
+  double Volume = 0.0;  ///< mm^3, of a voxel
+  double Reach = 1.0;   ///< ramps: how far from its surface a sphere changes any sample
+  double Air = 0.0;     ///< the value of a sample without tissue
   CarvedTissue Tissue;
   const BakedLabels* Labels = nullptr; ///< null: none has an energy of its own
   Affine3 ToLabel;                     ///< from an index of the volume
