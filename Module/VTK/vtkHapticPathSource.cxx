@@ -184,8 +184,12 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
     output->ShallowCopy(reader->GetOutput());
     return {};
   }
+  std::string settings;
+  if (!VolumeHaptics::ReadSettingsBeside(this->FileName, settings, error))
+  {
+    return error;
+  }
   Write(tips.Tips, tips.Times, output);
-  const std::string settings = VolumeHaptics::ReadSettingsBeside(this->FileName);
   if (!settings.empty())
   {
     VolumeHaptics::SetRecordedSettings(output, settings);

@@ -375,8 +375,16 @@ def test_zarr_that_is_not_read_is_told_with_the_cure(tmp_path):
     assert "filters" in told(filters=[{"id": "delta"}])
     assert "size that no volume has" in told(shape=[9, 9, -9])
     assert "not as Zarr wants it" in told(compressor={"id": {}})
-    (path / ".zarray").write_text("[" * 5000)
-    assert "no folder of Zarr" in error_of(path)
+    (path / ".zarray").unlink()
+    for text in '{"a": 1', "[" * 5000, '{"a": ' + "[" * 70 + "]" * 70 + "}":
+        for name in ".zarray", ".zattrs", "zarr.json":
+            (path / name).write_text(text)
+            said = error_of(path)
+            assert f"{name} can't be read: it is not JSON" in said
+            assert ("nested more than 64 deep" in said) == ("[" in text)
+            (path / name).unlink()
+    (path / ".zarray").write_text("[]")
+    assert ".zarray can't be read: it is no object" in error_of(path)
     (path / ".zarray").unlink()
     (path / ".zattrs").write_text('{"multiscales": [{"datasets": [{"path": "0"}]}]}')
     assert "has no head" in error_of(path)

@@ -9,6 +9,12 @@
 
 namespace VolumeHaptics
 {
+namespace
+{
+
+constexpr int DeepestBrackets = 64; // the files of this library have eight
+
+} // namespace
 
 bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
 {
@@ -17,6 +23,7 @@ bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
   builder["failIfExtra"] = true;
   builder["rejectDupKeys"] = true;
   builder["allowSpecialFloats"] = true;
+  builder["stackLimit"] = DeepestBrackets;
   const PlainNumbers plain;
   const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
   try
@@ -27,7 +34,13 @@ bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
       return false;
     }
   }
-  catch (const std::exception& e) // brackets nested too deeply
+  catch (const Json::Exception&)
+  {
+    error = "it is not JSON that can be read: its brackets are nested more than " +
+      std::to_string(DeepestBrackets) + " deep.";
+    return false;
+  }
+  catch (const std::exception& e) // no memory
   {
     error = std::string("it is not JSON: ") + e.what();
     return false;

@@ -15,8 +15,10 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with "it is not JSON: " and where and why, if the text is not. NaN and Infinity are
- * numbers here, so that an error can name their key.
+ * False, with "it is not JSON" and where and why, if the text is not, or is nested more than 64
+ * deep: jsoncpp reads, copies and frees by recursion, on threads whose stacks may be small. NaN and
+ * Infinity are numbers here, so that an error can name their key. All JSON from outside goes
+ * through this function; ReadSmallFile() limits its size.
  */
 bool ParseJson(const std::string& text, Json::Value& root, std::string& error);
 

@@ -4,15 +4,13 @@
 
 #include "VTK/Files/FileReplacement.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Files/JsonText.h"
 
-#include "vtk_jsoncpp.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <iterator>
-#include <memory>
 
 namespace VolumeHaptics
 {
@@ -42,18 +40,10 @@ bool Read(const std::string& file, Json::Value& root, std::string& error)
       ". Give VTK's vtk_openxr_actions.json, with the files of its bindings beside it.";
     return false;
   }
-  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
   std::string fault;
-  try
+  if (ParseJson(text, root, fault) && root.isObject())
   {
-    if (reader->parse(text.data(), text.data() + text.size(), &root, &fault) && root.isObject())
-    {
-      return true;
-    }
-  }
-  catch (const std::exception& exception) // of jsoncpp, if it is nested too deeply
-  {
-    fault = exception.what();
+    return true;
   }
   error = "\"" + Printable(file) + "\" is no manifest of actions or bindings in JSON" +
     (fault.empty() ? "." : ": " + Printable(fault)) + " Give VTK's vtk_openxr_actions.json.";

@@ -3,13 +3,12 @@
 #include "VTK/Large/ZarrHead.h"
 
 #include "VTK/Files/HapticFiles.h"
-#include "VTK/Files/PlainNumbers.h"
+#include "VTK/Files/JsonText.h"
 
-#include "vtk_jsoncpp.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <cstddef>
-#include <exception>
-#include <memory>
+#include <stdexcept>
 
 namespace VolumeHaptics
 {
@@ -19,22 +18,20 @@ bool ReadZarrHead(const std::string& file, Json::Value& head)
   constexpr std::size_t most = std::size_t{ 1 } << 24;
   std::string text;
   std::string error;
+  if (!vtksys::SystemTools::FileExists(file))
+  {
+    return false;
+  }
   if (!ReadSmallFile(file, most, text, error))
   {
-    return false;
+    throw std::runtime_error("its head " + Printable(file) + " " + error + ". Write it again.");
   }
-  Json::CharReaderBuilder builder;
-  builder["allowSpecialFloats"] = true; // Python writes NaN
-  const PlainNumbers plain;
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  try
+  if (!ParseJson(text, head, error) || !head.isObject())
   {
-    return reader->parse(text.data(), text.data() + text.size(), &head, &error) && head.isObject();
+    throw std::runtime_error("its head " + Printable(file) + " can't be read: " +
+      (error.empty() ? "it is no object of JSON." : Printable(error)) + " Write it again.");
   }
-  catch (const std::exception&) // brackets nested too deeply
-  {
-    return false;
-  }
+  return true;
 }
 
 } // namespace VolumeHaptics

@@ -14,7 +14,10 @@
 namespace VolumeHaptics
 {
 
-/** Reads a file; false if there is none, or it is no object of JSON. */
+/**
+ * Reads a file; false if there is none.
+ * @throws std::runtime_error if there is one, but no object of JSON in it
+ */
 bool ReadZarrHead(const std::string& file, Json::Value& head);
 
 } // namespace VolumeHaptics

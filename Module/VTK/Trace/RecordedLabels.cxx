@@ -3,44 +3,44 @@
 #include "VTK/Trace/RecordedLabels.h"
 
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Files/JsonText.h"
 #include "VTK/Trace/RecordingNames.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtk_jsoncpp.h"
 
-#include <exception>
-#include <memory>
+#include "vtksys/SystemTools.hxx"
 
 namespace VolumeHaptics
 {
 
-std::string ReadSettingsBeside(const std::string& csv)
+bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error)
 {
+  settings.clear();
   constexpr std::size_t largest = 64 << 20; // bytes; a tuple for each placement of the device
+  const std::string file = csv + ".json";
+  if (!vtksys::SystemTools::FileExists(file))
+  {
+    return true;
+  }
   std::string text;
-  std::string error;
+  std::string fault;
   Json::Value root;
-  if (!ReadSmallFile(csv + ".json", largest, text, error))
+  if (!ReadSmallFile(file, largest, text, fault) || !ParseJson(text, root, fault))
   {
-    return {};
+    error = "The settings of the recording, " + Printable(file) +
+      ", can't be read: " + Printable(fault) +
+      " Bring back the file as it was written, or remove it to feel the path with "
+      "the settings that there are.";
+    return false;
   }
-  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-  try
+  if (root.isObject() && root[RecordingNames::Settings].isString())
   {
-    if (!reader->parse(text.data(), text.data() + text.size(), &root, &error))
-    {
-      return {};
-    }
+    settings = root[RecordingNames::Settings].asString();
   }
-  catch (const std::exception&) // brackets nested too deeply
-  {
-    return {};
-  }
-  const bool isThere = root.isObject() && root[RecordingNames::Settings].isString();
-  return isThere ? root[RecordingNames::Settings].asString() : std::string();
+  return true;
 }
 
 void SetRecordedSettings(vtkPolyData* path, const std::string& settings)

@@ -14,8 +14,11 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** The text Settings of the fields beside a recording .csv, in .csv.json; empty if it has none. */
-std::string ReadSettingsBeside(const std::string& csv);
+/**
+ * The text Settings of the fields beside a recording .csv, in .csv.json; empty if it has none.
+ * False, with the fault and the cure, if there is such a file but no JSON in it.
+ */
+bool ReadSettingsBeside(const std::string& csv, std::string& settings, std::string& error);
 
 /** Gives a path the field array Settings, as a recording has it. */
 void SetRecordedSettings(vtkPolyData* path, const std::string& settings);

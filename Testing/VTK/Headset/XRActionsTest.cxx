@@ -142,6 +142,9 @@ TEST_F(XRActions, FilesThatAreNoneAreOneErrorWithTheCure)
   }
   this->Save("actions.json", nested);
   this->ExpectError("is no manifest");
+  this->Save("actions.json",
+    "{ \"actions\": " + std::string(70, '[') + std::string(70, ']') + " }"); // deep, but complete
+  this->ExpectError("nested more than 64 deep");
   this->Log.Errors.clear();
   EXPECT_FALSE(this->Controller->WriteActions(nullptr, "x"));
   EXPECT_EQ(this->Log.Errors.size(), 1U);

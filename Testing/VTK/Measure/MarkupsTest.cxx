@@ -155,6 +155,9 @@ TEST_F(Markups, LeavesOutWhatIsNoMeasurementAndSaysSo)
 TEST_F(Markups, RefusesWhatIsNoFileOfMarkups)
 {
   this->Refuse("no JSON", { "not JSON", "Read.mrk.json" });
+  this->Refuse(
+    "{" + Schema + R"(, "markups": )" + std::string(70, '[') + std::string(70, ']') + "}",
+    { "nested more than 64 deep", "Read.mrk.json" });
   this->Refuse("[]", { "@schema" });
   this->Refuse(R"({"markups": []})", { "@schema" });
   this->Refuse("{" + Schema + "}", { "\"markups\"" });

@@ -129,8 +129,20 @@ TEST_F(LabelRecording, AsATableIsAPathForItsLabels)
   this->ExpectRefused({ "made with labels", "no label image", ".csv.json" });
   this->Filter->SetLabelData(MakeHalves(5.0, 9.0));
   this->ExpectRefused({ "made with labels", hash, this->Filter->HashLabels(), ".csv.json" });
-  // Fields that can't be read, or tell of no labels, leave a path.
-  for (const std::string fields : { "", "{", "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
+  // Fields that can't be read may tell of other labels.
+  for (const std::string fields : { "", "{" })
+  {
+    std::ofstream(file + ".json") << fields;
+    path->Modified();
+    MessageLog log(path);
+    MessageLog executive(path->GetExecutive());
+    path->Update();
+    ASSERT_EQ(log.Errors.size(), 1U);
+    EXPECT_NE(log.Errors[0].find("Labels.csv.json, can't be read"), std::string::npos)
+      << log.Errors[0];
+  }
+  // Fields that tell of no labels leave a path.
+  for (const std::string fields : { "[1]", "{\"Settings\":5}", "{\"Settings\":\"none\"}" })
   {
     std::ofstream(file + ".json") << fields;
     path->Modified();

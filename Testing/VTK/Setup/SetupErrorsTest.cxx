@@ -58,6 +58,10 @@ TEST_F(SetupErrors, FilesThatAreNoSetup)
   this->Refuse("[1, 2]", { "not a setup" });
   this->Refuse(this->Good.substr(0, this->Good.size() / 2), { "not JSON", "Line" });
   this->Refuse(this->Good + "{}", { "not JSON" });
+  // Deep lists would be freed by recursion, on stacks that may be small.
+  this->Refuse(this->Good.substr(0, this->Good.rfind('}')) + ",\"Notes\":" + std::string(200, '[') +
+      std::string(200, ']') + "}",
+    { "not JSON", "nested more than 64 deep" });
   this->Refuse(std::string(5000, '['), { "not JSON" });
   EXPECT_FALSE(this->Target.Setup->Load("/no/such/folder/setup.json"));
   this->ExpectError({ "/no/such/folder/setup.json", "exists" });

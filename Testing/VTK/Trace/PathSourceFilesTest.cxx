@@ -96,6 +96,22 @@ TEST_F(PathSourceFiles, FilesThatAreNoPathAreNamed)
   this->ExpectError({ "path-source.csv", "backwards", "tick 1" });
 }
 
+/// Without its settings, a recording would be felt with whatever labels there are.
+TEST_F(PathSourceFiles, SettingsBesideARecordingThatAreNoJsonAreNamed)
+{
+  this->WriteCsv("x,y,z\n1,2,3\n4,5,6\n");
+  this->Source->SetShapeToFromFile();
+  this->Source->SetFileName(this->Csv);
+  const std::string file = this->Csv + ".json";
+  std::ofstream(file) << "{ \"Settings\": " << std::string(70, '[') << std::string(70, ']') << " }";
+  this->ExpectError({ "path-source.csv.json", "nested more than 64 deep", "remove it" });
+  std::ofstream(file) << "{ \"Settings\": ";
+  this->ExpectError({ "path-source.csv.json", "not JSON" });
+  std::ofstream(file) << "{ \"Settings\": \"Method: PROXY\" }";
+  EXPECT_EQ(this->Read(this->Csv.c_str())->GetNumberOfPoints(), 2);
+  std::remove(file.c_str());
+}
+
 TEST_F(PathSourceFiles, SettingsThatMakeNoPathAreNamed)
 {
   this->Source->SetPoint2(-50, 0, 0);
