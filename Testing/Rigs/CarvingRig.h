@@ -70,8 +70,8 @@ inline double EdgeOf(double value, double level, double air)
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// What is left of a voxel's volume, all of which goes while rho passes r: from 1/12 before it to
-/// 1/12 behind it, as far as there are such shares.
+/// The part of a voxel's volume that the share rho leaves: it falls from 1 at r + 1/12 to 0 at
+/// r - 1/12, or at 1 and 0 if those are nearer.
 inline double LeftOf(double rho, double edge)
 {
   const double low = std::max(edge - 1.0 / 12.0, 0.0);

@@ -183,7 +183,7 @@ class Haptics:
             self._let_go()
 
     def _let_go(self) -> None:
-        """Ends the touch. The force fades, since nobody ordered the hand to let go at once."""
+        """Ends the touch; the force fades."""
         self.device.FadeOut()
         self.style.SetTouchMode(False)
 

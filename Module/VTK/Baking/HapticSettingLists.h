@@ -84,8 +84,7 @@ inline constexpr FilterSetting All[] = {
     "How gradients are estimated. Central difference: of six trilinear samples Kernel Radius "
     "voxels away. Gaussian (default): the derivative of a Gaussian, which noise disturbs least; "
     "its standard deviation after its cut is about 1.0 voxel at Kernel Radius 2 and 1.4 at 3. "
-    "Cubic "
-    "B-spline: the analytic derivative of a smoothing cubic B-spline over 64 voxels."),
+    "Cubic B-spline: the analytic derivative of a smoothing cubic B-spline over 64 voxels."),
   HapticIntegerMacro(KernelRadius, 1, 16, 2, "voxels", &D::KernelRadius,
     "Radius of the gradient kernel in voxels, 1 to 16. So many voxels along the normal (with the "
     "solver Paper, times the largest spacing) is the distance r from the proxy at which materials "

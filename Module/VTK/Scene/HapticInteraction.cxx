@@ -544,12 +544,12 @@ void HapticInteraction::FollowVolumes()
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
     this->Measure.End();
-    // What is hidden by the user, or by the program, is no reason to shock the hand.
+    // Let the force fade: a volume that is hidden is no emergency.
     device->FadeOut();
     this->Touch.Set(false);
     return;
   }
-  // After the fade, another one pushes nobody.
+  // Feel another volume only after the fade, so that it does not push the hand.
   if (this->Scene.Device == device && !this->Scene.IsArmed())
   {
     this->Touched.FeelShown();

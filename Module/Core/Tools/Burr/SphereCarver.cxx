@@ -360,7 +360,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 double SphereCarver::FindEdge(double value) const noexcept
 {
   const double share = (this->Tissue.Level - this->Air) / (value - this->Air);
-  // What is not solid keeps the rest that is not felt; also without a share at all.
+  // No share of a sample that is not solid has the level: it keeps all but half a step.
   return share >= 0.0 && share < 1.0 - HalfShare ? std::max(share, HalfShare) : 1.0 - HalfShare;
 }
 
