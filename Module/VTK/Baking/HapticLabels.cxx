@@ -138,7 +138,8 @@ bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, s
     message << "The " << DescribeArray(labels) << " of the " << LabelImage
             << " has the scalar type " << labels->GetDataTypeAsString() << " in a "
             << labels->GetClassName()
-            << ", which is unsupported. Convert it, for example with vtkImageCast to int.";
+            << ", which is unsupported. Copy it into an array of numbers, for example with "
+               "vtkIntArray::DeepCopy(), and make that the active scalars.";
     error = message.str();
     return false;
   }

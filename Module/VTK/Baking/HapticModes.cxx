@@ -197,9 +197,11 @@ private:
     }
     if (!isThere || !d.View.Volume.Data)
     {
-      this->Message << "The " << DescribeArray(array) << " of the input image on input port 0 is a "
-                    << array->GetClassName() << " of " << array->GetDataTypeAsString()
-                    << ", which is an unsupported type. Convert it, for example to float.";
+      this->Message
+        << "The " << DescribeArray(array) << " of the input image on input port 0 is a "
+        << array->GetClassName() << " of " << array->GetDataTypeAsString()
+        << ", which is an unsupported type. Copy it into an array of numbers, for example "
+           "with vtkFloatArray::DeepCopy(), and give the mode that one.";
       return false;
     }
     d.View.Components = components;
@@ -328,7 +330,10 @@ bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeVi
     message << "The " << modes.size() << " modes of the method PRIMITIVES are too many: a tick has "
             << "time for " << ModeField::Most << " modes with " << PrimitiveSet::Most
             << " primitives, and those that are active have " << primitives
-            << ". Take some away with RemoveMode(), or switch them off with SetActive(false).";
+            << ". Take some away with RemoveMode()"
+            << (static_cast<int>(modes.size()) > ModeField::Most
+                   ? "; modes that are switched off count, too."
+                   : ", or switch them off with SetActive(false).");
   }
   error = message.str();
   return error.empty();

@@ -165,8 +165,8 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
     message
       << "The " << DescribeArray(scalars) << " of the input image has the scalar type "
       << scalars->GetDataTypeAsString() << " in a " << scalars->GetClassName()
-      << ", which is an unsupported scalar type. Convert it, for example with vtkImageCast to "
-         "short or float.";
+      << ", which is an unsupported scalar type. Copy it into an array of numbers, for example "
+         "with vtkFloatArray::DeepCopy(), and make that the active scalars.";
   }
   error = message.str();
   return false;

@@ -108,8 +108,9 @@ bool CheckEdges(vtkPolyData* mesh, std::string& error)
   {
     return Refuse(error,
       "is not closed: " + std::to_string(open) + " of its " + std::to_string(edges) +
-        " edges belong to one triangle only. Close it, for example with vtkFillHolesFilter, or "
-        "merge its points with vtkCleanPolyData.");
+        " edges belong to one triangle only. Close it, for example with vtkFillHolesFilter "
+        "and then vtkPolyDataNormals, or merge points that lie nearly at the same place with "
+        "vtkCleanPolyData and SetTolerance().");
   }
   if (crossed > 0)
   {

@@ -66,7 +66,7 @@ const BadImage BadScalars[] = {
       AddArray<vtkBitArray>(image, "Mask");
       image->GetPointData()->SetActiveScalars("Mask");
     },
-    { "input image", "\"Mask\"", "unsupported scalar type", "vtkImageCast" } },
+    { "input image", "\"Mask\"", "unsupported scalar type", "DeepCopy" } },
   { "TooFewTuples",
     [](auto* image, auto*) { image->GetPointData()->GetScalars()->SetNumberOfTuples(7); },
     { "input image", "\"Density\"", "7 tuples" } },
