@@ -4,6 +4,7 @@
 
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticRegionSettings.h"
+#include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/WholeFacts.h"
 #include "VTK/Files/HapticFiles.h"
 
@@ -165,6 +166,20 @@ bool vtkHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* arra
 }
 
 //------------------------------------------------------------------------------
+void vtkHapticRegionFilter::WarnOfOutside(vtkDataArray* array)
+{
+  for (const VolumeHaptics::OutsideSamples& outside : this->Outside)
+  {
+    const std::string notice = VolumeHaptics::DescribeOutside(outside, array);
+    if (!notice.empty())
+    {
+      vtkWarningMacro(<< VolumeHaptics::Printable(notice));
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
 {
   VolumeHaptics::WholeFields facts;
@@ -209,12 +224,19 @@ int vtkHapticRegionFilter::RequestData(
     this->GatherSamples(samples);
     this->Noise.clear();
     this->BorderValues.clear();
-    for (const VolumeHaptics::NoiseSamples& component : samples)
+    this->Outside.clear();
+    for (VolumeHaptics::NoiseSamples& component : samples)
     {
+      const auto outside = array && VolumeHaptics::AreScalars(array)
+        ? VolumeHaptics::FindOutside(component)
+        : VolumeHaptics::OutsideSamples{};
+      VolumeHaptics::FillOutside(outside, component);
+      this->Outside.push_back(outside);
       this->Noise.push_back(VolumeHaptics::EstimateNoise(component));
       this->BorderValues.push_back(VolumeHaptics::FindBorderValue(component));
     }
     this->GatheredTime = time;
+    this->WarnOfOutside(array);
   }
   output->SetExtent(region);
   output->SetOrigin(piece->GetOrigin());
@@ -225,6 +247,11 @@ int vtkHapticRegionFilter::RequestData(
   {
     if (this->GatherRegion(piece, array, region, output, error))
     {
+      vtkDataArray* const gathered = output->GetPointData()->GetScalars();
+      for (std::size_t c = 0; gathered && c < this->Outside.size(); ++c)
+      {
+        VolumeHaptics::FillOutside(this->Outside[c], gathered, static_cast<int>(c));
+      }
       this->WriteFacts(whole, output);
       return 1;
     }

@@ -17,7 +17,9 @@
  *                       noise of the whole, from which vtkHapticProperty takes
  *                       DistinctnessFromNoise
  *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or
- *                       infinite: the first finite corner of the whole
+ *                       infinite: the first finite corner of the whole. If a corner is not, or
+ *                       has a number for missing values, all such samples are outside: the region
+ *                       has the least value inside there
  *   HapticWholeTime     optional, a number that changes whenever the whole changes. If regions of
  *                       the same whole have the same number, one replaces the other under a
  *                       pressing hand without the hand noticing it
@@ -26,6 +28,11 @@
  * the finer ones are late (vtkHapticRegionSource::SetCoarseImage), the array
  *
  *   HapticShare         above 0 and at most 1; the share of the force that is felt there
+ *
+ * and, if its samples outside do not have the least value yet (vtkHapticRegionSource::ReadRegion),
+ *
+ *   HapticOutside       three numbers a component: 1 if NaN and infinity are outside, the number
+ *                       for missing values or NaN, and the value with which both are felt
  *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
  * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
@@ -52,7 +59,8 @@
 namespace VolumeHaptics
 {
 struct NoiseSamples;
-}
+struct OutsideSamples;
+} // namespace VolumeHaptics
 #endif
 
 class vtkDataArray;
@@ -80,6 +88,7 @@ public:
   static const char* GetBorderValueName() { return "HapticBorderValue"; }
   static const char* GetWholeTimeName() { return "HapticWholeTime"; }
   static const char* GetShareName() { return "HapticShare"; }
+  static const char* GetOutsideName() { return "HapticOutside"; }
   ///@}
 
 protected:
@@ -130,10 +139,12 @@ protected:
 
 private:
   void WriteFacts(const int whole[6], vtkImageData* output);
+  void WarnOfOutside(vtkDataArray* array);
   bool ClipRegion(const int whole[6], int region[6]) const;
 
   std::vector<double> Noise; // one for each component
   std::vector<double> BorderValues;
+  std::vector<VolumeHaptics::OutsideSamples> Outside;
 #endif
 
   int Region[6] = { 0, -1, 0, -1, 0, -1 };

@@ -38,6 +38,15 @@ using namespace VolumeHaptics;
 
 namespace
 {
+void WarnOfOutside(vtkHapticRegionSource* source, RegionStore& store)
+{
+  const std::string notice = store.TakeNotice();
+  if (!notice.empty())
+  {
+    vtkWarningWithObjectMacro(source, << Printable(notice));
+  }
+}
+
 /** Live, so many regions may be in memory at once. */
 constexpr vtkTypeInt64 RegionsInMemory = 4;
 /** Of a coarser level of a file that is kept in memory. */
@@ -424,6 +433,7 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHa
   {
     vtkErrorMacro(<< Printable(trouble) << " It is tried again.");
   }
+  WarnOfOutside(this, *this->Store);
   if (hasCome)
   {
     this->Modified();
@@ -525,7 +535,7 @@ bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image,
   image->SetSpacing(this->Spacing);
   image->SetDirectionMatrix(this->Direction);
   this->PutSamples(samples, image);
-  this->Store->WriteFacts(image);
+  this->Store->WriteFacts(image, false);
   return true;
 }
 
@@ -574,7 +584,7 @@ int vtkHapticRegionSource::RequestData(
     samples->Fill(0.0);
   }
   this->PutSamples(samples, output);
-  this->Store->WriteFacts(output);
+  this->Store->WriteFacts(output, true);
   return 1;
 }
 

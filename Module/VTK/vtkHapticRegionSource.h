@@ -218,8 +218,8 @@ public:
   ///@{
   /**
    * Wait until the samples of a region (an extent, clipped to the whole) are read, and put them
-   * into an image, with the field arrays of a region; whatever its size. False, with an error, if
-   * that fails.
+   * into an image as they are, with the field arrays of a region; whatever its size. False, with an
+   * error, if that fails.
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__

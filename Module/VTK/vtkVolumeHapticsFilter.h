@@ -20,7 +20,7 @@
  * but PAPER: KernelRadius voxels along N).
  * Beyond the volume the border's value continues and there is no surface; over the last
  * KernelRadius voxels inside the volume surfaces fade. A sample that is NaN or infinite makes no
- * surface, and has the value of the first finite corner of the volume (0 if no corner is finite).
+ * surface; if one is in a corner, or a number for missing values, all are felt as the least value.
  * The first tick of a path puts the proxy on the tip, without force.
  *
  * Solver PRECISE (default) is the same law for motions that are not small. With F = k (x_tip - x),

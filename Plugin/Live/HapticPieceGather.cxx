@@ -115,7 +115,10 @@ void HapticPieceGather::GatherSamples(
     {
       SendNumbers(this->Controller, component.Indices, 0);
       SendNumbers(this->Controller, component.Values, 0);
-      SendNumbers(this->Controller, std::vector<double>(component.Range, component.Range + 2), 0);
+      SendNumbers(this->Controller,
+        std::vector<double>{
+          component.Range[0], component.Range[1], component.Inside[0], component.Inside[1] },
+        0);
       continue;
     }
     for (int from = 1; from < this->Controller->GetNumberOfProcesses(); ++from)
@@ -123,8 +126,9 @@ void HapticPieceGather::GatherSamples(
       VolumeHaptics::NoiseSamples other;
       other.Indices = ReceiveNumbers<std::int64_t>(this->Controller, from);
       other.Values = ReceiveNumbers<double>(this->Controller, from);
-      const std::vector<double> range = ReceiveNumbers<double>(this->Controller, from);
-      std::copy(range.begin(), range.end(), other.Range);
+      const std::vector<double> ranges = ReceiveNumbers<double>(this->Controller, from);
+      std::copy(ranges.begin(), ranges.begin() + 2, other.Range);
+      std::copy(ranges.begin() + 2, ranges.end(), other.Inside);
       component.Merge(other);
     }
   }

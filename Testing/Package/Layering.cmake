@@ -126,7 +126,7 @@ set(look VTK/Scene/CTLook.h)
 set(aspect VTK/Docks/RendererAspect.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-set(outside VTK/Baking/OutsideSamples.h)
+set(outside VTK/Baking/OutsideFiller.h)
 allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts} ${outside}
   ${numbers})
 allow(${explorer}/Errors)

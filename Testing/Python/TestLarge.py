@@ -29,6 +29,20 @@ def make_tip(count=800):
     return np.column_stack([x, 30 + 0 * x, 42 + 3 * np.sin(0.1 * x)])
 
 
+@pytest.mark.parametrize("missing", [np.nan, -9999.0, 1e37])
+def test_what_was_not_measured_is_felt_as_the_least_value(missing):
+    bed = make_bed(np.float32)
+    z, y, _x = np.meshgrid(*map(np.arange, bed.shape), indexing="ij", sparse=True)
+    outside = np.broadcast_to((abs(y - 30) > 3) | (z > 60), bed.shape)
+    masked = np.where(outside, np.float32(missing), bed)
+    filled = np.where(outside, bed[~outside].min(), bed)
+    expected = touch(image(filled), make_tip(), "MRI")
+    with pytest.warns(UserWarning, match="all such samples are outside"):
+        felt = touch(image(masked), make_tip(), "MRI")
+    expect_same(felt, expected)
+    expect_same(touch(open_large(Sliced(masked)), make_tip(), "MRI"), expected)
+
+
 class Sliced:
     """No NumPy array, but what one needs of one; it counts what is asked for."""
 

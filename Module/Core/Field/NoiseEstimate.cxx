@@ -339,20 +339,12 @@ void CollectNoiseSamples(
 
 double FindBorderValue(const NoiseSamples& samples)
 {
-  const std::int64_t* const n = samples.Dimensions;
   int first = 8;
   double value = 0.0;
   for (std::size_t s = 0; s < samples.Indices.size(); ++s)
   {
-    const std::array<std::int64_t, 3> at = samples.FindPlace(s);
-    int corner = 0;
-    bool isCorner = true;
-    for (int a = 0; a < 3; ++a)
-    {
-      isCorner = isCorner && (at[a] == 0 || at[a] == n[a] - 1);
-      corner |= at[a] == 0 ? 0 : 1 << a;
-    }
-    if (isCorner && corner < first && std::isfinite(samples.Values[s]))
+    const int corner = samples.FindCorner(s);
+    if (corner >= 0 && corner < first && std::isfinite(samples.Values[s]))
     {
       first = corner;
       value = samples.Values[s];

@@ -40,6 +40,11 @@ struct NoiseSamples
    * none.
    */
   double Range[2] = { 1.0, 0.0 };
+  /**
+   * The same of all samples that are finite and stand for no missing value (OutsideSamples.h), if
+   * the range is that of all samples.
+   */
+  double Inside[2] = { 1.0, 0.0 };
 
   /** The index along each axis of the sample whose value is Values[s]. */
   std::array<std::int64_t, 3> FindPlace(std::size_t s) const
@@ -49,12 +54,29 @@ struct NoiseSamples
       number / this->Dimensions[0] / this->Dimensions[1] };
   }
 
+  /** The number of the corner that is Values[s]: bit a is set at the end of axis a. Else -1. */
+  int FindCorner(std::size_t s) const
+  {
+    const std::array<std::int64_t, 3> at = this->FindPlace(s);
+    int corner = 0;
+    for (int a = 0; a < 3; ++a)
+    {
+      if (at[a] != 0 && at[a] != this->Dimensions[a] - 1)
+      {
+        return -1;
+      }
+      corner |= at[a] == 0 ? 0 : 1 << a;
+    }
+    return corner;
+  }
+
   /** Adds the samples of another piece of the same volume; those that both have count once. */
   void Merge(const NoiseSamples& other)
   {
     this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());
     this->Values.insert(this->Values.end(), other.Values.begin(), other.Values.end());
     this->MergeRange(other.Range);
+    Extend(this->Inside, other.Inside);
   }
 
   /** Merges the range of those values that are finite. */
@@ -71,15 +93,18 @@ struct NoiseSamples
     this->MergeRange(range);
   }
 
-  void MergeRange(const double range[2])
+  void MergeRange(const double range[2]) { Extend(this->Range, range); }
+
+  /** Extends a range by another one. */
+  static void Extend(double to[2], const double range[2])
   {
     if (range[0] > range[1])
     {
       return;
     }
-    const bool isFirst = this->Range[0] > this->Range[1];
-    this->Range[0] = isFirst ? range[0] : std::min(this->Range[0], range[0]);
-    this->Range[1] = isFirst ? range[1] : std::max(this->Range[1], range[1]);
+    const bool isFirst = to[0] > to[1];
+    to[0] = isFirst ? range[0] : std::min(to[0], range[0]);
+    to[1] = isFirst ? range[1] : std::max(to[1], range[1]);
   }
 };
 

@@ -187,6 +187,17 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
   return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
 }
 
+/** The component of an array that is a frame. */
+vtkSmartPointer<vtkDataArray> CopyComponent(const HapticFrame& frame)
+{
+  auto copy =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(frame.Array->GetDataType()));
+  copy->SetName(frame.Array->GetName());
+  copy->SetNumberOfTuples(frame.Array->GetNumberOfTuples());
+  copy->CopyComponent(0, frame.Array, frame.Component);
+  return copy;
+}
+
 bool AreAlike(const VolumeView& a, const VolumeView& b)
 {
   return std::equal(a.Dimensions, a.Dimensions + 3, b.Dimensions) &&
@@ -214,7 +225,8 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
   FrameSeries series = d.Series;
   series.Last = frames.empty() ? 0.0 : frames.back().Time;
   series.First = frames.empty() ? 0.0 : std::min(series.First, frames.front().Time);
-  const FrameShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements };
+  const FrameShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements,
+    options.Outside };
   for (const HapticFrame& frame : frames)
   {
     d.Frames.emplace_back();
@@ -240,7 +252,13 @@ bool MakeVolumeFrame(
     error = message.str();
     return false;
   }
-  if (!ReadVolume(read.Image, read.Array, read.Component, shape.KernelRadius, volume, error))
+  // Of components, all would be copied for each.
+  const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
+    read.Component >= read.Array->GetNumberOfComponents();
+  const vtkSmartPointer<vtkDataArray> array =
+    CopyFilled(shape.Outside, isAlone ? read.Array : CopyComponent(read), 0);
+  const int component = isAlone ? read.Component : 0;
+  if (!ReadVolume(read.Image, array, component, shape.KernelRadius, volume, error))
   {
     message << "At time " << read.Time << ": " << error;
     error = message.str();
@@ -268,7 +286,7 @@ bool MakeVolumeFrame(
 
 std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
   const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
-  const std::string& displacements)
+  const std::string& displacements, const OutsideSamples& outside)
 {
   const HapticFrame& first = frames.front();
   const VolumeView& before = last.Field.GetView();
@@ -287,7 +305,7 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
       now.Dimensions[axis] >= PointsNeeded(kernelRadius);
   }
   volume.View.BorderValue = before.BorderValue;
-  const FrameShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements };
+  const FrameShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements, outside };
   std::vector<VolumeFrame> made(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i)
   {

@@ -10,6 +10,7 @@
 #include "Core/Model/HapticModel.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/HapticModes.h"
+#include "VTK/Baking/OutsideFiller.h"
 
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ struct HapticModelOptions
   std::vector<HapticFrame> Frames;   ///< of a volume that moves; the image is at its first step
   std::string Displacements;         ///< the name of their array; empty if they have none
   FrameSeries Series;                ///< of which Frames are a part
+  OutsideSamples Outside;            ///< of Frames, with which they are filled
   HapticModes Modes;                 ///< for HapticMethod::Primitives
   vtkHapticTool* Tool = nullptr;     ///< null for a point
   vtkHapticRemoval* Removal = nullptr;
@@ -55,6 +57,7 @@ struct FrameShape
   FrameSeries Series; ///< frames before its end need displacements
   int KernelRadius;
   std::string Displacements; ///< the name of their array; empty if there are none
+  OutsideSamples Outside;    ///< with which each frame is filled
 };
 
 /**
@@ -69,10 +72,11 @@ bool MakeVolumeFrame(
  * the meshes of SURFACE_PROXY that the frames lack.
  * Null if the frames can't be touched, or are not alike: their geometry or their numbers.
  * @param displacements the name of their array; empty if there are none
+ * @param outside with which the frames are filled
  */
 std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& volume,
   const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
-  const std::string& displacements);
+  const std::string& displacements, const OutsideSamples& outside);
 
 /**
  * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and

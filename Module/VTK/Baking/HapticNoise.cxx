@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticNoise.h"
 
+#include "Core/Field/OutsideSamples.h"
 #include "VTK/Baking/SampleRange.h"
 
 #include "vtkDataArray.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 
@@ -45,6 +47,30 @@ NoiseKey MakeNoiseKey(
     std::max(image->GetMTime(), scalars->GetMTime()) };
 }
 
+/**
+ * Makes the range of all samples that of those which are finite and stand for no missing value: the
+ * same, without another look at the samples, unless an end of it may stand for one.
+ */
+void FindInside(vtkDataArray* scalars, int component, double range[2])
+{
+  const auto isInside = [](double value) { return std::isfinite(value) && !MayBeMissing(value); };
+  if (range[0] > range[1] || (isInside(range[0]) && isInside(range[1])))
+  {
+    return;
+  }
+  range[0] = 1.0;
+  range[1] = 0.0;
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const double value = scalars->GetComponent(i, component);
+    if (isInside(value))
+    {
+      const double both[2] = { value, value };
+      NoiseSamples::Extend(range, both);
+    }
+  }
+}
+
 } // namespace
 
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
@@ -55,8 +81,10 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
   if (HasRangeOfAll(samples.Dimensions))
   {
     double range[2];
-    FindRange(scalars, component, range);
+    FindFiniteRange(scalars, component, range);
     samples.MergeRange(range);
+    FindInside(scalars, component, range);
+    NoiseSamples::Extend(samples.Inside, range);
   }
 }
 
@@ -75,7 +103,7 @@ FoundNoise FindNoise(
   FoundNoise noise;
   if (HasRangeOfAll(view.Dimensions))
   {
-    FindRange(scalars, component, noise.Range);
+    FindFiniteRange(scalars, component, noise.Range);
   }
   noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
     view.Dimensions, noise.Range);

@@ -102,6 +102,12 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   facts.Time = time && time->GetNumberOfTuples() > 0 ? time->GetComponent(0, 0) : 0.0;
   vtkDataArray* const share = fields->GetArray(Names::GetShareName());
   facts.Share = share && share->GetNumberOfTuples() > 0 ? share->GetComponent(0, 0) : 1.0;
+  vtkDataArray* const outside = fields->GetArray(Names::GetOutsideName());
+  if (outside && outside->GetNumberOfComponents() == 3 && outside->GetNumberOfTuples() > component)
+  {
+    facts.Outside = { outside->GetComponent(component, 0) != 0.0,
+      outside->GetComponent(component, 1), outside->GetComponent(component, 2) };
+  }
   facts.Noise = NumberOf(noise, component);
   facts.BorderValue = NumberOf(border, component);
   int extent[6];
@@ -152,6 +158,18 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   if (facts.Share < 1.0)
   {
     AddField<vtkDoubleArray>(region, Names::GetShareName(), share);
+  }
+  const vtkNew<vtkDoubleArray> outside;
+  outside->SetName(Names::GetOutsideName());
+  outside->SetNumberOfComponents(3);
+  for (const OutsideSamples& component : facts.Outside)
+  {
+    outside->InsertNextTuple3(
+      component.AreNonFinite ? 1.0 : 0.0, component.Missing, component.Fill);
+  }
+  if (!facts.Outside.empty())
+  {
+    region->GetFieldData()->AddArray(outside);
   }
   const double time[] = { facts.Time };
   AddField<vtkDoubleArray>(region, Names::GetWholeTimeName(), time);

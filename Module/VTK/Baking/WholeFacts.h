@@ -7,6 +7,8 @@
 #ifndef WholeFacts_h
 #define WholeFacts_h
 
+#include "Core/Field/OutsideSamples.h"
+
 #include <string>
 #include <vector>
 
@@ -22,8 +24,9 @@ struct WholeFacts
   int Extent[6] = {};   ///< of the whole volume
   double Noise = 0.0;   ///< scalar units, of the component
   double BorderValue = 0.0;
-  double Time = 0.0;  ///< changes when the whole changes
-  double Share = 1.0; ///< of the force; below 1 if the samples stand in for those of the whole
+  double Time = 0.0;      ///< changes when the whole changes
+  double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
+  OutsideSamples Outside; ///< which samples are yet to be filled
 };
 
 /** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
@@ -37,6 +40,7 @@ struct WholeFields
   std::vector<double> BorderValues;
   double Time = 0.0;
   double Share = 1.0;
+  std::vector<OutsideSamples> Outside; ///< empty if the samples are filled
 };
 
 /** Writes the field arrays of a region. */

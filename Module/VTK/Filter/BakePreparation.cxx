@@ -62,6 +62,18 @@ void BakePreparation::EndPreparing()
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> BakePreparation::FillOutside(
+  vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames)
+{
+  if (this->Filter->GetProperty()->GetScalarsAreLabels() || !(areFrames || AreScalars(scalars)))
+  {
+    this->Outside = OutsideFiller{};
+    return scalars;
+  }
+  return this->Outside.Fill(image, scalars, component);
+}
+
+//------------------------------------------------------------------------------
 bool BakePreparation::PrepareTool()
 {
   auto* const shell = vtkHapticPointShell::SafeDownCast(this->Filter->GetTool());
@@ -84,7 +96,7 @@ bool BakePreparation::PrepareLabels()
 bool BakePreparation::PrepareSurface()
 {
   vtkImageData* const image = this->Filter->GetTouchedImage();
-  vtkDataArray* const scalars = HapticBaker(this->Filter).GetTouched()[0].Array;
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(this->Filter).GetFilled().Array;
   const int component = this->Filter->GetProperty()->GetComponent();
   HapticVolume volume;
   std::string error;
@@ -143,7 +155,7 @@ double BakePreparation::EstimateTime()
     return 0.0; // Bake() reports it
   }
   vtkImageData* const image = this->Filter->GetTouchedImage();
-  vtkDataArray* const scalars = HapticBaker(this->Filter).GetTouched()[0].Array;
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(this->Filter).GetFilled().Array;
   if (!scalars)
   {
     return 0.0; // Bake() reports the error

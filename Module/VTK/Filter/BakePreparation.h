@@ -9,6 +9,7 @@
 
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
+#include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/ShellPoints.h"
 
 class vtkVolumeHapticsFilter;
@@ -33,6 +34,15 @@ public:
 
   HapticSurface& GetSurfaces() { return this->Surfaces; }
   HapticLabels& GetLabels() { return this->Labels; }
+  OutsideFiller& GetOutside() { return this->Outside; }
+
+  /**
+   * The array in which samples outside have a value, or the array itself: vectors and labels are
+   * read as they are.
+   * @param areFrames whether the components of the array are frames
+   */
+  vtkSmartPointer<vtkDataArray> FillOutside(
+    vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames);
 
   /** See HapticBaker::Prepare(). */
   const char* Prepare(bool isMoving);
@@ -54,6 +64,7 @@ private:
   vtkVolumeHapticsFilter* const Filter;
   HapticSurface Surfaces;
   HapticLabels Labels;
+  OutsideFiller Outside;
   ShellPreparation Shells;
 };
 

@@ -221,7 +221,18 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
       "IsoValue is touched.";
     return nullptr;
   }
-  return BuildHapticModel(image, scalars, this->Filter->GetProperty(), options, error);
+  const bool areFrames = !options.Frames.empty();
+  const vtkSmartPointer<vtkDataArray> filled =
+    this->Filter->Preparation->FillOutside(image, scalars,
+      areFrames ? options.Frames.front().Component : this->Filter->GetProperty()->GetComponent(),
+      areFrames && this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS);
+  options.Outside = filled != scalars ? this->GetOutside() : OutsideSamples{};
+  const std::string notice = this->Filter->Preparation->GetOutside().TakeNotice();
+  if (!notice.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << Printable(notice));
+  }
+  return BuildHapticModel(image, filled, this->Filter->GetProperty(), options, error);
 }
 
 //------------------------------------------------------------------------------
@@ -320,6 +331,25 @@ std::array<TouchedArray, 2> HapticBaker::GetTouched() const
     }
   }
   return touched;
+}
+
+//------------------------------------------------------------------------------
+TouchedArray HapticBaker::GetFilled(int component, bool areFrames) const
+{
+  TouchedArray filled = this->GetTouched()[0];
+  try
+  {
+    if (filled.Array)
+    {
+      filled.Array = this->Filter->Preparation->FillOutside(
+        this->Filter->GetTouchedImage(), filled.Array, component, areFrames);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    filled.Array = nullptr; // Bake() reports it
+  }
+  return filled;
 }
 
 } // namespace VolumeHaptics

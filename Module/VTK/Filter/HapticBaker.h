@@ -139,6 +139,17 @@ public:
 
   /** The arrays of HashScalars() and HashLabels(); null for one that is not there. */
   std::array<TouchedArray, 2> GetTouched() const;
+  /** The array of HashScalars(), with a value outside: see BakePreparation::FillOutside(). */
+  TouchedArray GetFilled() const
+  {
+    return this->GetFilled(this->Filter->GetProperty()->GetComponent(), false);
+  }
+  TouchedArray GetFilled(int component, bool areFrames) const;
+  /** What was outside when an array was filled last. */
+  const OutsideSamples& GetOutside() const
+  {
+    return this->Filter->Preparation->GetOutside().GetLast();
+  }
 
 private:
   /** Bake(), with the filter's errors. */

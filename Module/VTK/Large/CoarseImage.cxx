@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/CoarseImage.h"
 
+#include "VTK/Large/VolumeSurvey.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
@@ -70,6 +72,7 @@ class CoarsePlan
 public:
   CoarsePlan(const LargeVolume& volume, vtkIdType mostVoxels)
     : Volume(volume)
+    , Outside(Survey(volume))
   {
     for (int a = 0; a < 3; ++a)
     {
@@ -151,7 +154,8 @@ public:
         const std::size_t row = sums.At(voxels[0], j / this->Step, k / this->Step);
         for (std::int64_t i = box[0]; i <= box[1]; ++i)
         {
-          const auto value = static_cast<double>(*sample++);
+          const auto read = static_cast<double>(*sample++);
+          const double value = this->Outside.Has(read) ? this->Outside.Fill : read;
           if (std::isfinite(value))
           {
             const std::size_t at = row + static_cast<std::size_t>(i / this->Step - voxels[0]);
@@ -169,6 +173,22 @@ public:
   std::int64_t Step = 1;
 
 private:
+  /** What is outside is averaged as it is felt. */
+  static OutsideSamples Survey(const LargeVolume& volume)
+  {
+    VolumeSurvey survey(volume);
+    std::string error;
+    while (!volume.IsSmooth && !survey.IsDone())
+    {
+      if (!survey.Advance(error))
+      {
+        throw std::runtime_error(error);
+      }
+    }
+    return volume.IsSmooth ? OutsideSamples{} : survey.GetFacts().Outside;
+  }
+
+  OutsideSamples Outside;
   std::array<std::int64_t, 3> BoxSize{};
   std::array<std::int64_t, 3> Boxes{};
   bool IsSparse = false; ///< of a box, only the row in its middle is read

@@ -3,6 +3,7 @@
 #include "VTK/Large/CoarseLevel.h"
 
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/OutsideFiller.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -70,7 +71,9 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
     error = "The CoarseImage has no point scalars. Give its point data active scalars.";
     return nullptr;
   }
-  if (!ReadVolume(image, scalars, 0, kernelRadius, volume, error))
+  const vtkSmartPointer<vtkDataArray> filled =
+    CopyFilled(FindOutside(image, scalars, 0), scalars, 0);
+  if (!ReadVolume(image, filled, 0, kernelRadius, volume, error))
   {
     error = "The CoarseImage can't stand in for the volume. " + error;
     return nullptr;

@@ -3,6 +3,7 @@
 #include "VTK/Large/RegionReader.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/OutsideFiller.h"
 
 #include <algorithm>
 #include <chrono>
@@ -43,7 +44,11 @@ struct RegionReader::Work
   bool IsLost = false;      ///< the thread has ended without being told to
   std::int64_t Revival = 0; ///< ServoClock: when another one may begin
   ///@}
-  Milliseconds Delay{ 0 }; // of the thread alone
+  ///@{
+  /** Of the thread alone. */
+  Milliseconds Delay{ 0 };
+  OutsideSamples Outside;
+  ///@}
 
   void RunToEnd();
   void Run();
@@ -139,6 +144,8 @@ std::optional<RegionSamples> RegionReader::Work::Read(
   {
     return std::nullopt;
   }
+  FillOutside(this->Outside, this->Volume->ScalarType, samples.Samples.get(),
+    static_cast<std::int64_t>(CountSamples(region)));
   return samples;
 }
 
@@ -147,6 +154,10 @@ void RegionReader::Work::Run()
   if (!this->Survey())
   {
     return;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Outside = this->Facts->Outside;
   }
   while (const std::optional<BoxExtent> region = this->AwaitOrder())
   {

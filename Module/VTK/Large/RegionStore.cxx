@@ -3,6 +3,7 @@
 #include "VTK/Large/RegionStore.h"
 
 #include "Core/Servo/ServoClock.h"
+#include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/WholeFacts.h"
 
 #include "vtkDataArray.h"
@@ -55,7 +56,7 @@ void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const Lar
   this->Volume = std::move(volume);
   if (this->Volume->IsSmooth)
   {
-    this->NoteFacts({ 0.0, this->Volume->BorderValue });
+    this->NoteFacts({ 0.0, this->Volume->BorderValue, {} });
   }
 }
 
@@ -64,6 +65,7 @@ void RegionStore::Clear()
   this->Thread.reset();
   this->Volume.reset();
   this->Facts.reset();
+  this->Notice.clear();
   this->Samples = nullptr;
   this->Region = NoRegion;
   this->StandsIn = false;
@@ -90,6 +92,7 @@ void RegionStore::NoteFacts(const VolumeFacts& facts)
   vtkTimeStamp stamp;
   stamp.Modified(); // a number that no other volume has
   this->WholeTime = stamp.GetMTime();
+  this->Notice = DescribeOutside(facts.Outside, NewSamples(this->Volume->ScalarType));
 }
 
 bool RegionStore::Survey(std::string& error)
@@ -130,7 +133,7 @@ vtkSmartPointer<vtkDataArray> RegionStore::Read(const BoxExtent& region, std::st
   }
 }
 
-void RegionStore::WriteFacts(vtkImageData* image) const
+void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
 {
   WholeFields fields;
   std::copy(this->Volume->Extent.begin(), this->Volume->Extent.end(), fields.Extent);
@@ -141,6 +144,10 @@ void RegionStore::WriteFacts(vtkImageData* image) const
   fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
     ? StandInShare
     : 1.0;
+  if (!isFilled && facts.Outside.HasAny())
+  {
+    fields.Outside = { facts.Outside };
+  }
   WriteWholeFacts(fields, image);
 }
 

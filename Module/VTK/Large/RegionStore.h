@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 class vtkDataArray;
 class vtkHapticRegionPlanner;
@@ -100,11 +101,13 @@ public:
   bool IsSurveyed() const { return this->Facts.has_value(); }
   /** Why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
+  /** Tells once what is taken for outside; else an empty text. */
+  std::string TakeNotice() { return std::exchange(this->Notice, {}); }
 
   /** Reads a region into a new array, here and now; null, with an error, if that fails. */
   vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
-  /** Writes the facts about the whole, as far as they are known. */
-  void WriteFacts(vtkImageData* image) const;
+  /** Writes the facts about the whole, as far as they are known. Read() fills no samples. */
+  void WriteFacts(vtkImageData* image, bool isFilled) const;
 
 private:
   bool Survey(std::string& error);
@@ -138,6 +141,7 @@ private:
   std::array<double, 3> Velocity{};
   double TipTime = 0.0; // s
   std::string Trouble;
+  std::string Notice;
   std::unique_ptr<RegionReader> Thread; // last: it ends first
 };
 

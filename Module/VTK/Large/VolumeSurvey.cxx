@@ -7,6 +7,7 @@
 #include "vtkSetGet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 namespace VolumeHaptics
@@ -63,11 +64,16 @@ void VolumeSurvey::Collect(const BoxExtent& box)
     for (std::size_t i = 0; i < count; ++i)
     {
       const double value = static_cast<double>(values[i]);
-      if (value == value) // not NaN
+      if (std::isfinite(value))
       {
         const bool isFirst = range[0] > range[1];
         range[0] = isFirst ? value : std::min(range[0], value);
         range[1] = isFirst ? value : std::max(range[1], value);
+        const double both[2] = { value, value };
+        if (!MayBeMissing(value))
+        {
+          NoiseSamples::Extend(this->Samples.Inside, both);
+        }
       }
     }
     this->Samples.MergeRange(range);
@@ -102,7 +108,14 @@ bool VolumeSurvey::Advance(std::string& error)
 
 VolumeFacts VolumeSurvey::GetFacts() const
 {
-  return { EstimateNoise(this->Samples), FindBorderValue(this->Samples) };
+  const OutsideSamples outside = FindOutside(this->Samples);
+  if (!outside.HasAny())
+  {
+    return { EstimateNoise(this->Samples), FindBorderValue(this->Samples), outside };
+  }
+  NoiseSamples filled = this->Samples;
+  FillOutside(outside, filled);
+  return { EstimateNoise(filled), FindBorderValue(filled), outside };
 }
 
 } // namespace VolumeHaptics

@@ -8,6 +8,7 @@
 #define VolumeSurvey_h
 
 #include "Core/Field/NoiseSamples.h"
+#include "Core/Field/OutsideSamples.h"
 #include "VTK/Large/LargeVolume.h"
 
 #include <cstddef>
@@ -22,6 +23,7 @@ struct VolumeFacts
 {
   double Noise = 0.0;
   double BorderValue = 0.0;
+  OutsideSamples Outside; ///< with which each region is filled
 };
 
 /**

@@ -132,11 +132,9 @@ const EdgeHistogram* FunctionSearch::FollowEdges(
   double slopes[2];
   vtkDataArray::SafeDownCast(boundaries->GetColumnByName("Slope"))->GetRange(slopes);
   const EdgeHistogram frame = MakeFrame(data, slopes[1]);
-  const auto volume = std::make_shared<HapticVolume>();
+  const auto input = std::make_shared<ProposalInput>();
   std::string error;
-  vtkDataArray* const scalars = data.Image->GetPointData()->GetScalars();
-  const bool isThere =
-    scalars && ReadVolume(data.Image, scalars, data.Component, kernelRadius, *volume, error);
+  const bool isThere = ReadProposalInput(data.Image, data.Component, *input, error);
   this->CountedImage = data.Image;
   return this->Count.Follow(key,
     [=](WorkMonitor& monitor) -> std::optional<EdgeHistogram>
@@ -144,7 +142,7 @@ const EdgeHistogram* FunctionSearch::FollowEdges(
       EdgeHistogram edges = frame;
       if (isThere)
       {
-        CountEdges(*volume, kernelRadius, { &monitor }, edges);
+        CountEdges(input->Volume, kernelRadius, { &monitor }, edges);
       }
       return edges;
     });

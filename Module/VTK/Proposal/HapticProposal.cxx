@@ -8,6 +8,7 @@
 #include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Baking/HapticTissues.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/SampleRange.h"
 #include "VTK/Proposal/EdgeSearch.h"
 
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -113,7 +115,17 @@ bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input,
   input.Image = vtkSmartPointer<vtkImageData>::New();
   input.Image->ShallowCopy(image);
   input.Component = component;
-  return ReadVolume(image, scalars, component, SearchRadius, input.Volume, error);
+  // Samples that are no numbers are left out: they have no edges.
+  OutsideSamples outside = FindOutside(image, scalars, component);
+  const bool hasHoles = std::exchange(outside.AreNonFinite, false);
+  const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
+  input.Image->GetPointData()->SetScalars(filled);
+  const bool isRead = ReadVolume(image, filled, component, SearchRadius, input.Volume, error);
+  if (hasHoles)
+  {
+    input.Volume.View.BorderValue = outside.Fill;
+  }
+  return isRead;
 }
 
 //------------------------------------------------------------------------------

@@ -179,7 +179,8 @@ bool DataPlayback::Read(vtkVolumeHapticsFilter* filter, std::size_t step, Volume
     {
       const FieldFrame& like = this->Window->Frames.front();
       const FrameShape shape{ like.Field.GetView(), this->Window->IndexToWorld,
-        this->Window->Series, filter->GetKernelRadius(), filter->GetDisplacementArrayName() };
+        this->Window->Series, filter->GetKernelRadius(), filter->GetDisplacementArrayName(),
+        HapticBaker(filter).GetOutside() };
       MakeVolumeFrame(read, shape, frame, error);
     }
   }
@@ -232,9 +233,10 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   }
   this->Rate = rate;
   this->MadeOf = FindOrigin(filter);
-  this->Window = last ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times),
-                          filter->GetKernelRadius(), filter->GetDisplacementArrayName())
-                      : nullptr;
+  this->Window = last
+    ? GoOnWithFrames(*last, read, MakeSeries(this->Steps.Times), filter->GetKernelRadius(),
+        filter->GetDisplacementArrayName(), HapticBaker(filter).GetOutside())
+    : nullptr;
   if (this->Window && (!deviceToWorld || ReadSimilarity(deviceToWorld, placement, error)))
   {
     this->GoOnFrom(*last, before.Times);

@@ -83,10 +83,11 @@ std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHa
   this->Region = *std::exchange(this->Ordered, std::nullopt);
   this->Planner->AddLatency(ServoClock::SecondsSince(this->OrderTime));
   const int component = filter->GetProperty()->GetComponent();
-  const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
+  const TouchedArray scalars = HapticBaker(filter).GetFilled();
   HapticVolume volume;
   std::string error;
-  if (!ReadVolume(image, scalars.Array, component, filter->GetKernelRadius(), volume, error))
+  if (!scalars.Array ||
+    !ReadVolume(image, scalars.Array, component, filter->GetKernelRadius(), volume, error))
   {
     return std::nullopt;
   }
@@ -121,7 +122,11 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   {
     fromFirst[a] = region[a] - whole[a - a % 2];
   }
-  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetFilled().Array;
+  if (!scalars)
+  {
+    return; // the whole tells
+  }
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
   this->Meshing.Follow({ *this->Of, region },

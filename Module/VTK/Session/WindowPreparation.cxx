@@ -276,11 +276,16 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
   const std::vector<HapticFrame>& frames = this->Window->Frames;
   vtkImageData* const image = filter->GetTouchedImage();
   const HapticBaker baker(filter);
-  vtkDataArray* const array = image ? baker.GetReading().GetArray(image) : nullptr;
   HapticVolume volume;
   std::string error;
   try
   {
+    const vtkSmartPointer<vtkDataArray> array = image
+      ? baker
+          .GetFilled(
+            frames.front().Component, filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS)
+          .Array
+      : nullptr;
     if (!array ||
       !ReadVolume(image, array, frames.front().Component, filter->GetKernelRadius(), volume, error))
     {
@@ -292,7 +297,7 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
     series.Last =
       frames.back().Time; // of a part of the series, the last one needs no displacements
     const FrameShape shape{ volume.View, volume.IndexToWorld, series, filter->GetKernelRadius(),
-      filter->GetDisplacementArrayName() };
+      filter->GetDisplacementArrayName(), baker.GetOutside() };
     this->Components.clear();
     for (const HapticFrame& frame : frames)
     {

@@ -5,7 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeLoader.h"
 
-#include "VTK/Baking/OutsideSamples.h"
+#include "VTK/Baking/OutsideFiller.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -159,23 +159,26 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Gives samples outside the least value inside: for the picture, the thresholds and the kind of
-/// the volume as well as for the hand.
+/// Gives samples outside the value with which the filter would feel them: for the picture, the
+/// thresholds and the kind of the volume, too.
 void UseOutside(Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
-  const VolumeHaptics::FilledSamples filled = VolumeHaptics::FillOutside(volume.Image, scalars, 0);
-  if (!filled.Array)
+  const VolumeHaptics::OutsideSamples outside =
+    VolumeHaptics::FindOutside(volume.Image, scalars, 0);
+  const std::string notice = VolumeHaptics::DescribeOutside(outside, scalars);
+  if (!notice.empty())
+  {
+    volume.Notes.push_back(notice);
+  }
+  if (!outside.HasAny())
   {
     return;
   }
   vtkNew<vtkImageData> image;
   image->ShallowCopy(volume.Image);
-  image->GetPointData()->SetScalars(filled.Array);
-  volume.Image = image;
-  volume.Notes.push_back(filled.Missing.empty()
-      ? "samples around the body that are no numbers are outside, with the least value"
-      : filled.Missing);
+  image->GetPointData()->SetScalars(VolumeHaptics::CopyFilled(outside, scalars, 0));
+  volume.Image = image; // the scalars may end with the image before
 }
 } // namespace
 
