@@ -54,6 +54,7 @@ void ReleaseProxy(const HapticSettings& settings, const Vector3& step, ReleaseSt
     return;
   }
   release.Stiffness = std::max(release.Stiffness, record.LeapStiffness);
+  release.Absorbed += record.LeapEnergy;
   const Vector3 faded = Fade(settings, release.Force - record.Leap);
   const Vector3 force = MakePassive(release, faded, step);
   release.Absorbed -= 0.5 * Dot(release.Force + force, step);

@@ -17,10 +17,12 @@
  *
  * ## Energy
  *
- * The law dissipates the energy of a spring that is released. So it does here: the hand gets no
- * more of it than from the law alone. The work of e on the hand, by trapezoids as the trace's
- * Energy, is summed from the first leap on. Where it would become positive, since the hand goes
- * along with e, e loses the part along the hand's step that would make it so.
+ * The law dissipates the energy of a spring that is released. Where the hand goes along with e, as
+ * a hand that is on its way back when the proxy slides off a speck, it gets a part of this energy
+ * back, and never more: the hand gets no energy that it has not put in. The work of e on the hand,
+ * by trapezoids as the trace's Energy, is summed from the first leap on. Where it would exceed what
+ * the springs have lost by the leaps (TickRecord::LeapEnergy), e loses the part along the hand's
+ * step that would make it so.
  */
 #ifndef ProxyRelease_h
 #define ProxyRelease_h
@@ -36,7 +38,7 @@ struct ReleaseState
 {
   Vector3 Force;          ///< e, N
   double Stiffness = 0.0; ///< N/m, of the spring before the last leap
-  double Absorbed = 0.0;  ///< J, taken from the hand by e
+  double Absorbed = 0.0;  ///< J, that the leaps have lost and e has taken from the hand
 };
 
 /** N/s: at 1 kHz, 0.15 N in a tick. */

@@ -43,6 +43,7 @@ struct TickRecord : MaterialPoint
   /// N, the change of Force by a leap of the proxy; of PRECISE, for ProxyRelease.h
   Vector3 Leap;
   double LeapStiffness = 0.0; ///< N/m, of the spring before it
+  double LeapEnergy = 0.0;    ///< J, that the spring has lost by it, and the hand has not got
   double Depth = 0.0;         ///< m, of a needle that is inserted; 0: it is not
   double ShaftForce = 0.0;    ///< N, the most that the tissue along a needle's shaft holds
   double RemovedVolume = 0.0; ///< mm^3 of the hand's space, by a burr in this tick

@@ -42,6 +42,13 @@ constexpr double Rounding = 1e-9;
 /** The most motions at one tip that may lengthen the spring. */
 constexpr int MostSetbacks = 8;
 
+/** Of a spring (J) that exerts a force. */
+double FindEnergy(const PassiveSpring& spring, const Vector3& force) noexcept
+{
+  const double square = Dot(force, force);
+  return square > 0.0 ? 0.5 * square / spring.Tissue : 0.0;
+}
+
 } // namespace
 
 void PreciseFollower::Follow(const Vector3& tip) noexcept
@@ -58,6 +65,7 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
   {
     this->StiffnessBefore = this->State.Spring.GetEffective();
     this->ForceBefore = this->StiffnessBefore * (this->Proxy - from);
+    this->EnergyBefore = FindEnergy(this->State.Spring, this->ForceBefore);
     this->FrictionBefore = this->State.Here.Friction;
   }
   this->TipBefore = from;
@@ -126,6 +134,11 @@ void PreciseFollower::WriteLeap(TickRecord& record) const noexcept
   {
     record.Leap = (1.0 - most / std::sqrt(square)) * change;
     record.LeapStiffness = k;
+    // The reserve may still pay for a rise of the stiffness.
+    const double kept = FindEnergy(this->State.Spring, record.Force) + this->State.Spring.Reserve;
+    const double got =
+      0.5 * Dot(this->ForceBefore + record.Force, this->State.ReachedTip - this->TipBefore);
+    record.LeapEnergy = std::max(this->EnergyBefore - kept - got, 0.0);
   }
 }
 

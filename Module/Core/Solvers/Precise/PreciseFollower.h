@@ -75,6 +75,7 @@ private:
   /** Before the tick. */
   Vector3 TipBefore;
   Vector3 ForceBefore;
+  double EnergyBefore = 0.0;
   double StiffnessBefore = 0.0;
   double FrictionBefore = 0.0;
   double Carried = 0.0;
