@@ -84,7 +84,7 @@ def main():
     folder, head = pathlib.Path(sys.argv[1]), sys.argv[2]
     packages = folder / "packages"
     for scan, pixels in (("shell", "225x128x128"), ("bone", "128x128x128"), ("fly", "150x256x256"),
-                         ("fibers", "150x150x150")):
+                         ("fibers", "150x150x150"), ("NT", "128x128x128")):
         write(folder / f"{scan}.vti", read_tiff(packages / f"qim3d/examples/{scan}_{pixels}.tif"), (1, 1, 1))
     # 128 of 256 pixels of 0.9375 mm, and about as much between slices.
     write(folder / "volpack.vti",

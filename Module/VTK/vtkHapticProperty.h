@@ -157,6 +157,22 @@ public:
 
   ///@{
   /**
+   * Whether the image tells what is solid: the background, darker than Otsu's threshold between
+   * the darkest two materials that are apart, then has no surface strength, however steep its noise
+   * and its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the threshold
+   * on, SurfaceStrength holds. Off (default), for a SurfaceSide other than HIGHER, or if all values
+   * are one heap: SurfaceStrength holds everywhere. A material that rises by less than a tenth of
+   * the brightest one is background. Padding that is darker than air makes air solid: set it to the
+   * value of air first. The image is looked at again as for DistinctnessFromNoise; a region of a
+   * larger volume has the threshold of the whole.
+   */
+  vtkSetMacro(SolidFromImage, bool);
+  vtkGetMacro(SolidFromImage, bool);
+  vtkBooleanMacro(SolidFromImage, bool);
+  ///@}
+
+  ///@{
+  /**
    * The component of the array that is touched, 0 or more. Default 0.
    */
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
@@ -202,7 +218,7 @@ public:
    * - "CT chest": Hounsfield units; lung has strengths of its own.
    * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides.
    * - "Micro-CT": one solid material, of any unit: micro-CT and industrial CT. Distinctness is from
-   *   the noise.
+   *   the noise, and what is background from the values (SolidFromImage).
    * - "Labels": a segmentation as the touched image: all labels but 0 feel alike, from both sides.
    *
    * All but "CT physical" have one stiffness, 400 N/m, for whatever is felt, so that a hand feels
@@ -219,12 +235,12 @@ public:
   ///@{
   /**
    * A preset of one's own as a file (JSON, readable), to keep and to share: the five functions to
-   * the bit, the tissues, the surface side, DistinctnessFromNoise, DistinctnessPerMillimeter and
-   * ScalarsAreLabels, but neither the component nor the visibility. WritePreset replaces an
-   * existing file only after the whole new one is on the disk. ReadPreset fills the functions in
-   * place; what the file lacks gets its default. Both return false, with an error that names the
-   * file and the cure, if that fails; nothing has changed then. Give the file a name that ends in
-   * ".json", so that ApplyPreset() takes it.
+   * the bit, the tissues, the surface side, DistinctnessFromNoise, DistinctnessPerMillimeter,
+   * ScalarsAreLabels and SolidFromImage, but neither the component nor the visibility. WritePreset
+   * replaces an existing file only after the whole new one is on the disk. ReadPreset fills the
+   * functions in place; what the file lacks gets its default. Both return false, with an error that
+   * names the file and the cure, if that fails; nothing has changed then. Give the file a name that
+   * ends in ".json", so that ApplyPreset() takes it.
    */
   bool WritePreset(const char* file);
   bool ReadPreset(const char* file);
@@ -336,6 +352,7 @@ protected:
   bool DistinctnessFromNoise = true;
   bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
+  bool SolidFromImage = false;
   double NoiseRamp[2] = { 0.0, 0.0 };
   vtkSmartPointer<vtkTable> ProposedBoundaries;
   int ProposedKernelRadius = 0;

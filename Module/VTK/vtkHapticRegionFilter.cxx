@@ -186,6 +186,7 @@ void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
   std::copy(whole, whole + 6, facts.Extent);
   facts.Noise = this->Noise;
   facts.BorderValues = this->BorderValues;
+  facts.Solids = this->Solids;
   facts.Time = static_cast<double>(this->GatheredTime);
   VolumeHaptics::WriteWholeFacts(facts, output);
 }
@@ -224,6 +225,7 @@ int vtkHapticRegionFilter::RequestData(
     this->GatherSamples(samples);
     this->Noise.clear();
     this->BorderValues.clear();
+    this->Solids.clear();
     this->Outside.clear();
     for (VolumeHaptics::NoiseSamples& component : samples)
     {
@@ -234,6 +236,7 @@ int vtkHapticRegionFilter::RequestData(
       this->Outside.push_back(outside);
       this->Noise.push_back(VolumeHaptics::EstimateNoise(component));
       this->BorderValues.push_back(VolumeHaptics::FindBorderValue(component));
+      this->Solids.push_back(VolumeHaptics::BackgroundLevel::Find(component));
     }
     this->GatheredTime = time;
     this->WarnOfOutside(array);

@@ -20,6 +20,10 @@
  *                       infinite: the first finite corner of the whole. If a corner is not, or
  *                       has a number for missing values, all such samples are outside: the region
  *                       has the least value inside there
+ *   HapticSolid         optional, three numbers a component for vtkHapticProperty's SolidFromImage:
+ *                       the value at which the background of the whole ends, the one from which on
+ *                       it is solid, equal to the first if there is none, and the one that noise of
+ *                       the background rarely exceeds
  *   HapticWholeTime     optional, a number that changes whenever the whole changes. If regions of
  *                       the same whole have the same number, one replaces the other under a
  *                       pressing hand without the hand noticing it
@@ -60,6 +64,7 @@ namespace VolumeHaptics
 {
 struct NoiseSamples;
 struct OutsideSamples;
+struct BackgroundLevel;
 } // namespace VolumeHaptics
 #endif
 
@@ -87,6 +92,7 @@ public:
   static const char* GetNoiseName() { return "HapticNoise"; }
   static const char* GetBorderValueName() { return "HapticBorderValue"; }
   static const char* GetWholeTimeName() { return "HapticWholeTime"; }
+  static const char* GetSolidName() { return "HapticSolid"; }
   static const char* GetShareName() { return "HapticShare"; }
   static const char* GetOutsideName() { return "HapticOutside"; }
   ///@}
@@ -145,6 +151,7 @@ private:
   std::vector<double> Noise; // one for each component
   std::vector<double> BorderValues;
   std::vector<VolumeHaptics::OutsideSamples> Outside;
+  std::vector<VolumeHaptics::BackgroundLevel> Solids;
 #endif
 
   int Region[6] = { 0, -1, 0, -1, 0, -1 };

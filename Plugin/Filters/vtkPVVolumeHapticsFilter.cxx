@@ -136,6 +136,12 @@ void vtkPVVolumeHapticsFilter::SetScalarsAreLabels(bool areLabels)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetSolidFromImage(bool fromImage)
+{
+  this->Choose(this->SolidFromImage, fromImage);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetSurfaceSide(int side)
 {
   this->Choose(this->SurfaceSide, side);
@@ -207,6 +213,7 @@ void vtkPVVolumeHapticsFilter::FillProperty()
   property->SetDistinctnessFromNoise(this->DistinctnessFromNoise);
   property->SetDistinctnessPerMillimeter(this->DistinctnessPerMillimeter);
   property->SetScalarsAreLabels(this->ScalarsAreLabels);
+  property->SetSolidFromImage(this->SolidFromImage);
   property->SetSurfaceSide(this->SurfaceSide);
 }
 
@@ -490,6 +497,7 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DistinctnessPerMillimeter: " << (this->DistinctnessPerMillimeter ? "On" : "Off")
      << "\n";
   os << indent << "ScalarsAreLabels: " << (this->ScalarsAreLabels ? "On" : "Off") << "\n";
+  os << indent << "SolidFromImage: " << (this->SolidFromImage ? "On" : "Off") << "\n";
   os << indent << "SurfaceSide: " << this->SurfaceSide << "\n";
   for (const std::string& file : this->LabelFiles)
   {

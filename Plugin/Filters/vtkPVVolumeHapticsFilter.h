@@ -33,8 +33,9 @@ public:
 
   /**
    * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
-   * the functions, DistinctnessFromNoise, ScalarsAreLabels and SurfaceSide are then unused until it
-   * is "Custom" again. Any other name is an error that lists these, and the output is empty.
+   * the functions, DistinctnessFromNoise, ScalarsAreLabels, SolidFromImage and SurfaceSide are then
+   * unused until it is "Custom" again. Any other name is an error that lists these, and the output
+   * is empty.
    */
   void SetPreset(const char* preset);
 
@@ -67,8 +68,11 @@ public:
   void SetDistinctnessFunction(vtkPiecewiseFunction* function);
   ///@}
 
-  /** Whether the scalars are labels, as the property has it. */
+  ///@{
+  /** Whether the scalars are labels, and whether the image tells what is solid, as the property. */
   void SetScalarsAreLabels(bool areLabels);
+  void SetSolidFromImage(bool fromImage);
+  ///@}
 
   ///@{
   /** The surface side of the property. */
@@ -198,6 +202,7 @@ private:
   bool DistinctnessFromNoise = true;
   bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
+  bool SolidFromImage = false;
   int SurfaceSide = 0;
   vtkTimeStamp Chosen; // when a setting of the material was last made
   vtkTimeStamp Filled; // when the property last got them

@@ -85,6 +85,7 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   vtkSMPropertyHelper(this, "DistinctnessPerMillimeter")
     .Set(property->GetDistinctnessPerMillimeter());
   vtkSMPropertyHelper(this, "ScalarsAreLabels").Set(property->GetScalarsAreLabels());
+  vtkSMPropertyHelper(this, "SolidFromImage").Set(property->GetSolidFromImage());
   vtkSMPropertyHelper(this, "SurfaceSide").Set(property->GetSurfaceSide());
   vtkSMPropertyHelper(this, "Preset").Set("Custom");
   this->UpdateVTKObjects();

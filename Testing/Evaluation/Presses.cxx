@@ -22,6 +22,7 @@ constexpr double FeltForce = 0.1;     // N
 constexpr double LeastCosine = 0.707; // of a ray to the normal
 constexpr double RayStep = 0.25;      // voxels
 constexpr double Persistence = 0.75;  // voxels that a surface has behind it
+constexpr double FarAstray = 2.0;     // voxels
 
 /** A ray through the volume, in the world. */
 struct Ray
@@ -142,6 +143,34 @@ std::optional<double> FindHalfOpacity(const PressedVolume& volume, const Ray& ra
     (static_cast<double>(at - opacity.begin()) + (half - before) / std::max(*at - before, 1e-300));
 }
 
+/** Whether all structures are more than FarAstray from a place (m of the hand's space). */
+bool IsAstray(const PressedVolume& volume, const Vector3& place)
+{
+  constexpr double step = 0.25;
+  const int reach = static_cast<int>(FarAstray / step);
+  const auto& field = volume.Structures->Baked->Field;
+  const Vector3 index = volume.Structures->DeviceToIndex(place);
+  bool isIn = false;
+  bool isOut = false;
+  for (int k = -reach; k <= reach; ++k)
+  {
+    for (int j = -reach; j <= reach; ++j)
+    {
+      for (int i = -reach; i <= reach; ++i)
+      {
+        const Vector3 offset = step * Vector3{ double(i), double(j), double(k) };
+        if (Norm(offset) <= FarAstray && field.IsInside(index + offset))
+        {
+          const bool isAbove = field.Value(index + offset) >= volume.Level;
+          isIn = isIn || isAbove;
+          isOut = isOut || !isAbove;
+        }
+      }
+    }
+  }
+  return !isIn || !isOut;
+}
+
 void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
 {
   const Vector3 surface = volume.Scale * ray.At(met.At); // mm of the hand's space
@@ -170,6 +199,7 @@ void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Pres
   }
   const double voxel = volume.Scale * ray.Unit;
   found.OffSurface.push_back(Dot(*felt - surface, met.Normal) / voxel);
+  found.Astray += IsAstray(volume, 0.001 * *felt) ? 1 : 0;
   if (const auto half = FindHalfOpacity(volume, ray))
   {
     found.OffSeen.push_back(Dot(volume.Scale * ray.At(*half) - *felt, ray.Way) / voxel);

@@ -27,8 +27,10 @@ struct PressedVolume
 {
   std::shared_ptr<const VolumeHaptics::HapticModel> Model; ///< of what is felt
   std::shared_ptr<const VolumeHaptics::HapticModel> Shape; ///< the values that have the surface
-  double Level = 0.0;                                      ///< of the surface; more is inside
-  double Scale = 1.0;                                      ///< mm of the hand's space in a unit
+  /** The same values, but nothing above the level that is no larger than noise. */
+  std::shared_ptr<const VolumeHaptics::HapticModel> Structures;
+  double Level = 0.0; ///< of the surface; more is inside
+  double Scale = 1.0; ///< mm of the hand's space in a unit
   std::array<double, 6> Box{};
   Vector3 Middle;   ///< that the rays go by
   Vector3 Voxel;    ///< lengths of its edges along the world's axes
@@ -41,6 +43,7 @@ struct Presses
   int Count = 0;
   int Unfelt = 0;                 ///< less than 0.1 N until 5 mm under the surface
   std::vector<double> OffSurface; ///< voxels from the isosurface to the felt place, inwards
+  int Astray = 0;                 ///< felt more than 2 voxels from all structures' isosurfaces
   std::vector<double> OffSeen;    ///< voxels along the ray from there to half of the opacity
   double LargestStep = 0.0;       ///< N, of the force from one tick to the next
 };
@@ -49,6 +52,11 @@ struct Presses
  * The hand comes from 40 mm outside along a ray at 100 mm/s, presses 5 mm deep, and goes back. It
  * feels the surface at the proxy of the first tick with 0.1 N. Rays that enter the volume inside of
  * the body are left out.
+ *
+ * A ray's own surface is that of the values that the kernel smooths. A thin structure in front of
+ * it or beside it is felt, and seen, though the kernel smooths it below the level: it has an
+ * isosurface of the samples, between which values are linear. Specks of noise have one, too, but
+ * are no structures.
  */
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
 

@@ -23,10 +23,11 @@ namespace
 constexpr double BallRadius = 12.0;
 
 /** A ball of 100 in 0, which holds or does not. */
-PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image)
+PressedVolume MakeBall(
+  double stiffness, vtkSmartPointer<vtkImageData>& image, double radius = BallRadius)
 {
-  image = SampleImage(
-    [](const Vector3& x) { return BlurredStep(BallRadius - Norm(x), 1.0, 100.0); }, 20.0);
+  image =
+    SampleImage([=](const Vector3& x) { return BlurredStep(radius - Norm(x), 1.0, 100.0); }, 20.0);
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputDataObject(0, image);
   vtkHapticProperty* const feel = filter->GetProperty();
@@ -36,7 +37,8 @@ PressedVolume MakeBall(double stiffness, vtkSmartPointer<vtkImageData>& image)
   SetConstant(feel->GetSurfaceStrength(), Impenetrable);
   SetConstant(feel->GetDistinctness(), 1.0);
   PressedVolume ball;
-  ball.Model = ball.Shape = VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  ball.Model = ball.Shape = ball.Structures =
+    VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
   ball.Level = 50.0;
   ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
   ball.Voxel = { 1.0, 1.0, 1.0 };
@@ -54,6 +56,20 @@ TEST(Presses, AHardBallIsFeltAndSeenWhereItIs)
   EXPECT_NEAR(FindMedian(found.OffSurface), 0.0, 0.2);
   EXPECT_LT(FindLargest(found.OffSurface, 1.0), 0.4);
   EXPECT_NEAR(FindMedian(found.OffSeen), 0.0, 0.4);
+}
+
+TEST(Presses, IsAstrayIfNoStructureIsNear)
+{
+  vtkSmartPointer<vtkImageData> image;
+  PressedVolume ball = MakeBall(1000.0, image);
+  EXPECT_EQ(PressFromAllSides(ball, 60).Astray, 0);
+  for (const double radius : { 10.5, 9.5 }) // 1.5 and 2.5 voxels deeper
+  {
+    vtkSmartPointer<vtkImageData> other;
+    ball.Structures = MakeBall(1000.0, other, radius).Shape;
+    const Presses found = PressFromAllSides(ball, 60);
+    EXPECT_EQ(found.Astray, radius < 10.0 ? found.Count : 0);
+  }
 }
 
 TEST(Presses, WhatIsSoftIsUnfelt)

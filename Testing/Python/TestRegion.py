@@ -68,8 +68,9 @@ def test_region_is_felt_as_the_whole():
     crop.Update()
     part = crop.GetOutput()
     assert 0 < part.GetNumberOfPoints() < image.GetNumberOfPoints()
-    names = [crop.GetWholeExtentName(), crop.GetNoiseName(), crop.GetBorderValueName(), crop.GetWholeTimeName()]
-    assert names == ["HapticWholeExtent", "HapticNoise", "HapticBorderValue", "HapticWholeTime"]
+    names = [crop.GetWholeExtentName(), crop.GetNoiseName(), crop.GetBorderValueName(), crop.GetSolidName(),
+             crop.GetWholeTimeName()]
+    assert names == ["HapticWholeExtent", "HapticNoise", "HapticBorderValue", "HapticSolid", "HapticWholeTime"]
     assert [part.GetFieldData().GetArray(names[0]).GetTuple1(i) for i in range(6)] == [0, 39] * 3
 
     path, points = vtkPolyData(), vtkPoints()

@@ -11,8 +11,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-constexpr int BlockReach = 2;
-constexpr int BlockSide = 2 * BlockReach + 1;
+constexpr int BlockSide = NoiseBlockSide;
 constexpr int BlockSamples = BlockSide * BlockSide * BlockSide;
 constexpr int Quadratic = 10; // coefficients
 /** Their product is the number of blocks. */
@@ -353,7 +352,7 @@ double FindBorderValue(const NoiseSamples& samples)
   return value;
 }
 
-double EstimateNoise(const NoiseSamples& samples)
+void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
 {
   const std::array<BlockAxis, 3> axes = AxesOf(samples.Dimensions);
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
@@ -388,15 +387,14 @@ double EstimateNoise(const NoiseSamples& samples)
       all[static_cast<std::size_t>(block * BlockSamples + sample)] = samples.Values[s];
     }
   }
-  Remainders remainders;
   for (std::int64_t b = 0; b < blocks; ++b)
   {
-    remainders.Add(&all[static_cast<std::size_t>(b * BlockSamples)]);
+    visit(&all[static_cast<std::size_t>(b * BlockSamples)]);
   }
-  return remainders.FindNoise(samples.Range);
 }
 
-double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
+void VisitNoiseBlocks(
+  const SampleReader& read, const std::int64_t dimensions[3], const BlockVisitor& visit)
 {
   const std::int64_t* const n = dimensions;
   const std::array<BlockAxis, 3> axes = AxesOf(n);
@@ -406,8 +404,6 @@ double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3],
     offsets[i] = i % BlockSide +
       n[0] * (i / BlockSide % BlockSide + n[1] * std::int64_t{ i / (BlockSide * BlockSide) });
   }
-  NoiseSamples seen; // no more than their range
-  Remainders remainders;
   double block[BlockSamples];
   const std::int64_t blocks = axes[0].Blocks * axes[1].Blocks * axes[2].Blocks;
   for (std::int64_t b = 0; b < blocks; ++b)
@@ -419,9 +415,28 @@ double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3],
     {
       block[i] = read(x + n[0] * (y + n[1] * z) + offsets[i]);
     }
-    remainders.Add(block);
-    seen.MergeValues(block, BlockSamples);
+    visit(block);
   }
+}
+
+double EstimateNoise(const NoiseSamples& samples)
+{
+  Remainders remainders;
+  VisitNoiseBlocks(samples, [&](const double* block) { remainders.Add(block); });
+  return remainders.FindNoise(samples.Range);
+}
+
+double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
+{
+  const std::int64_t* const n = dimensions;
+  NoiseSamples seen; // no more than their range
+  Remainders remainders;
+  VisitNoiseBlocks(read, n,
+    [&](const double* block)
+    {
+      remainders.Add(block);
+      seen.MergeValues(block, BlockSamples);
+    });
   if (!HasRangeOfAll(n))
   {
     for (int corner = 0; corner < 8; ++corner)

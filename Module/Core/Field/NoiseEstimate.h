@@ -60,10 +60,23 @@ using SampleReader = std::function<double(std::int64_t)>;
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
 
+/** Is called with a block of NoiseBlockSide^3 samples, of which the first index runs fastest. */
+using BlockVisitor = std::function<void(const double*)>;
+constexpr int NoiseBlockSide = 5;
+
+///@{
+/**
+ * Visits the noise blocks of a volume: up to 4096 (512 of a large volume), which are spread evenly.
+ * Samples that are missing are infinite.
+ */
+void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit);
+void VisitNoiseBlocks(
+  const SampleReader& read, const std::int64_t dimensions[3], const BlockVisitor& visit);
+///@}
+
 /**
  * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
- * the best quadratic is subtracted, in the flattest tenth of up to 4096 blocks (512 of a large
- * volume), which are spread evenly.
+ * the best quadratic is subtracted, in the flattest tenth of the noise blocks.
  *
  * Blocks that are all the smallest or the largest value (padding, saturation) and blocks that are
  * not complete do not count. 0 without noise, and for volumes of less than 5 samples along an axis.

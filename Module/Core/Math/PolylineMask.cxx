@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Math/PolylineMask.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace VolumeHaptics
 {
@@ -36,6 +38,21 @@ Polyline MaskAbove(const Polyline& line, double floor, double scale)
     vertex.X *= scale;
   }
   return mask;
+}
+
+Polyline CutBelow(const Polyline& line, double from, double to)
+{
+  const auto above = std::upper_bound(
+    line.begin(), line.end(), to, [](double x, const Vertex& vertex) { return x < vertex.X; });
+  double value = above == line.begin() ? line.front().Y : std::prev(above)->Y;
+  if (above != line.begin() && above != line.end())
+  {
+    const Vertex& a = *std::prev(above);
+    value += (to - a.X) / (above->X - a.X) * (above->Y - a.Y);
+  }
+  Polyline cut{ { from, 0.0 }, { to, value } };
+  cut.insert(cut.end(), above, line.end());
+  return cut;
 }
 
 } // namespace VolumeHaptics

@@ -102,6 +102,22 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
+/** Takes the strength from what is background, if the image tells it. */
+void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  int component, const WholeFacts& whole, HapticModelDescription& d)
+{
+  if (!property->GetSolidFromImage() || d.Settings.Side != SurfaceSide::Higher)
+  {
+    return;
+  }
+  const BackgroundLevel solid =
+    whole.IsThere ? whole.Solid : FindSolid(image, scalars, d.View, component);
+  if (solid.IsThere)
+  {
+    d.Material.SurfaceStrength = CutBelow(d.Material.SurfaceStrength, solid.Threshold, solid.Full);
+  }
+}
+
 /** Gives all frames but the last one the isosurfaces that they lack. */
 void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
   std::vector<VolumeFrame>& frames)
@@ -391,6 +407,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
     }
   }
   BakeDistinctness(property, image, scalars, component, whole, options.MetersPerWorldUnit, d);
+  BakeSolid(property, image, scalars, component, whole, d);
   if (!d.Frames.empty())
   {
     // The source may write the next step to the memory of the image.

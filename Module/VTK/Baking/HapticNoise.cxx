@@ -29,12 +29,6 @@ namespace
 using NoiseKey =
   std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
 
-struct KnownNoise
-{
-  NoiseKey Of{};
-  FoundNoise Found;
-};
-
 /** As many arrays as a program may touch in turn. */
 constexpr std::size_t MostKnown = 16;
 
@@ -71,6 +65,32 @@ void FindInside(vtkDataArray* scalars, int component, double range[2])
   }
 }
 
+/** What was found before for an array, or what `find` finds now. */
+template <typename Found, typename Find>
+Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component,
+  const Find& find)
+{
+  struct Known
+  {
+    NoiseKey Of{};
+    Found What;
+  };
+  thread_local std::array<Known, MostKnown> known;
+  thread_local std::size_t next = 0;
+  const NoiseKey key = MakeNoiseKey(image, scalars, view, component);
+  const auto at =
+    std::find_if(known.begin(), known.end(), [&key](const Known& one) { return one.Of == key; });
+  if (at != known.end())
+  {
+    return at->What;
+  }
+  const Found found = find();
+  // Arrays of other layouts note their range in themselves, which may move on their time of change.
+  known[next] = { MakeNoiseKey(image, scalars, view, component), found };
+  next = (next + 1) % MostKnown;
+  return found;
+}
+
 } // namespace
 
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
@@ -91,26 +111,29 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
 FoundNoise FindNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
-  thread_local std::array<KnownNoise, MostKnown> known;
-  thread_local std::size_t next = 0;
-  const NoiseKey key = MakeNoiseKey(image, scalars, view, component);
-  const auto found = std::find_if(
-    known.begin(), known.end(), [&key](const KnownNoise& noise) { return noise.Of == key; });
-  if (found != known.end())
+  const auto find = [&]
   {
-    return found->Found;
-  }
-  FoundNoise noise;
-  if (HasRangeOfAll(view.Dimensions))
+    FoundNoise noise;
+    if (HasRangeOfAll(view.Dimensions))
+    {
+      FindFiniteRange(scalars, component, noise.Range);
+    }
+    noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
+      view.Dimensions, noise.Range);
+    return noise;
+  };
+  return Recall<FoundNoise>(image, scalars, view, component, find);
+}
+
+BackgroundLevel FindSolid(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const auto find = [&]
   {
-    FindFiniteRange(scalars, component, noise.Range);
-  }
-  noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
-    view.Dimensions, noise.Range);
-  // Arrays of other layouts note their range in themselves, which may move on their time of change.
-  known[next] = { MakeNoiseKey(image, scalars, view, component), noise };
-  next = (next + 1) % MostKnown;
-  return noise;
+    return BackgroundLevel::Find(
+      [=](std::int64_t i) { return scalars->GetComponent(i, component); }, view.Dimensions);
+  };
+  return Recall<BackgroundLevel>(image, scalars, view, component, find);
 }
 
 } // namespace VolumeHaptics

@@ -7,6 +7,7 @@
 #ifndef HapticNoise_h
 #define HapticNoise_h
 
+#include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/NoiseEstimate.h"
 #include "Core/Field/VolumeView.h"
 
@@ -36,6 +37,10 @@ struct FoundNoise
  * until the image or the array is modified.
  */
 FoundNoise FindNoise(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
+
+/** Where its background ends, remembered as the noise is. */
+BackgroundLevel FindSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 } // namespace VolumeHaptics

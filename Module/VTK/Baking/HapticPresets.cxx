@@ -33,6 +33,7 @@ struct Preset
   double DistinctnessFull; ///< from which on it is felt fully; 0: distinctness from the noise
   int Side;
   bool IsOfLabels = false;
+  bool IsOfImage = false; ///< the image tells what is solid
 };
 
 /** More newtons than any device exerts. */
@@ -115,8 +116,10 @@ const std::vector<Preset>& Presets()
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH },
-    // One hard material of any unit: its surfaces are where the gradient is beyond the noise.
-    { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER },
+    // One hard material of any unit: its surfaces are where the gradient is beyond the noise, and
+    // what they lead into is no background.
+    { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
+      false, true },
     // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
     { "Labels",
       {
@@ -176,6 +179,7 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       }
       property->SetSurfaceSide(preset.Side);
       property->SetScalarsAreLabels(preset.IsOfLabels);
+      property->SetSolidFromImage(preset.IsOfImage);
       return true;
     }
   }

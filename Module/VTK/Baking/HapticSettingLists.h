@@ -201,6 +201,10 @@ inline constexpr PropertySetting All[] = {
   HapticFlagMacro(ScalarsAreLabels, false, NotBaked,
     "Whether the scalars are labels, a segmentation that is touched itself. Off (default): they "
     "are values, and what lies between two of them is a value, too."),
+  HapticFlagMacro(SolidFromImage, false, NotBaked,
+    "Whether the image tells what is solid: the background, darker than Otsu's threshold between "
+    "the darkest two materials that are apart, then has no surface strength, however steep its "
+    "noise and its streaks are."),
 };
 } // namespace PropertySettingRows
 

@@ -23,6 +23,9 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
+/** Threshold, Full and Quiet of a component; the first two are equal if it is not there. */
+constexpr vtkIdType NumbersOfSolid = 3;
+
 /** One number of an array, counted through its tuples. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
 {
@@ -110,6 +113,18 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   }
   facts.Noise = NumberOf(noise, component);
   facts.BorderValue = NumberOf(border, component);
+  if (fields->HasArray(Names::GetSolidName()))
+  {
+    const vtkIdType first = NumbersOfSolid * static_cast<vtkIdType>(component);
+    vtkDataArray* const solid =
+      FindNumbers(fields, Names::GetSolidName(), first + NumbersOfSolid, error);
+    if (!solid)
+    {
+      return false;
+    }
+    facts.Solid = { NumberOf(solid, first) < NumberOf(solid, first + 1), NumberOf(solid, first),
+      NumberOf(solid, first + 1), NumberOf(solid, first + 2) };
+  }
   int extent[6];
   image->GetExtent(extent);
   std::ostringstream message;
@@ -154,6 +169,12 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   AddField<vtkIntArray>(region, Names::GetWholeExtentName(), facts.Extent);
   AddField<vtkDoubleArray>(region, Names::GetNoiseName(), facts.Noise);
   AddField<vtkDoubleArray>(region, Names::GetBorderValueName(), facts.BorderValues);
+  std::vector<double> solids;
+  for (const BackgroundLevel& solid : facts.Solids)
+  {
+    solids.insert(solids.end(), { solid.Threshold, solid.Full, solid.Quiet });
+  }
+  AddField<vtkDoubleArray>(region, Names::GetSolidName(), solids);
   const double share[] = { facts.Share };
   if (facts.Share < 1.0)
   {

@@ -7,6 +7,7 @@
 #ifndef WholeFacts_h
 #define WholeFacts_h
 
+#include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/OutsideSamples.h"
 
 #include <string>
@@ -24,6 +25,7 @@ struct WholeFacts
   int Extent[6] = {};   ///< of the whole volume
   double Noise = 0.0;   ///< scalar units, of the component
   double BorderValue = 0.0;
+  BackgroundLevel Solid;  ///< not there if the image does not carry it
   double Time = 0.0;      ///< changes when the whole changes
   double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
   OutsideSamples Outside; ///< which samples are yet to be filled
@@ -38,6 +40,7 @@ struct WholeFields
   int Extent[6] = {};
   std::vector<double> Noise;
   std::vector<double> BorderValues;
+  std::vector<BackgroundLevel> Solids;
   double Time = 0.0;
   double Share = 1.0;
   std::vector<OutsideSamples> Outside; ///< empty if the samples are filled

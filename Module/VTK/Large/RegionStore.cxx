@@ -56,7 +56,7 @@ void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const Lar
   this->Volume = std::move(volume);
   if (this->Volume->IsSmooth)
   {
-    this->NoteFacts({ 0.0, this->Volume->BorderValue, {} });
+    this->NoteFacts({ 0.0, this->Volume->BorderValue, {}, {} });
   }
 }
 
@@ -140,6 +140,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
   const VolumeFacts facts = this->Facts.value_or(VolumeFacts{});
   fields.Noise = { facts.Noise };
   fields.BorderValues = { facts.BorderValue };
+  fields.Solids = { facts.Solid };
   fields.Time = this->Facts ? static_cast<double>(this->WholeTime) : 0.0;
   fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
     ? StandInShare

@@ -108,14 +108,10 @@ bool VolumeSurvey::Advance(std::string& error)
 
 VolumeFacts VolumeSurvey::GetFacts() const
 {
-  const OutsideSamples outside = FindOutside(this->Samples);
-  if (!outside.HasAny())
-  {
-    return { EstimateNoise(this->Samples), FindBorderValue(this->Samples), outside };
-  }
   NoiseSamples filled = this->Samples;
+  const OutsideSamples outside = FindOutside(filled);
   FillOutside(outside, filled);
-  return { EstimateNoise(filled), FindBorderValue(filled), outside };
+  return { EstimateNoise(filled), FindBorderValue(filled), outside, BackgroundLevel::Find(filled) };
 }
 
 } // namespace VolumeHaptics

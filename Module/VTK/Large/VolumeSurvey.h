@@ -7,6 +7,7 @@
 #ifndef VolumeSurvey_h
 #define VolumeSurvey_h
 
+#include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/NoiseSamples.h"
 #include "Core/Field/OutsideSamples.h"
 #include "VTK/Large/LargeVolume.h"
@@ -24,6 +25,7 @@ struct VolumeFacts
   double Noise = 0.0;
   double BorderValue = 0.0;
   OutsideSamples Outside; ///< with which each region is filled
+  BackgroundLevel Solid;
 };
 
 /**

@@ -232,6 +232,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
   Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength);
   Replace(property->GetDistinctness(), proposal.Distinctness);
   property->DistinctnessPerMillimeterOff();
+  property->SolidFromImageOff();
   property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
       : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
                                                                  : vtkHapticProperty::BOTH);
@@ -255,6 +256,8 @@ void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
   {
     CopyFunction((proposed->*function.Get)(), (property->*function.Get)());
   }
+  property->SetDistinctnessPerMillimeter(proposed->GetDistinctnessPerMillimeter());
+  property->SetSolidFromImage(proposed->GetSolidFromImage());
   property->SetSurfaceSide(proposed->GetSurfaceSide());
   SetTissues(property, GetTissues(proposed));
   property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());

@@ -46,3 +46,27 @@ TEST(PolylineMask, IsOneWhereTheFunctionIsAboveTheFloor)
     }
   }
 }
+
+TEST(PolylineMask, ACutFunctionRisesToWhatItWas)
+{
+  std::mt19937_64 engine(2);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const Polyline line = Levels(engine);
+    std::uniform_real_distribution<double> place(-4.0, 7.0);
+    const double from = place(engine);
+    const double to = from + 0.5;
+    const Polyline cut = CutBelow(line, from, to);
+    const double value = Evaluate(line, to);
+    std::array<Polyline, 5> lines;
+    lines.fill(line);
+    for (const double x : Arguments(lines, engine))
+    {
+      const double expected = x <= from ? 0.0
+        : x < to                        ? value * (x - from) / (to - from)
+                                        : Evaluate(line, x);
+      EXPECT_NEAR(Evaluate(cut, x), expected, 1e-9) << x;
+    }
+  }
+}

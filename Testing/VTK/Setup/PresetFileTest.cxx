@@ -55,6 +55,7 @@ protected:
     EXPECT_EQ(a->GetDistinctnessFromNoise(), b->GetDistinctnessFromNoise());
     EXPECT_EQ(a->GetDistinctnessPerMillimeter(), b->GetDistinctnessPerMillimeter());
     EXPECT_EQ(a->GetScalarsAreLabels(), b->GetScalarsAreLabels());
+    EXPECT_EQ(a->GetSolidFromImage(), b->GetSolidFromImage());
     ASSERT_EQ(a->GetNumberOfTissues(), b->GetNumberOfTissues());
     for (int i = 0; i < a->GetNumberOfTissues(); ++i)
     {

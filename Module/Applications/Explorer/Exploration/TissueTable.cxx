@@ -61,6 +61,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(0.25 * gradient, 0.0);
   property->GetDistinctness()->AddPoint(gradient, 1.0);
   property->DistinctnessPerMillimeterOff();
+  property->SolidFromImageOff();
 }
 
 /// Why nothing could be proposed; empty if it was.
