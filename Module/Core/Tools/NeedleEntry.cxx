@@ -116,14 +116,20 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
     pushed > MostPushed * model.KernelLengthAlong(axis);
 }
 
-/** What holds at the puncture of a surface: T, and R as far as it is not that at the entry. */
-void SetPuncture(const NeedleTissueReader& reader, const HeldAt& held, NeedleState& needle) noexcept
+/**
+ * What holds at the puncture of a surface beside R at the entry, which may be behind the boundary:
+ * with it, as the free law, T and R in front of the surface.
+ */
+void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, const HeldAt& held,
+  NeedleState& needle) noexcept
 {
   if (held.Behind.HasPuncture)
   {
+    const Vector3 back = model.KernelLengthAlong(held.Normal) * held.Normal;
+    const double front = reader.At(needle.Entry - back).Cutting;
     const double here = reader.At(needle.Entry).Cutting;
     const double strength = held.IsWhole() ? held.Behind.Puncture : held.Strength;
-    needle.Puncture = strength + std::max(0.0, held.Behind.Cutting - here);
+    needle.Puncture = std::max(0.0, strength + front - here);
     needle.PuncturedLabel = held.Behind.Label;
   }
 }
@@ -187,7 +193,7 @@ void EnterNeedle(
   if (IsThrough(model, held, before, axis, record, needle.Pushed))
   {
     Begin(state, before.Proxy, axis, held.Normal, before.Stiffness);
-    SetPuncture(reader, held, needle);
+    SetPuncture(model, reader, held, needle);
     BeginTrack(reader, pushed, needle);
     StepNeedle(model, state, record);
     return;

@@ -106,7 +106,7 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     hand.MoveTo(
       Along(35.0), 0.01, [&](const TickRecord& record) { most = std::max(most, -record.Force.Z); });
     EXPECT_TRUE(hand.State.Needle.IsInserted);
-    // T, and R behind it.
+    // T, and R at the tip: the surface goes on holding where the values are tissue.
     EXPECT_GT(most, 1.0);
     EXPECT_LT(most, 1.0 + 0.2 + 0.1);
     const double depth = hand.FindDepth() + NeedleScene::Skin - 19.5;
