@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <thread>
 
 namespace servotest
@@ -39,6 +40,10 @@ public:
   DeviceState Read(double, DeviceSample& sample) noexcept override
   {
     const std::uint64_t tick = this->Reads.fetch_add(1);
+    while (tick - std::min(tick, this->ReaderAt.load()) > FarthestBehind)
+    {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
     sample.Fresh = !this->Frozen.load();
     if (sample.Fresh)
     {
@@ -66,6 +71,11 @@ public:
 
   void Quench() noexcept override {}
 
+  ///@{
+  /// The tick that a reader of the loop's ring has come to; ticks wait for one that is far behind.
+  static constexpr std::uint64_t FarthestBehind = 500;
+  std::atomic<std::uint64_t> ReaderAt{ std::numeric_limits<std::uint64_t>::max() };
+  ///@}
   std::atomic<bool> Frozen{ false };
   std::atomic<bool> ReadLost{ false };
   std::atomic<bool> WriteLost{ false };
@@ -84,6 +94,34 @@ protected:
 
 private:
   Vector3 Last;
+};
+
+/**
+ * While it lives, the loop waits for its reader. Its ring holds 0.4 s, which a reader that computes
+ * under a sanitizer on a busy machine misses.
+ */
+class ReaderPace
+{
+public:
+  explicit ReaderPace(PlayedDevice& device)
+    : Device(device)
+  {
+    this->Device.ReaderAt.store(this->Device.Reads.load());
+  }
+  ~ReaderPace() { this->Device.ReaderAt.store(std::numeric_limits<std::uint64_t>::max()); }
+  /// Takes all ticks that the ring has.
+  template <typename F>
+  void Drain(ServoLoop* loop, F&& take) const
+  {
+    for (ServoSnapshot tick; loop->Drain(tick);)
+    {
+      this->Device.ReaderAt.store(tick.Tick);
+      take(tick);
+    }
+  }
+
+private:
+  PlayedDevice& Device;
 };
 
 inline SafetyLimits QuickLimits()

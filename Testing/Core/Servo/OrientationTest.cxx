@@ -72,26 +72,26 @@ private:
 };
 
 /// All ticks of a loop that begins with a model.
-std::vector<ServoSnapshot> AllTicks(DeviceBackend& device, const TestVolume& volume)
+std::vector<ServoSnapshot> AllTicks(PlayedDevice& device, const TestVolume& volume)
 {
   ServoLoop loop(device, 5000.0);
   loop.SetLimits(QuickLimits());
   loop.Publish(std::make_shared<HapticModel>(Describe(volume)));
   loop.SetRecording(true);
-  std::thread thread([&loop] { loop.Run(); });
   std::vector<ServoSnapshot> ticks;
-  const auto drain = [&loop, &ticks]
+  std::thread thread;
   {
-    for (ServoSnapshot tick; loop.Drain(tick);)
-    {
-      ticks.push_back(tick);
-    }
-    return ticks.size() >= Ticks;
-  };
-  EXPECT_TRUE(Eventually(drain));
-  loop.RequestStop();
+    const ReaderPace pace(device);
+    thread = std::thread([&loop] { loop.Run(); });
+    EXPECT_TRUE(Eventually(
+      [&]
+      {
+        pace.Drain(&loop, [&](const ServoSnapshot& tick) { ticks.push_back(tick); });
+        return ticks.size() >= Ticks;
+      }));
+    loop.RequestStop();
+  }
   thread.join();
-  (void)drain();
   EXPECT_EQ(loop.GetLostRecords(), 0u);
   return ticks;
 }

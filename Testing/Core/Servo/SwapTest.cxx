@@ -152,14 +152,11 @@ TEST(ServoSwap, AThousandModelsNeverTearJumpOrLeak)
     std::thread recording(
       [&]
       {
-        ServoSnapshot s;
+        const ReaderPace pace(device);
         for (bool last = false; !last;)
         {
           last = done.load();
-          while (loop->Drain(s))
-          {
-            recorder.See(s);
-          }
+          pace.Drain(loop.operator->(), [&](const ServoSnapshot& s) { recorder.See(s); });
           std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
       });

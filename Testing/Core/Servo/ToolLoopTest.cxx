@@ -134,25 +134,26 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
   {
     RunningLoop loop(device, 5000.0, TorqueLimits());
     loop->Publish(model);
-    loop->SetRecording(true);
     ASSERT_TRUE(Eventually(
       [&]
       {
         loop->ReadState();
         return loop->GetState().Record.NormalForce > 0.5;
       }));
+    const ReaderPace pace(device);
+    loop->SetRecording(true);
     loop->KeepTool();
-    ServoSnapshot tick;
+    const auto take = [&](const ServoSnapshot& tick)
+    {
+      if (tick.IsKept || !ticks.empty())
+      {
+        ticks.push_back(tick);
+      }
+    };
     ASSERT_TRUE(Eventually(
       [&]
       {
-        while (loop->Drain(tick))
-        {
-          if (tick.IsKept || !ticks.empty())
-          {
-            ticks.push_back(tick);
-          }
-        }
+        pace.Drain(loop.operator->(), take);
         return ticks.size() > 3000;
       }));
     EXPECT_EQ(loop->GetLostRecords(), 0U);
