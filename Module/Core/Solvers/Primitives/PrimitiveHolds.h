@@ -15,6 +15,30 @@
 namespace VolumeHaptics
 {
 
+inline Vector3 AtMost(const Vector3& force, double most) noexcept
+{
+  const double square = Dot(force, force);
+  return square > most * most ? (most / std::sqrt(square)) * force : force;
+}
+
+/** The point of C_i, the forces that a primitive can have, that is nearest to a force. */
+inline Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
+{
+  const double along = Dot(force, primitive.Direction);
+  switch (primitive.Kind)
+  {
+    case PrimitiveKind::Point:
+      return AtMost(force, primitive.Strength);
+    case PrimitiveKind::Line:
+      return AtMost(force - along * primitive.Direction, primitive.Strength);
+    case PrimitiveKind::Plane:
+      return std::clamp(along, 0.0, primitive.Strength) * primitive.Direction;
+    case PrimitiveKind::Force:
+      break;
+  }
+  return primitive.Strength * primitive.Direction;
+}
+
 enum class HoldState : std::uint8_t
 {
   Holds,

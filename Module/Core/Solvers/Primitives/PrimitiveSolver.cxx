@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
 
+#include "Core/Solvers/Primitives/PrimitiveHolds.h"
+#include "Core/Solvers/Primitives/PrimitiveMultipliers.h"
 #include "Core/Solvers/Primitives/PrimitiveNewton.h"
 #include "Core/Solvers/Primitives/PrimitiveRay.h"
 
@@ -23,6 +25,8 @@ constexpr double StiffestSpring = 1e9;
 constexpr int FirstLooks = 2;
 constexpr int SweepsOfALook = 4;
 ///@}
+/** Mostly enough where no directions depend on each other; then multipliers are looked for. */
+constexpr int SweepsAlone = 16;
 
 /** False for NaN, too. */
 bool IsNear(const Vector3& tip) noexcept
@@ -34,30 +38,6 @@ bool IsNear(const Vector3& tip) noexcept
 bool Holds(const Primitive& primitive) noexcept
 {
   return primitive.Kind != PrimitiveKind::Force && primitive.Strength > 0.0;
-}
-
-Vector3 AtMost(const Vector3& force, double most) noexcept
-{
-  const double square = Dot(force, force);
-  return square > most * most ? (most / std::sqrt(square)) * force : force;
-}
-
-/** The point of C_i, the forces that a primitive can have, that is nearest to a force. */
-Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
-{
-  const double along = Dot(force, primitive.Direction);
-  switch (primitive.Kind)
-  {
-    case PrimitiveKind::Point:
-      return AtMost(force, primitive.Strength);
-    case PrimitiveKind::Line:
-      return AtMost(force - along * primitive.Direction, primitive.Strength);
-    case PrimitiveKind::Plane:
-      return std::clamp(along, 0.0, primitive.Strength) * primitive.Direction;
-    case PrimitiveKind::Force:
-      break;
-  }
-  return primitive.Strength * primitive.Direction;
 }
 
 /** Whether the composition is exact for two directions. */
@@ -149,6 +129,15 @@ public:
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
     return FindBalanceOnRay(held, this->Towards, isOld, this->Forces, this->Sum) ||
       FindExactBalance(held, isOld, this->Forces, this->Sum);
+  }
+
+  /** See PrimitiveMultipliers.h. The number of its looks. */
+  int FindByMultipliers(int mostLooks, bool& isFound) noexcept
+  {
+    const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
+    const int looks = FindBalanceByMultipliers(held, mostLooks, this->Forces, isFound);
+    isFound = this->FindExact(false) || isFound;
+    return looks;
   }
 
 protected:
@@ -318,7 +307,13 @@ void DescendBySweeps(const Dual& dual, int mostSweeps, PrimitiveBalance& balance
     {
       balance.IsUnfinished = !sweeper.FindExact(false);
     }
-    if (balance.IsUnfinished)
+    if (balance.IsUnfinished && balance.Sweeps == SweepsAlone)
+    {
+      bool isFound = false;
+      balance.Sweeps += sweeper.FindByMultipliers(mostSweeps - balance.Sweeps, isFound);
+      balance.IsUnfinished = !isFound;
+    }
+    else if (balance.IsUnfinished)
     {
       sweeper.Accelerate();
     }

@@ -40,7 +40,9 @@
  * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
  * the sweeps are spent, no force is more than the strengths, and the next tick goes on. Once it is
  * known which primitives yield, PrimitiveRay.h or PrimitiveNewton.h ends this: mostly before the
- * first sweep, since they are those of the last tick, else after a sweep or some.
+ * first sweep, since they are those of the last tick, else after a sweep or some. Where directions
+ * depend on each other, such as those of opposed planes, sweeps may not tell; after some of them,
+ * PrimitiveMultipliers.h does.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h
@@ -52,9 +54,9 @@ namespace VolumeHaptics
 
 struct PrimitiveBalance
 {
-  Vector3 Proxy; ///< m
-  Vector3 Force; ///< N, on the hand
-  int Sweeps = 0;
+  Vector3 Proxy;             ///< m
+  Vector3 Force;             ///< N, on the hand
+  int Sweeps = 0;            ///< with the looks of the multipliers
   bool IsUnfinished = false; ///< the descent spent its sweeps
 };
 
