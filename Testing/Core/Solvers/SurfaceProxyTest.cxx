@@ -53,6 +53,30 @@ TEST_F(SurfaceProxy, StopsInAnInsideCornerOfTwoAndOfThreeFaces)
   this->ExpectAt(hand, { 9.0, 9.0, -9.0 });
 }
 
+// Ruspini's proxy is a sphere, and triangles have no side: its centre is the hand's point.
+TEST_F(SurfaceProxy, IsHeldWhereItBeganAndNotThrownOut)
+{
+  for (const double side : { 1.0, -1.0 })
+  {
+    // Nearer to the floor than its radius.
+    Hand hand(DescribeMesh(this->Volume, MakeFloor()), { 3.0, 4.0, 0.4 * side });
+    EXPECT_EQ(Norm(hand.Record.Force), 0.0);
+    EXPECT_LT(Norm(hand.Lead({ 5.0, 4.0, 0.4 * side }).Force), 1e-5) << "nothing pushes it out";
+    hand.Lead({ 5.0, 4.0, -2.0 * side });
+    this->ExpectAt(hand, { 5.0, 4.0, 0.4 * side });
+    // Away from it nothing holds; and it comes back as one that began there.
+    double most = 0.0;
+    for (const double z : { 0.4, 1.2, 3.0 })
+    {
+      hand.Lead({ 5.0, 4.0, z * side });
+      most = std::max(most, Norm(hand.Record.Force));
+    }
+    EXPECT_LT(most, 1e-5);
+    hand.Lead({ 5.0, 4.0, -2.0 * side });
+    this->ExpectAt(hand, { 5.0, 4.0, 1.0 * side });
+  }
+}
+
 TEST_F(SurfaceProxy, TracksABallOutsideAndInside)
 {
   for (const double side : { 1.0, -1.0 })
