@@ -18,7 +18,6 @@ namespace
 constexpr double Far = 40.0;          // mm, the way through air
 constexpr double Deep = 5.0;          // mm
 constexpr double PressStep = 0.1;     // mm a tick
-constexpr double FeltForce = 0.1;     // N
 constexpr double LeastCosine = 0.707; // of a ray to the normal
 constexpr double RayStep = 0.25;      // voxels
 constexpr double Persistence = 0.75;  // voxels that a surface has behind it
@@ -48,6 +47,12 @@ Vector3 PointOf(int i)
   return { part(0.8191725134), part(0.6710436067), part(0.5497004779) };
 }
 
+double FindUnit(const PressedVolume& volume, const Vector3& way)
+{
+  const Vector3& v = volume.Voxel;
+  return 1.0 / Norm({ way.X / v.X, way.Y / v.Y, way.Z / v.Z });
+}
+
 /** Evenly spread ways, which go by within a third of the box around the middle. */
 Ray MakeRay(const PressedVolume& volume, int i, int count)
 {
@@ -61,9 +66,7 @@ Ray MakeRay(const PressedVolume& volume, int i, int count)
   const Vector3 by =
     volume.Middle + (2.0 / 3.0) * Vector3{ share.X * size.X, share.Y * size.Y, share.Z * size.Z };
   const double reach = Norm(size);
-  const Vector3& v = volume.Voxel;
-  const double unit = 1.0 / Norm({ way.X / v.X, way.Y / v.Y, way.Z / v.Z });
-  return { by - reach * way, way, 2.0 * reach, unit };
+  return { by - reach * way, way, 2.0 * reach, FindUnit(volume, way) };
 }
 
 /** The smoothed value there; none outside. */
@@ -110,15 +113,12 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
     const double between = 0.5 * (out + t);
     (isIn(between) ? t : out) = between;
   }
-  const Vector3 index = volume.Shape->DeviceToIndex(0.001 * volume.Scale * ray.At(t));
-  const Vector3 gradient =
-    volume.Shape->GradientToDevice * volume.Shape->Baked->Field.Gradient(index).Gradient;
-  const double size = Norm(gradient);
-  if (size <= 0.0 || Dot(gradient, ray.Way) < LeastCosine * size)
+  const auto inwards = FindInwards(volume, volume.Scale * ray.At(t));
+  if (!inwards || Dot(*inwards, ray.Way) < LeastCosine)
   {
     return {};
   }
-  return Meeting{ t, (1.0 / size) * gradient };
+  return Meeting{ t, *inwards };
 }
 
 /** Where along the ray half of its opacity is in front; none if it meets none. */
@@ -219,6 +219,26 @@ Presses PressFromAllSides(const PressedVolume& volume, int rays)
     }
   }
   return found;
+}
+
+std::optional<Vector3> FindInwards(const PressedVolume& volume, const Vector3& at)
+{
+  const Vector3 index = volume.Shape->DeviceToIndex(0.001 * at);
+  const Vector3 gradient =
+    volume.Shape->GradientToDevice * volume.Shape->Baked->Field.Gradient(index).Gradient;
+  const double size = Norm(gradient);
+  return size > 0.0 ? std::optional<Vector3>((1.0 / size) * gradient) : std::nullopt;
+}
+
+std::optional<double> FindSeenBehind(
+  const PressedVolume& volume, const Vector3& felt, const Vector3& way)
+{
+  constexpr double before = 10.0; // mm
+  constexpr double reach = 50.0;  // mm
+  const double scale = 1.0 / volume.Scale;
+  const Ray ray{ scale * (felt - before * way), way, scale * reach, FindUnit(volume, way) };
+  const auto half = FindHalfOpacity(volume, ray);
+  return half ? std::optional<double>((*half - scale * before) / ray.Unit) : std::nullopt;
 }
 
 double FindLargest(std::vector<double> values, double share)

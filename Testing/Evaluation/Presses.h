@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace VolumeHaptics
@@ -21,6 +22,9 @@ class HapticModel;
 
 namespace evaluation
 {
+
+/** N, from which on the hand feels something. */
+constexpr double FeltForce = 0.1;
 
 /** What is pressed, by positions in the world. */
 struct PressedVolume
@@ -59,6 +63,16 @@ struct Presses
  * are no structures.
  */
 Presses PressFromAllSides(const PressedVolume& volume, int rays);
+
+/** Where values rise, seen from a place (mm of the hand's space); none if they are even there. */
+std::optional<Vector3> FindInwards(const PressedVolume& volume, const Vector3& at);
+
+/**
+ * Voxels along a way from a felt place (mm of the hand's space) to half of the opacity, for an eye
+ * that looks along the way from 10 mm before the place; none if it sees nothing within 40 mm.
+ */
+std::optional<double> FindSeenBehind(
+  const PressedVolume& volume, const Vector3& felt, const Vector3& way);
 
 /** The magnitude that a share of the values does not exceed; 0 without values. */
 double FindLargest(std::vector<double> values, double share);

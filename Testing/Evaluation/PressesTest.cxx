@@ -99,6 +99,22 @@ TEST(Presses, GlassIsSeenThrough)
   }
 }
 
+TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
+{
+  // An eye at (-20, 0, 0) looks along x at fog of 0.1 a mm that begins at -12: of the 42 mm of it
+  // that are within reach, it sees 1 - exp(-4.2), and half of that in the first
+  // -10 ln(1 - 0.5 (1 - exp(-4.2))) = 6.782 mm, which ends at -5.218: 4.782 behind -10.
+  PressedVolume fog;
+  fog.Voxel = { 0.5, 1.0, 1.0 };
+  fog.Scale = 2.0; // mm in a unit
+  fog.Extinction = [](const Vector3& x) { return x.X > -6.0 ? 0.2 : 0.0; };
+  const auto behind = FindSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
+  ASSERT_TRUE(behind);
+  EXPECT_NEAR(*behind, 4.782, 0.1); // voxels of 1 mm along x
+  fog.Extinction = [](const Vector3&) { return 0.0; };
+  EXPECT_FALSE(FindSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }));
+}
+
 TEST(Presses, SharesOfMagnitudes)
 {
   EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 1.0), 3.0);
