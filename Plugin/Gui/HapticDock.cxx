@@ -186,8 +186,8 @@ void HapticDock::addChoices(QGridLayout* grid, int row)
     tr("What is felt now to a file, to be loaded here, in Python or in volumehaptics-explore."));
   this->ShowAsCT = this->addButton(grid, row + 3, 0, "HapticShowAsCT", tr("Show as CT volume"),
     tr(
-      "Renders the volume with the opacity of skin and bone, at Hounsfield units. What its opacity "
-      "hides is not felt."));
+      "Renders the surface that the hand meets first, from skin to bone, at Hounsfield units. What "
+      "the opacity hides is not felt."));
   for (QPushButton* const button : { this->LoadPreset, this->SavePreset, this->ShowAsCT })
   {
     button->setCheckable(false);

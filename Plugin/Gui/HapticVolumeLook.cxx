@@ -23,6 +23,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -47,6 +48,28 @@ std::string FindArray(pqPipelineSource* volume, const QString& wanted)
   const std::string name = wanted.toStdString();
   return points->GetArrayInformation(name.c_str()) ? name
                                                    : points->GetArrayInformation(0)->GetName();
+}
+
+/** The shortest edge of a voxel of an image; of other data, a part of the longest edge of all. */
+double FindVoxel(pqPipelineSource* volume)
+{
+  constexpr double parts = 128.0;
+  vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
+  double bounds[6];
+  int extent[6];
+  data->GetBounds(bounds);
+  data->GetExtent(extent);
+  double voxel = 0.0;
+  double longest = 0.0;
+  for (int a = 0; a < 6; a += 2)
+  {
+    const double length = bounds[a + 1] - bounds[a];
+    const int steps = extent[a + 1] - extent[a];
+    const double edge = steps > 0 ? length / steps : 0.0;
+    longest = std::max(longest, length);
+    voxel = edge > 0.0 && (voxel == 0.0 || edge < voxel) ? edge : voxel;
+  }
+  return voxel > 0.0 ? voxel : longest > 0.0 ? longest / parts : 1.0;
 }
 
 template <typename ElementType>
@@ -106,8 +129,8 @@ bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array)
     SetTraced(table, "RGBPoints", colors);
     SetTraced(
       vtkSMPropertyHelper(shown, "ScalarOpacityFunction").GetAsProxy(), "Points", opacities);
-    SetTraced(
-      shown, "ScalarOpacityUnitDistance", std::vector<double>{ VolumeHaptics::CTLookThickness });
+    SetTraced(shown, "ScalarOpacityUnitDistance",
+      std::vector<double>{ VolumeHaptics::LookLayer * FindVoxel(volume) });
     SetTraced(shown, "Shade", std::vector<int>{ 1 });
   }
   END_UNDO_SET();

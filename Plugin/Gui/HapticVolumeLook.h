@@ -18,7 +18,8 @@ namespace HapticVolumeLook
 bool IsShown(pqPipelineSource* volume, pqView* view);
 
 /**
- * Renders a source as a volume, with the opacity and colours of skin and bone at Hounsfield units.
+ * Renders a source as a volume that is opaque from the skin on, where a hand meets it, in colours
+ * of skin and bone at Hounsfield units (CTLook), as the explorer does.
  * `array` is the point array; if it is empty, the first one. False if there is none.
  */
 bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array);

@@ -260,5 +260,20 @@ int TestExploreFiles(int argc, char* argv[])
   {
     ExpectCT(head, "missing.vti", missing, true, "is taken for \"missing\"");
   }
+
+  // What the picture leaves out is felt, and told.
+  Explore::Volume onTable = Explore::LoadVolume(Argument(argc, argv, "--volume"));
+  Expect(Explore::ExploreVolume(onTable, Explore::Settings()).Hidden.empty(),
+    "something of the head is hidden");
+  const int* const n = onTable.Image->GetDimensions();
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = 0; j < n[1]; ++j)
+    {
+      onTable.Image->SetScalarComponentFromDouble(0, j, k, 0, 100.0);
+    }
+  }
+  const std::string hidden = Explore::ExploreVolume(onTable, Explore::Settings()).Hidden;
+  Expect(hidden.find("Felt but not shown") == 0, "a table is hidden, and told is: " + hidden);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

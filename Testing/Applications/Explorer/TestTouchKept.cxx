@@ -19,8 +19,9 @@ struct KeptHead : TouchedHead
     : TouchedHead(argc, argv, Explore::MapperChoice::CPU)
     , Saved(this->Touch, "")
     , Tool(this->Touch, this->Exploration, this->Interactor, "")
-    , Kept(this->Touch, this->Exploration.Filter, this->Saved, this->Tool, this->Interactor,
-        { Argument(argc, argv, "--volume"), 0, false })
+    , Look(this->Touch, this->Exploration.Values, this->Interactor)
+    , Kept(this->Touch, this->Exploration.Filter, this->Saved, this->Tool, this->Look,
+        this->Interactor, { Argument(argc, argv, "--volume"), 0, false })
   {
     this->Touch.Setup->SetVolumeHaptics(this->Exploration.Filter);
   }
@@ -28,10 +29,18 @@ struct KeptHead : TouchedHead
   {
     return this->Exploration.Filter->GetProperty()->GetStiffness();
   }
+  void Press(char code, const char* name)
+  {
+    this->Interactor->SetKeyCode(code);
+    this->Interactor->SetKeySym(name);
+    this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    this->Interactor->SetKeyCode(0);
+  }
   vtkPiecewiseFunction* GetOpacity() { return this->Touch.Scene.Look->GetScalarOpacity(); }
 
   Explore::SavedMeasurements Saved;
   Explore::HandTool Tool;
+  Explore::LookSwitch Look;
   Explore::KeptWork Kept;
 };
 
@@ -73,12 +82,19 @@ int TestTouchKept(int argc, char* argv[])
       isRight;
     const bool isUnasked = head.GetOpacity()->GetValue(77.0) == 0.77;
     isRight = Expect(!isUnasked, "they came back unasked") && isRight;
-    head.Interactor->SetKeySym("F11");
-    head.Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    // Those of the outside, whatever is shown.
+    head.Press('O', "O");
+    isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "O shows no inside") && isRight;
+    head.Press(0, "F11");
     isRight = Expect(head.GetStiffness()->GetValue(77.0) == 123.0 &&
                   head.GetOpacity()->GetValue(77.0) == 0.77,
                 "the functions did not come back") &&
       isRight;
+    head.Press('O', "O");
+    isRight =
+      Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "the inside has got the work") && isRight;
+    head.Press('O', "O");
+    isRight = Expect(head.GetOpacity()->GetValue(77.0) == 0.77, "the outside lost it") && isRight;
     head.Kept.KeepAtEnd(true);
   }
   KeptHead head(argc, argv);

@@ -88,4 +88,18 @@ vtkSmartPointer<vtkImageData> IsolateBody(vtkImageData* image, double threshold,
   }
   return isolated;
 }
+
+double MeasureHidden(vtkImageData* image, vtkImageData* body, double threshold)
+{
+  vtkDataArray* const all = image->GetPointData()->GetScalars();
+  vtkDataArray* const shown = body->GetPointData()->GetScalars();
+  double hidden = 0.0, size = 0.0;
+  for (vtkIdType i = 0; image != body && i < all->GetNumberOfTuples(); ++i)
+  {
+    const bool isShown = shown->GetComponent(i, 0) >= threshold;
+    size += isShown ? 1.0 : 0.0;
+    hidden += !isShown && all->GetComponent(i, 0) >= threshold ? 1.0 : 0.0;
+  }
+  return size > 0.0 ? hidden / size : 0.0;
+}
 } // namespace Explore

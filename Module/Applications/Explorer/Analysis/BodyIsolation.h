@@ -13,6 +13,9 @@ namespace Explore
 /// from the planner's rays. The soft edge of the region stays. The hand never feels this copy but
 /// the image itself.
 vtkSmartPointer<vtkImageData> IsolateBody(vtkImageData* image, double threshold, double fill);
+
+/// The voxels above the threshold that the body lacks, as a share of its own.
+double MeasureHidden(vtkImageData* image, vtkImageData* body, double threshold);
 } // namespace Explore
 
 #endif

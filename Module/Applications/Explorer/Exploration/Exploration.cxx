@@ -19,6 +19,9 @@
 #include "vtkTimerLog.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace
 {
 using Explore::Estimator;
@@ -67,6 +70,18 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   result.Body = volume.AreLabels
     ? volume.Image
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
+  if (!volume.Large && !volume.Frames)
+  {
+    const double share = MeasureHidden(volume.Image, result.Body, result.Values.OuterThreshold);
+    if (share > 0.01)
+    {
+      std::ostringstream text;
+      text << "Felt but not shown: parts that are not joined to the body, such as a head rest ("
+           << std::lround(100.0 * share) << " % of its size)";
+      result.Hidden = text.str();
+      result.Input.Notes.push_back(result.Hidden);
+    }
+  }
   MeasureBody(result.Values, result.Body);
   result.View = MakeViewFrame(result.Values.Centre, settings.Front, settings.Up);
 

@@ -45,6 +45,7 @@ struct Exploration
   Volume Input;
   // the input without parts that are not connected with the body
   vtkSmartPointer<vtkImageData> Body;
+  std::string Hidden; // tells of such parts, which are felt; empty if there are hardly any
   Analysis Values;
   ViewFrame View;
   TipPath Tip;

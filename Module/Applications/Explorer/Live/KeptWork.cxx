@@ -92,12 +92,13 @@ void Append(Function* function, std::vector<double>& values)
 namespace Explore
 {
 KeptWork::KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter,
-  SavedMeasurements& measurements, HandTool& tool, vtkRenderWindowInteractor* interactor,
-  const FileChoice& shown)
+  SavedMeasurements& measurements, HandTool& tool, LookSwitch& look,
+  vtkRenderWindowInteractor* interactor, const FileChoice& shown)
   : Touch(touch)
   , Filter(filter)
   , Measurements(measurements)
   , Tool(tool)
+  , Look(look)
   , Interactor(interactor)
   , Folder(FindFolder(shown))
   , Offered(FindLast(this->Folder))
@@ -126,6 +127,7 @@ void KeptWork::BringBack()
   {
     return;
   }
+  this->Look.ShowOutside();
   std::string error;
   {
     const MessageCapture capture;
@@ -153,6 +155,7 @@ void KeptWork::BringBack()
 
 void KeptWork::KeepAtEnd(bool isSetUp)
 {
+  this->Look.ShowOutside();
   const bool hasMeasurements =
     !this->Measurements.IsSaved() && this->Touch.Measurements->GetNumberOfMeasurements() > 0;
   const bool hasFunctions = !isSetUp && this->ListFunctions() != this->Functions;

@@ -5,6 +5,7 @@
 
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Applications/Explorer/Live/KeyBinding.h"
+#include "Applications/Explorer/Live/LookSwitch.h"
 #include "Applications/Explorer/Live/SavedMeasurements.h"
 #include "Applications/Explorer/Live/TouchScene.h"
 
@@ -23,9 +24,11 @@ namespace Explore
 class KeptWork
 {
 public:
-  /// `shown` is the file of the window. The functions that the window begins with are not kept.
+  /// `shown` is the file of the window. The functions that the window begins with are not kept, and
+  /// those of the outside are.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
-    HandTool& tool, vtkRenderWindowInteractor* interactor, const FileChoice& shown);
+    HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
+    const FileChoice& shown);
 
   /// As in vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to bring back.
   std::string ListKeys() const;
@@ -47,6 +50,7 @@ private:
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
   SavedMeasurements& Measurements;
   HandTool& Tool;
+  LookSwitch& Look;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   std::string Folder;  ///< where the work of this volume goes, without its number; empty: nowhere
   std::string Offered; ///< a folder; empty if there is none, or it was brought back

@@ -33,6 +33,11 @@ LookSwitch::LookSwitch(
 
 LookSwitch::~LookSwitch()
 {
+  this->ShowOutside();
+}
+
+void LookSwitch::ShowOutside()
+{
   if (this->IsInside)
   {
     this->Swap();

@@ -28,6 +28,8 @@ public:
 
   /// As in vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
   std::string ListKeys() const;
+  /// Before functions are loaded, which are those of the outside.
+  void ShowOutside();
 
 private:
   void Swap();

@@ -220,8 +220,8 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   auto replay = wanted.Replay.empty()
     ? nullptr
     : std::make_unique<TouchReplay>(touch, interactor, wanted.Replay);
-  auto kept =
-    std::make_unique<KeptWork>(touch, exploration.Filter, saved, *tool, interactor, wanted.File);
+  auto kept = std::make_unique<KeptWork>(
+    touch, exploration.Filter, saved, *tool, *look, interactor, wanted.File);
   const std::string keys =
     touch.Cut.ListKeys() + (replay ? TouchReplay::ListKeys() : std::string());
   const std::string sound = wanted.Sound ? "o\tsound on; off\n" : "";
@@ -236,7 +236,7 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   const std::string notice = !wanted.Notice.empty() ? wanted.Notice
     : !offer.empty()                                ? offer
     : mayAsk ? "This looks like a label map: F4 shows it as labels"
-             : "";
+             : exploration.Hidden;
   if (!notice.empty())
   {
     touch.Display->SetNotice(notice.c_str());
@@ -261,11 +261,12 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   heard.reset();
   touch.Cut.SetInteractor(nullptr);
   touch.Device->Close();
-  look.reset();
+  look->ShowOutside();
   const bool isSetUp = !setup.empty() && touch.Setup->Save(setup.c_str());
   const std::string error = saved.SaveAtEnd();
   kept->KeepAtEnd(isSetUp);
   kept.reset();
+  look.reset();
   tool.reset();
   if (!error.empty())
   {

@@ -34,10 +34,9 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
   property->SetScalarOpacity(opacity);
 }
 
-/// The opacity of a layer of LAYER voxels where a surface is felt. Half of the picture is the first
-/// half voxel of it, and rays in steps of a voxel do not show the steps.
-constexpr double OPAQUE = 0.998;
-constexpr double LAYER = 4.0;
+constexpr double OPAQUE = VolumeHaptics::LookOpaque;
+/// The thickness (m) of the layer whose opacity that of a field is.
+constexpr double FIELD_LAYER = 0.004;
 
 /// Tissues, or from slow to fast.
 const Colour COLOURS[2][5] = {
@@ -52,12 +51,13 @@ void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
+  const double step = 0.3 * edge; // nothing is felt that is hardly seen
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
     { std::min(analysis.Range[0], outer - 2.0 * edge), 0.00, of[0] },
-    { outer - edge, 0.00, of[0] },
-    { outer + edge, body, of[1] },
+    { outer - step, 0.00, of[0] },
+    { outer + step, body, of[1] },
     { deep, body, of[2] },
     { deep + edge, dense, of[3] },
     { std::max(analysis.High, deep + 2.0 * edge), most, of[4] },
@@ -122,8 +122,7 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
 {
   if (analysis.Kind == VolumeKind::CT)
   {
-    // Around the middle of the edge from air to fat and skin, where a hand meets it.
-    LookAtCT(-600.0, -400.0, property);
+    LookAtCT(VolumeHaptics::CTLookClear, VolumeHaptics::CTLookSkin, property);
   }
   else if (analysis.Kind == VolumeKind::Field)
   {
@@ -137,9 +136,9 @@ void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)
   {
     LookThroughNoise(analysis, property);
   }
-  const double glass = 1e-3 * VolumeHaptics::CTLookThickness / analysis.MetersPerWorldUnit;
-  property->SetScalarOpacityUnitDistance(
-    analysis.Kind == VolumeKind::Field ? glass : LAYER * analysis.Voxel);
+  property->SetScalarOpacityUnitDistance(analysis.Kind == VolumeKind::Field
+      ? FIELD_LAYER / analysis.MetersPerWorldUnit
+      : VolumeHaptics::LookLayer * analysis.Voxel);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
   property->SetAmbient(0.2);

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies around a body in a CT, such as foam (-700 HU), a blanket (-550 HU) and clothes
+// (-450 HU), is neither seen nor felt in the window: the first surface for the hand and for the eye
+// is the skin, whose middle is where the formula has it. Half of the opacity in front of the eye is
+// that of 1 - exp(-sum), by the definition of vtkVolumeProperty.
+#include "Applications/Explorer/Analysis/VolumeAnalysis.h"
+#include "Applications/Explorer/Scene/VolumeLook.h"
+#include "Expectations.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+
+namespace
+{
+constexpr int ROW = 60;          // voxels of 1 mm
+constexpr double SKIN_AT = 30.0; // mm
+
+/// HU along x: air, 10 mm of what lies around, and tissue in which a bone is; edges of 2 mm.
+double HounsfieldAt(double x, double around)
+{
+  const auto step = [x](double at) { return 0.5 + 0.5 * std::tanh(x - at); };
+  return -1000.0 + (around + 1000.0) * step(SKIN_AT - 10.0) + (50.0 - around) * step(SKIN_AT) +
+    950.0 * step(SKIN_AT + 20.0);
+}
+
+/// Where the proxy is when the hand first feels 0.1 N, and where half of the opacity is.
+void FeelAndLook(double around, const char* preset, double& felt, double& seen)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(ROW, 20, 20);
+  image->AllocateScalars(VTK_SHORT, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(
+      i, 0, std::round(HounsfieldAt(image->GetPoint(i)[0], around)));
+  }
+  const Explore::Analysis values = Explore::AnalyseVolume(image, false, false);
+  vtkNew<vtkVolumeProperty> look;
+  Explore::SetVolumeLook(values, look);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->GetProperty()->ApplyPreset(preset);
+  filter->GetProperty()->SetVisibilityFrom(look);
+  vtkNew<vtkPolyData> path;
+  vtkNew<vtkPoints> tips;
+  for (double x = 3.0; x < SKIN_AT + 5.0; x += 0.1)
+  {
+    tips->InsertNextPoint(x, 9.7, 9.7);
+  }
+  path->SetPoints(tips);
+  filter->SetInputData(image);
+  filter->SetPathData(path);
+  filter->Update();
+  vtkPolyData* const trace = filter->GetOutput();
+  vtkDataArray* const force = trace->GetPointData()->GetArray("Force");
+  vtkIdType tick = 0;
+  while (tick + 1 < trace->GetNumberOfPoints() && std::abs(force->GetComponent(tick, 0)) < 0.1)
+  {
+    ++tick;
+  }
+  felt = trace->GetPoint(tick)[0];
+
+  constexpr double step = 0.01; // mm
+  double depth = 0.0;
+  seen = 0.0;
+  for (double x = 0.0; x < ROW - 1.0 && depth < std::log(2.0); x += step)
+  {
+    const double opacity = look->GetScalarOpacity()->GetValue(HounsfieldAt(x, around));
+    depth -= std::log(1.0 - opacity) * step / look->GetScalarOpacityUnitDistance();
+    seen = x;
+  }
+}
+} // namespace
+
+int TestExploreLook(int, char*[])
+{
+  for (const char* const preset : { "CT contrast", "CT chest", "CT angiography" })
+  {
+    for (const double around : { -1000.0, -700.0, -550.0, -450.0 })
+    {
+      double felt = 0.0, seen = 0.0;
+      FeelAndLook(around, preset, felt, seen);
+      std::cout << preset << ", " << around << " HU around: felt at " << felt << " mm, seen at "
+                << seen << " mm\n";
+      Expect(std::abs(felt - SKIN_AT) < 1.0 && std::abs(seen - felt) < 1.0,
+        std::string(preset) + ": the skin is not what is felt and seen first");
+    }
+  }
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
