@@ -132,8 +132,7 @@ bool ReadFieldDataOf(const std::string& file, vtkFieldData* data, std::string& e
     error = "it is no VTK image (.vti), or not all of one. Save an image with the table.";
     return false;
   }
-  VolumeHaptics::ReadXmlFile(reader, file);
-  if (reader->GetErrorCode() != 0)
+  if (!VolumeHaptics::ReadXmlFile(reader, file) || reader->GetErrorCode() != 0)
   {
     error = "it is damaged. Check that the file is complete.";
     return false;

@@ -6,6 +6,8 @@
 #include "VTK/Large/VtkHdfFile.h"
 #include "VTK/Large/ZarrFile.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
@@ -22,9 +24,11 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
+/** Any folder, as those of the arrays of a Zarr group have other names. */
 bool IsZarrName(const std::string& name)
 {
-  return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/");
+  return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||
+    vtksys::SystemTools::FileIsDirectory(name);
 }
 
 bool IsHeaderName(const std::string& name)
