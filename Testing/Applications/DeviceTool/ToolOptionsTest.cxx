@@ -80,7 +80,7 @@ TEST(ToolOptions, AreRefusedWithWhatIsRight)
     { { "monitor", "falcon", "wooden" }, "the id of a device" },
     { { "record", "falcon" }, "a file named .vtp or .csv" },
     { { "list", "falcon" }, "no operands" },
-    { { "monitor", "falcon", "--speed", "1" }, "no option \"--speed\"" },
+    { { "monitor", "falcon", "--speed", "1" }, "There is no option \"--speed\"" },
     { { "monitor", "falcon", "--rate" }, "--rate wants Hz" },
     { { "monitor", "falcon", "--rate", "50" }, "100 to 10000" },
     { { "monitor", "falcon", "--rate", "1000x" }, "100 to 10000" },

@@ -47,6 +47,9 @@ TEST(DeviceRegistry, AnAddedKindIsListedAndMade)
   EXPECT_NE(MakeDevice("added:7", {}, error), nullptr);
   EXPECT_FALSE(AddDeviceKind(MakeKind("added"), error));
   EXPECT_TRUE(Contains(error, "Choose another name")) << error;
+  EXPECT_TRUE(AddDeviceKind(MakeKind("renamed"), error)) << error;
+  EXPECT_FALSE(AddDeviceKind(MakeKind("no 2"), error));
+  EXPECT_TRUE(Contains(error, "Use letters only")) << error;
 }
 
 TEST(DeviceRegistry, AKindSaysWhatIsMissingForIt)

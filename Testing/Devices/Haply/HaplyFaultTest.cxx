@@ -60,6 +60,12 @@ TEST_F(HaplyFaults, TheServiceFallsSilent)
 {
   this->Service->Break(HaplyFault::Silent);
   this->ExpectLost("the Inverse service does not answer");
+  this->Service.reset();
+  this->Serve();
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
 }
 
 TEST_F(HaplyFaults, TheServiceIsSlow)
@@ -167,6 +173,11 @@ TEST_F(HaplyFaults, TheWorkspaceIsScaled)
   this->Bench.Device->Home();
   EXPECT_TRUE(Eventually([&] { return this->Service->GetSessions().size() == 2; }));
   EXPECT_TRUE(this->Bench.WaitForText("has a workspace that is scaled")) << "still";
+  this->Service->SetTransform({}, 1.0);
+  this->Bench.Device->Home();
+  ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
+  this->Bench.Stop();
+  ASSERT_NO_FATAL_FAILURE(this->Feel());
 }
 
 TEST_F(HaplyFaults, TheWorkspaceIsMovedUnderTheHand)
@@ -201,6 +212,8 @@ TEST_F(HaplyFaults, TheEventsEndWithAWord)
   EXPECT_TRUE(this->Bench.WaitForText("goes on without the Inverse service's warnings"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
   EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "it goes on";
+  this->Bench.Device->Home();
+  EXPECT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
 }
 
 TEST_F(HaplyFaults, AnotherSessionTakesTheArm)

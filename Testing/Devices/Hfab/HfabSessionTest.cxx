@@ -198,11 +198,19 @@ TEST_F(Hfab, AJumpCutsTheForce)
     }));
   bench.ExpectLost("a jump of its arm that no hand makes");
   EXPECT_TRUE(this->Rig.IsQuiet());
+  this->Rig.Arm.Fault = HfabFault::None;
+  bench.Device->Home();
+  ASSERT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
 }
 
 TEST_F(Hfab, AnotherArmCutsTheForce)
 {
   this->Break(HfabFault::OtherArm, "says that it drives another arm now");
+  this->Rig.Arm.Fault = HfabFault::None;
+  this->Rig.Bench.Stop();
+  ASSERT_TRUE(this->Rig.Bench.Reopen()) << this->Rig.Bench.Error;
+  ASSERT_NO_FATAL_FAILURE(this->Rig.Feel());
 }
 
 TEST_F(Hfab, AControllerThatRefusesMessagesCutsTheForce)

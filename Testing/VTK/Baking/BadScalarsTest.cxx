@@ -97,4 +97,30 @@ TEST_P(BadScalarsTest, GivesOneErrorAndRecovers)
   this->ExpectErrorAndRecovery();
 }
 
+using ComponentMemory = ApiTest;
+
+/// The ramp as component 1 of two, first without its memory, then with it.
+TEST_F(ComponentMemory, IsGivenAsTheErrorSays)
+{
+  const vtkSmartPointer<vtkDataArray> density = this->Image->GetPointData()->GetScalars();
+  const vtkIdType n = density->GetNumberOfTuples();
+  const double force = Get(this->Run(51), "Force", 50, 2);
+  EXPECT_GT(std::abs(force), 0.1);
+  vtkNew<vtkSOADataArrayTemplate<double>> separate;
+  separate->SetName("Density");
+  separate->SetNumberOfComponents(2);
+  separate->SetArray(0, static_cast<double*>(std::calloc(n, sizeof(double))), n, true);
+  this->Image->GetPointData()->SetScalars(separate);
+  this->Property->SetComponent(1);
+  this->ExpectError({ "Give it values for all components, for example with SetArray" });
+  auto* const values = static_cast<double*>(std::calloc(n, sizeof(double)));
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    values[i] = density->GetTuple1(i);
+  }
+  separate->SetArray(1, values, n, true);
+  this->Image->Modified();
+  EXPECT_DOUBLE_EQ(Get(this->Run(51), "Force", 50, 2), force);
+}
+
 INSTANTIATE_TEST_SUITE_P(Images, BadScalarsTest, testing::ValuesIn(BadScalars), NameOf);

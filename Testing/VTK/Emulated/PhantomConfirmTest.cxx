@@ -73,6 +73,10 @@ TEST_F(PhantomConfirm, ItIsFeltAndRememberedOnceItMovedWithTheForce)
 TEST_F(PhantomConfirm, ACalibratedDeviceIsAskedForWhatItReallyGives)
 {
   std::ofstream(this->Memory.Path) << "falcon:port:1-2 confirmed=2026-11-01\n";
+  EXPECT_FALSE(this->Device->CalibrateForce(2.0));
+  ASSERT_EQ(this->Log.Errors.size(), 1u);
+  EXPECT_NE(this->Log.Errors[0].find("Open() it and Stop() it first"), std::string::npos);
+  this->Log.Errors.clear();
   ASSERT_TRUE(this->Device->Open("falcon"));
   EXPECT_EQ(this->Device->GetCalibrationText(), "uncalibrated");
   EXPECT_DOUBLE_EQ(this->Device->GetMaximumForce(), 4.0);

@@ -234,6 +234,10 @@ TEST_F(LargePaths, OfATipThatJumpsThroughABillionSamplesAreRefused)
   this->TouchRegions->SetInputConnection(0, source->GetOutputPort());
   this->TouchRegions->SetPathData(MakePath({ { 5, 5, 5 }, { 2700, 2700, 2700 } }));
   this->ExpectError({ "jumps so far", "more points" });
+  this->TouchRegions->SetPathData(MakePath({ { 5, 5, 1355 }, { 9, 9, 1362 } }, { 0.0, 0.1 }));
+  this->TouchRegions->Update();
+  EXPECT_EQ(this->TouchRegions->GetOutput()->GetNumberOfPoints(), 101);
+  EXPECT_GT(Get(this->TouchRegions->GetOutput(), "NormalForce", 100), 0.1);
 }
 
 TEST_F(LargePaths, WithoutPointsAreEmpty)

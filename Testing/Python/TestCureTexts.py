@@ -1,0 +1,324 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each text of the C++ sources that names a cure is tried by a test, or says only what is to be done outside."""
+
+import re
+from pathlib import Path
+
+import TestBakingCures
+import TestExplorerCures
+import TestFileCures
+import TestLargeCures
+import TestModuleCures
+import TestSceneCures
+import volumehaptics
+from vtkmodules import all as vtk
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# Tests that provoke an error and then do what its text says: words of the cure, and the words for which the test looks.
+TRIED = {
+    "VTK/Baking/BadScalarsTest.cxx": {
+        "Give it values for all components, for example with SetArray": "Give it values for all components",
+    },
+    "VTK/Filter/MemoryTest.cxx": {
+        "Use a smaller image, or a region of it": "SURFACE_PROXY",
+        "VTK can't run it again: connect a new source": "connect a new source",
+        "VTK can't run it again after this": "connect a new source",
+        "Give the path in pieces, or lower ServoRate": "in pieces",
+    },
+    "VTK/Recording/RecordingFailureTest.cxx": {
+        "Choose another one, or change its permissions": "Choose another one",
+        "Make room, or choose a folder on another disk": "Make room",
+        "Change its permissions, or give another name": "permissions",
+        "to a file of your choice": "RecoverRecording",
+    },
+    "VTK/Recording/JournalTest.cxx": {"can't be written over itself: give the recording another name": "over itself"},
+    "VTK/Recording/TamperedTest.cxx": {"it was changed, or made with another volume. Record again": "Record again"},
+    "VTK/Trace/PathSourceFilesTest.cxx": {"holds no tip positions. Record again": "no tip positions"},
+    "VTK/Headset/XRActionsTest.cxx": {
+        "with the files of its bindings beside it": "can't be read: it", "…: … Give VTK's": "is no manifest of actions",
+        "Name one that you may write": "can't be made", "has a binding without a binding_url": "has a binding without a binding_url",
+    },
+    "VTK/Emulated/PhantomConfirmTest.cxx": {
+        "CalibrateForce() is for an open real device": "Open() it and Stop() it first",
+    },
+    "VTK/Scene/StyleVolumesTest.cxx": {
+        "show those that are to be felt by a vtkVolume with a mapper each": "by a vtkVolume with a mapper each",
+        "TouchVolume() of the interactor style with a vtkVolume that is there": "Cure: TouchVolume() of the interactor style",
+    },
+    "VTK/Scene/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
+    "VTK/Session/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},
+    "VTK/Session/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
+    "VTK/Session/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
+    "VTK/Session/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},
+    "Python/TestExplorerCures.py": {"run the program as 'xvfb-run -a": "run the program as"},
+    "Python/TestLargeCures.py": {"Convert it with h5repack --high=2 IN OUT": "--high="},
+    "VTK/Large/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
+    "Devices/Common/DeviceMemoryTest.cxx": {"Remove the line, then confirm and calibrate": "of the file of devices"},
+    "Devices/Common/DeviceRegistryTest.cxx": {
+        "already. Choose another name": "Choose another name", "Use letters only": "Use letters only",
+    },
+    "Devices/Guard/GuardedDeviceTest.cxx": {
+        "Open() it before or after, not in both": "forked", "Copy the file to a folder of your own": "belongs to another user",
+        "Run: chmod go-w": "others may write",
+    },
+    "Devices/Emulated/FalconSleepTest.cxx": {"and the hand may have moved. Home() and Arm() again": "asleep"},
+    "Devices/Emulated/FalconFirmwareTest.cxx": {
+        "%s. Home() to try again": "Home()", "switch the device off and on, and Home() to try again": "Home()",
+    },
+    "Devices/Emulated/FalconFaultTest.cxx": {
+        "they have lost counts. Home() and Arm() again": "out of its reach",
+        "its encoders have lost counts. Home() and Arm() again": "jumped",
+        "Check its cable and its power supply, then %s": "does not answer",
+        "(a stall). Home() and Arm() again": "stall",
+    },
+    "Devices/Emulated/FalconUnplugTest.cxx": {"Plug it in, then Close(), Open(), Start() and Arm() it again": "Plug it in"},
+    "Devices/Emulated/FalconGuardEndsTest.cxx": {"watch the device. Close(), Open(), Start() and Arm() it again": "guard process"},
+    "Devices/Haply/HaplySessionTest.cxx": {
+        "is not calibrated: put its handle into the inkwell, or": "is not calibrated", 'Open it as "haply"': "haply",
+    },
+    "Devices/Haply/HaplyFaultTest.cxx": {
+        "closed the connection. Start it, then Home() and Arm() again": "the Inverse service ended or closed the connection",
+        "Set its scale to 1 in Haply's Hub": "has a workspace that is scaled",
+        "Home() connects again": "goes on without the Inverse service's warnings",
+        "does not answer. Start it again, then Home() and Arm() again": "the Inverse service does not answer",
+        'give "haply", or "haply:ID"': "is no device id", "Give the ports of the Inverse service": "Give the ports",
+    },
+    "Devices/Hfab/HfabSessionTest.cxx": {
+        "put the arm into its pose for calibration, hold it still, and press Home()": "has to be told where its arm is",
+        "or give its port, such as \"hfab:/dev/ttyACM0\".…Several": "No hfab controller is plugged in",
+        "Give the port of the controller, and look after its firmware": "none of an hfab controller",
+        "drives another arm now. Open() it again": "says that it drives another arm now",
+        "Press Home() and put the arm into its pose for calibration": "a jump of its arm that no hand makes",
+        'give "hfab" or "hfab:PORT"': "is no device id",
+        "in use by another program or device. Close it there": "in use by another program",
+        "Give the board's port, such as /dev/ttyACM0": "not a serial port",
+    },
+    "Devices/Emulated/PadFaultTest.cxx": {
+        "No gamepad is plugged in. Plug one in": "No gamepad is plugged in", "Use a pad with motors": "can't vibrate",
+        "such as Steam, has grabbed it. Close it there": "in use: another program, such as Steam",
+    },
+    "Devices/Emulated/PidFaultTest.cxx": {"has not said yet where it is: move it a little": "move it a little"},
+    "Devices/Emulated/HidClaimTest.cxx": {
+        "Choose a device that EnumerateDevices() lists": "can't be used",
+        "or give an id that EnumerateDevices() lists": "No device with these numbers is plugged in",
+        'give "pid", or "pid:VVVV:PPPP"': 'give "pid", or "pid:VVVV:PPPP"',
+        "Close it where it is open, in this program": "is in use. Close it where it is open",
+        "Plug in a WoodenHaptics instead": "Plug in a WoodenHaptics instead",
+    },
+    "Devices/Emulated/SpaceMouseTest.cxx": {"was unplugged. Plug it in, then Open() and Start() it": "was unplugged"},
+    "Devices/Emulated/WoodenFaultTest.cxx": {
+        "put the arm into its rest pose, hold it still, and press Home()": "has to be told where its arm is",
+        "hold the arm still in its rest pose, and press Home() again": "did not take in where its arm is",
+    },
+    "Devices/Vendor/VendorLoaderTest.cxx": {
+        "as it does not begin with a slash. Name the whole path": "Name the whole path",
+        'give "vendor:PLUGIN" or "vendor:PLUGIN:N"': "is no device id",
+        "no folder is searched. Name the plug-in's folder": "no folder is searched",
+        "Count from 0, as EnumerateDevices() does": "has no device",
+    },
+    "Devices/Vendor/VendorDriverTest.cxx": {"is in use by this program. Close() it there": "in use by this program"},
+    "Applications/DeviceTool/ToolOptionsTest.cxx": {
+        "takes either --weight GRAMS or --scale. Try --help": "either --weight GRAMS or --scale",
+        "there is nothing to feel. Try monitor": "monitor", "are for calibrate. Try --help": "are for calibrate", "What is to be done? Try --help": "What is to be done",
+        'There is no option "…". Try --help': "There is no option \"",
+        ", and a file named .vtp or .csv…. Try --help": "a file named .vtp or .csv",
+    },
+    "ParaView/TestLabels.py": {"four numbers, 0 or more, or -1 where the functions hold": "Label Materials"},
+    "ParaView/TestShell.py": {"Choose closed polygons as Surface": "Choose closed polygons as Surface"},
+    "ParaView/Live/TestLiveModes.py": {
+        "Name it in this row, or leave Array empty": "Name it in this row",
+        "Choose polygons or lines as Surface": "Choose polygons or lines as Surface",
+        "Give the kind Guide, or choose polygons as Surface": "choose polygons as Surface",
+    },
+    "ParaView/Live/TestLiveArrays.py": {"Choose a point array of another type than bits": "bits"},
+    "ParaView/Live/TestLiveLarge.py": {"an Input whose file is there, and arm again": "no image"},
+    "ParaView/Live/TestLiveLost.py": {"Connect to a server again, and open the data there": "Connect"},
+    "ParaView/Live/TestLiveCures.py": {
+        "has no kind of mode. Give one of": "has no kind of mode. Give one of", "Leave it empty": "Leave it empty",
+        'Give one, or pairs such as "0 0, 0.5 2"': 'Give one, or pairs such as "0 0, 0.5 2"',
+        "There is no tool": "There is no tool", "Give a number, or pairs of a scalar and a number": "Give a number, or pairs",
+        "No file is chosen. Set FileName": "No file is chosen. Set FileName",
+        "Set it to one whose Input is the volume": "Touch names something that is no Volume Haptics filter",
+        "there is nothing to touch any more: set Touch": "there is nothing to touch any more: set Touch",
+        "was deleted. Set Touch, and Running, again": "was deleted. Set Touch, and Running, again",
+        "Set View to a render view, such as GetActiveView()": "Set View to a render view",
+        "Another device is attached to this view. Detach that one first": "Detach that one first",
+        "Attach again when it is done": "Attach again when it is done",
+        "The haptic device was deleted. Attach again with another one": "Attach again with another one",
+        "The view was closed. Attach the device to another one": "Attach the device to another one",
+    },
+}
+
+# Cures that no program can apply: what a hand does with a device, and what is done outside the program. Of these texts
+# the names are checked: see test_names_in_cures.
+OUTSIDE = {
+    "a hand plugs in, switches on, or leads a device": (
+        "put its handle into the inkwell…available", "has no Inverse3, Inverse3x or Minverse. Plug one in",
+        "is being calibrated: hold its arm still", "Plug the controller in, or give its port",
+        "The DualSense is not there any more. Plug it in", "Press its PS button", "Connect it anew, then Home() and Arm()",
+        "not there any more. Plug it in, or switch it on", "can't be used: …. Plug it in again",
+        "plug it in again, then Open() and Start() it", "No SpaceMouse is plugged in. Plug it in, or its receiver",
+        "It may be a model that is not known yet. Plug it in again", "unplugged. Plug it in again",
+        "is not there any more. Plug it in and open it again", "Plug it in again, then open it",
+        "Plug it in, or give the port that it has", "it is not plugged in any more. Plug it in again",
+        "Unplug it, plug it in again, and look into the system's log", "is plugged in. Plug it in, and switch its power on",
+        "Hold the handle in the middle of the workspace", "Put a kitchen scale", "Take your hand away, and keep the weight",
+        "Take your hand away, and see that it stands", "Put the scale under it",
+        "hold it loosely and keep the hand still. For about ten seconds", "is gone. Plug it in, Open() and Start() it",
+        "Hold the device loosely and keep the hand still, then Arm() again", "Check the image and the device, then Arm() again",
+        "Take the stylus, then Arm() again", "Check its axes, lower the stiffness, then Arm() again",
+        ": hold it loosely and keep the hand still. The volume is not felt yet",
+    ),
+    "another program, or the system, is started, ended or set up": (
+        "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",
+        "is in use by another program. Close that program", "service closed the connection. Start it again",
+        "to whose user the system gives gamepads", "sudo usermod -a -G dialout", "then run \"sudo udevadm control --reload\"",
+        "or opened a second time by this one. Close it there", "Start the one of your headset",
+        "Check its permissions", "Check the permissions of its folder and the space on its disk",
+        "Close other programs that need memory", "Record to a local disk, with less else running",
+        "three of them are needed. Use a smaller image", "Close what else is open, or set the functions by hand",
+        "Crop it, or free some memory", "check that the disk is not full and the folder is yours",
+        "Make room on its disk, or choose a RecordingFile on another one", "check the space on the disk",
+        "start PulseAudio or PipeWire", "make it readable, or copy or export the series again",
+        "is not there any more…name the folder of its series", "crop the data to feel more",
+        "End other programs, or raise the limits of threads and memory",
+        "check the disk that it is on", "check that it may be read by you", "can't be renamed (…). Remove it",
+        "can't be read (…). Remove it", "is of the process that this one was forked from: stop it there",
+        "it changed while it was read. Read it again", "install rtkit or raise the user's rtprio limit",
+        "log in at the computer itself or raise the user's rtprio limit", "raise the user's memlock limit",
+        "End threads of this program, or raise its limits (ulimit -u)", "Close files or end threads of this program",
+        "set HOME, or VOLUMEHAPTICS_DEVICES to the name of a file",
+    ),
+    "something is built or installed": (
+        "Build it with -D…=ON", "Install both anew, from the same package", "Update its firmware to 1.16.5 or later",
+        "Build one against the vendor's SDK", "Install the vendor's SDK", "Build it again with the VendorPlugin.h",
+        ". Build it (Examples/Vendor)", "Link VTK::RenderingContextOpenGL2",
+        "build it with a VTK that has the module IOOggTheora", "build it from its sources with the package libpulse-dev",
+        "build it with GDCM (package libgdcm-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
+        "Load VolumeHapticsPlugin on the server, too", "Load the same VolumeHapticsPlugin there as here",
+        "Use a client and a server of the same version",
+        "derive it from one of the module's modes", "derive it from one of the module's tools",
+        "of this kind of mode is not known. Set it with SetStrength()",
+        "Give the interactor the manifest that WriteActions() makes", "this library with that VTK and -DVolumeHaptics_USE_OPENXR=ON",
+    ),
+}
+
+# Errors that no test provokes; what their cures name is tried elsewhere.
+UNPROVOKED = (
+    "turn it with --front and --up",  # tried in TestExplorerCures.py
+    "the measurements of this window first, then F11",  # Testing/Window/keep.sh
+    "Lower MaximumRegionVoxels",  # TestLiveModes.py feels with less
+    "Choose a RecordingFile in a folder that can be",  # TestLiveRemote.py records
+    "Attach the device to a render view of paraview or pvpython",  # TestLiveCures.py
+    "The connection was closed. Attach again in another one",  # TestLiveLost.py connects again
+    # Of the dock; Testing/ParaView/Gui opens, shows and attaches.
+    "Select a volume in the pipeline browser", "There is nothing to be felt yet: attach first", "to be saved: attach first",
+    "is a file of this computer, which the server does not read: open it there", "press Show as CT volume, or choose",
+)
+
+# Texts that the scan takes for cures.
+NONE = (
+    "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
+    "Load a preset…Presets", "Save the preset…Presets", "Record to…Traces", "no active scalars: point array",
+    ": ….\\n  Cure: ….", "Arm with an hfab controller, if it is one", "Put the pointer on the volume and press", "Move the mouse to stroke",
+    "turn the view and keep touching", "turn the tool", "turn it about the line of sight", "propose functions; take them",
+)
+
+# A text of the sources: what stands between semicolons and braces, with its literals joined.
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"((?:\\.|[^"\\\n])*)"|\'(?:\\.|[^\'\\])+\'|[;{}]|\S', re.S)
+# Verbs with which cures begin, after a sentence that says what is wrong.
+CURE = re.compile(
+    r"Cure: |([.;:)] |\u2026 ?)(update|make|give|set|call|use|take|name|write|choose|convert|check|pass|close|replace|remove|add"
+    r"|correct|run|save|open|copy|connect|put|end|read|start|stop|smooth|turn|raise|lower|plug|change|leave|resample"
+    r"|extract|show|load|attach|detach|record|build|derive|touch|crop|hold|home|arm|link|log|move|point|switch|unplug"
+    r"|try|wait|press|export|install|increase|reduce|startrecording)[ :(]", re.IGNORECASE)
+
+
+def texts_of(source):
+    parts = []
+    for token in TOKEN.finditer(source):
+        word = token.group(0)
+        if word in (";", "{", "}"):
+            yield "".join(parts)
+            parts = []
+        elif token.group(1) is not None:
+            parts.append(token.group(1).replace('\\"', '"'))
+        elif not word.startswith(("//", "/*")) and parts and parts[-1] != "\u2026":
+            parts.append("\u2026")
+
+
+def find_cures(root, folder):
+    """The texts with cures, by the file that has them."""
+    for file in sorted((root / folder).rglob("*")):
+        if file.suffix in (".cxx", ".h") and not file.stem.endswith(("Settings", "SettingLists")):
+            for text in texts_of(file.read_text(encoding="utf-8")):
+                if CURE.search(text):
+                    yield file.relative_to(root).as_posix(), text
+
+
+MODULES = TestModuleCures, TestBakingCures, TestFileCures, TestLargeCures, TestSceneCures
+FOLDERS = ("Module/Core", "Module/VTK", "Module/Devices", "Module/Applications", "Plugin")
+TEXTS = [one for folder in FOLDERS for one in find_cures(ROOT, folder)]
+
+
+def test_each_cure_is_tried():
+    tried = [word for module in (TestModuleCures, TestBakingCures) for word in module.case]
+    tried += [word for words in TestLargeCures.FILES for word in words] + list(TestLargeCures.CONVERTED)
+    tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN]
+    tried += [word for module in MODULES for words in module.result for word in words]
+    tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)]
+    tried += [word for tests in TRIED.values() for word in tests]
+    tried += [word for words in OUTSIDE.values() for word in words] + [*UNPROVOKED, *NONE]
+    found, left = set(), []
+    for file, text in TEXTS:
+        entries = [word for word in tried if word in text]
+        found.update(entries)
+        if not entries:
+            left.append(f"{file}: {text}")
+    assert not set(tried) - found, "no error has these words"
+    assert not left, "try it above, or say why it can't be tried"
+
+
+def strings_of(file):
+    if file.suffix == ".py":
+        return [file.read_text(encoding="utf-8")]
+    return [part for text in texts_of(file.read_text(encoding="utf-8")) for part in text.split("…")]
+
+
+def test_tests_look_for_what_is_tried():
+    """Each test that is named looks for words of the text, or for words around them."""
+    for test, tried in TRIED.items():
+        strings = strings_of(ROOT / "Testing" / test)
+        for words, looked_for in tried.items():
+            assert any(looked_for in string for string in strings), (test, looked_for)
+            assert any(words in text and looked_for in text for _, text in TEXTS), (words, looked_for)
+
+
+# An array, a header and a module of VTK, and a function of ParaView's Python; options of other programs; files.
+ELSEWHERE = "vtkGhostType", "vtkRenderingContext2DModule", "vtkRenderingContextOpenGL2", "GetActiveView"
+OTHERS = {"--high": "h5repack", "--raw": "gdcmconv", "--reload": "udevadm", "LD_LIBRARY_PATH": "ld.so"}
+FILES = ("Data/udev/70-volume-haptics.rules", "Module/Devices/Vendor/VendorPlugin.h", "Examples/Vendor", "Examples/explore.sh",
+         "Documentation/devices.md")
+
+
+def test_names_in_cures_exist():
+    """Classes, methods, options and variables that texts name."""
+    sources = "".join(file.read_text(encoding="utf-8") for suffix in ("*.h", "*.cxx", "*.xml") for folder in ("Module", "Plugin")
+                      for file in (ROOT / folder).rglob(suffix))
+    words = set(re.findall(r"\w+", re.sub(r'"(\\.|[^"\\\n])*"', '""', sources)))
+    quoted = set(re.findall(r'"([-A-Z_a-z]+)"', sources))
+    classes = [one for module in (vtk, volumehaptics) for one in vars(module).values() if isinstance(one, type)]
+    unknown = set()
+    for file, text in TEXTS:
+        for name in re.findall(r"\bvtk[A-Z]\w+|\b[A-Z]\w+(?=\()|(?<=::)\w+", text):
+            if name not in words and name not in ELSEWHERE and not any(hasattr(one, name) for one in (vtk, *classes)):
+                unknown.add((name, file))
+        for name in re.findall(r"(?<![\w-])--[a-z][\w-]+|\bVOLUMEHAPTICS_\w+|\bLD_\w+", text):
+            if name not in quoted and name not in OTHERS:
+                unknown.add((name, file))
+    assert not unknown
+    texts = " ".join(text for _, text in TEXTS)
+    for file in FILES:
+        assert (ROOT / file).exists() and file.rpartition("/")[2] in texts, file

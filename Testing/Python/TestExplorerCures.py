@@ -1,0 +1,333 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cures that errors of volumehaptics-explore name are tried: with them it writes its summary, with forces."""
+
+import functools
+import json
+import os
+import re
+import struct
+import subprocess
+
+import numpy as np
+import pytest
+from TestCures import RAMP
+from TestFileCures import recorder, wait
+from TestModuleCures import line_to
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridWriter,
+)
+from volumehaptics import image, vtkHapticMeasurements
+from volumehaptics.__main__ import find_explorer
+
+# The explorer: wrong options, words of the cure, and right ones, with which it writes its summary. {} is a folder with
+# the ramp as ramp.vti, a label map as labels.vti, a surface as ball.stl and what the functions below put there.
+# What is right, together, since each run takes a time.
+ALL = "--newtons 2.5 --size 200 --tool needle --preset MRI --front -y --stereo anaglyph --measurements {}/list.csv"
+LABELLED = "--labels {}/labels.vti --materials {}/table.csv"
+GUIDED = "--mode surface --guide {}/ball.stl"
+OPTIONS = (
+    ("--newtons much", "take -100 to 100, or two such numbers", ALL),
+    ("--size 20", "take a whole number from 100 to 8000", ALL),
+    ("--series 0", "take 1 or more; without --series", ""),
+    ("--measurements {}/list.txt", "take one that ends in .csv, .vtp or .mrk.json", ALL),
+    ("--movie {}/movie.avi", "take one that ends in .ogv", None),
+    ("--tool spoon", "take needle, burr, or point", ALL),
+    ("--write-volume {}/copy.nii", "take one that ends in .vti", "--write-volume {}/copy.vti"),
+    ("--as-labels --labels {}/labels.vti", "leave it out, or --labels", LABELLED),
+    ("--materials {}/table.csv", "name the segmentation, as in --labels", LABELLED),
+    ("--preset bones", "take auto, propose, histogram, one of the presets", ALL),
+    ("--mode tickle", "the name of an array may follow after a colon", GUIDED),
+    ("--front up", "take one of +x -x +y -y +z -z", ALL),
+    ("--stereo best", "name one of ", ALL),
+    ("--array colour", "take one of ", ""),
+    ("--guide {}/none.vtp", "name one that is there", GUIDED),
+    ("--guide {}/ball.dae", "take lines or a surface that end in .vtp", GUIDED),
+    ("--guide {}/point.vtk", "take a polyline, or the triangles of a surface", GUIDED),
+    ("--guide {}/far.stl", "give it the volume's coordinates and units", GUIDED),
+    ("--labels {}/none.vti", "check the spelling; what can be read is ", LABELLED),
+    ("--as-labels", "leave --as-labels out", ""),
+    ("--mode vector-follow", "name a .vti file that has them, or take another mode", GUIDED),
+    ("--pictures {}/table.csv", "name one that you may write to with --pictures DIR", ""),
+)
+
+
+@pytest.fixture(scope="module")
+def shelf(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("explorer")
+    rng = np.random.default_rng(4)
+    for name, values in (("ramp", RAMP + rng.normal(0.0, 0.3, RAMP.shape)), ("labels", (RAMP > 1500).astype(np.uint8))):
+        writer = vtkXMLImageDataWriter()
+        writer.SetFileName(str(folder / f"{name}.vti"))
+        writer.SetInputData(image(values))
+        writer.Write()
+    for name, middle in (("ball", 15.0), ("far", 1e6)):
+        sphere, writer = vtkSphereSource(), vtkSTLWriter()
+        sphere.SetCenter(11.0, 8.0, middle)
+        sphere.SetRadius(5.0)
+        writer.SetInputConnection(sphere.GetOutputPort())
+        writer.SetFileName(str(folder / f"{name}.stl"))
+        writer.Write()
+    (folder / "table.csv").write_text("label,name,stiffness\n1,bone,800\n")
+    (folder / "point.vtk").write_text("# vtk DataFile Version 3.0\npoint\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n1 2 3\n")
+    (folder / "ball.dae").write_text("<COLLADA/>")
+    fill(folder, RAMP + rng.normal(0.0, 0.3, RAMP.shape))
+    return folder
+
+
+@pytest.fixture(scope="module")
+def explore(shelf, build):
+    """Runs the explorer on the ramp; once for the same options."""
+    explorer = find_explorer() or next(iter(build.rglob("volumehaptics-explore")), None)
+    if explorer is None or "DISPLAY" not in os.environ:
+        pytest.skip("needs the explorer and a display")
+
+    @functools.cache
+    def run(options):
+        words = [word.replace("{}", str(shelf)).replace("%", " ") for word in options.split()]
+        needs_none = any(word in options for word in ("--pictures", "--script", "--write-volume")) or not words
+        out = shelf / f"out{run.cache_info().misses}"
+        told = subprocess.run([explorer, *words, *([] if needs_none else ["--pictures", out])], capture_output=True, text=True,
+                              timeout=60)
+        told.summary = (out / "summary.txt").read_text() if (out / "summary.txt").exists() else ""
+        return told
+
+    run.program = str(explorer)
+    return run
+
+
+@pytest.mark.parametrize("wrong, words, right", OPTIONS)
+def test_cures_of_options(shelf, explore, wrong, words, right):
+    told = explore(f"{{}}/ramp.vti {wrong}")
+    assert told.returncode != 0 and words in told.stderr, told.stderr
+    if right is not None:
+        expect_forces(shelf, explore, f"{{}}/ramp.vti {right}")
+
+
+def expect_forces(shelf, explore, options):
+    cured = explore(f"{options} --size 100" if "--size" not in options else options)
+    assert cured.returncode == 0, cured.stderr
+    if "--write-volume" in options:
+        assert (shelf / "copy.vti").stat().st_size > 0
+    elif "--script" not in options:
+        largest = re.search(r"Largest force\n +([0-9.]+) N", cured.summary)
+        assert float(largest.group(1)) > 0.1
+    return cured
+
+
+# Volumes, and options that need a window: wrong words of the command line, those of the cure, and right ones. A script
+# closes the window.
+WINDOW = "{}/ramp.vti --size 150 --script {}/close.txt"
+# What is right about windows, together.
+OPEN = f"{WINDOW} --device virtual --setup {{}}/own.json --measurements {{}}/paths.csv --movie {{}}/movie.ogv --cut box"
+REPLAY = f"{WINDOW} --replay {{}}/touch.vtp"
+HEARD = "{}/ramp.vti --sound {}/touch.wav --method proxy"
+RAMP_MHD = "{}/ramp.mhd --large"
+COMMANDS = (
+    ("{}/text.vti", "check what the file really is", ("{}/ramp.vti", )),
+    ("{}/text.dcm", "name a DICOM slice, or the folder of its series", ("{}/series/0.dcm", "{}/series")),
+    ("{}/notes.txt", "convert it to one of the known: ", ("{}/ramp.vti", )),
+    ("{}/empty.nrrd", "copy or download it again", ("{}/ramp.nhdr", )),
+    ("{}/novoxels.vti", "export the volume again", ("{}/ramp.vti", )),
+    ("{}/slice.vti", "export the whole series as one three-dimensional image", ("{}/ramp.vti", )),
+    ("{}/thin.vti", "export more slices", ("{}/ramp.vti", )),
+    ("{}/flat.vti", "correct the spacing in the file's header", ("{}/ramp.vti", )),
+    ("{}/singular.vti", "correct it in the file's header", ("{}/ramp.vti", )),
+    ("{}/bare.vti", "write the file with a point-data array of numbers", ("{}/ramp.vti", )),
+    ("{}/nan.vti", "check the export, in particular its rescale slope and window", ("{}/ramp.vti", )),
+    ("{}/damaged.vtu", "check what the file really is, export it again, and check that the copy is complete", ("{}/grid.vtu", )),
+    ("{}/points.vtu", "write grids of cells in space, such as hexahedra and tetrahedra", ("{}/grid.vtu", )),
+    ("{}/ramp.vti --labels {}/text.seg.nrrd", "--labels …name another file", (f"{{}}/ramp.vti {LABELLED}", )),
+    ("{}/ramp.vti --labels {}/labels.vti --materials {}/wrong.csv", "--materials …name another file",
+     (f"{{}}/ramp.vti {LABELLED}", )),
+    ("{}/ramp.vti --labels {}/grid.vtu", "write the labels as an image", (f"{{}}/ramp.vti {LABELLED}", )),
+    ("{}/cut.zarr", "can't be read (…)…copy it again, and check that the copy is complete", ("{}/ramp.zarr", )),
+    ("{}/none.vtkhdf", "check the spelling", (RAMP_MHD, )),
+    ("{}/untimed.pvd", "write it again, with <DataSet timestep=", ("{}/moves.pvd", )),
+    ("{}/other.pvd", "name the files themselves, or their folder", ("{}/ramp.vti", "{}/frames")),
+    ("{}/twice.pvd", "give it one image (.vti) for each", ("{}/moves.pvd", )),
+    (f"{RAMP_MHD} --array V", "is for volumes in memory…leave it out", (RAMP_MHD, )),
+    ("{}/ramp.vti --displacements motion", "name all of its frames", ("{}/moved.pvd --displacements motion", )),
+    (f"{RAMP_MHD} --write-volume {{}}/copy.vti", "leave --write-volume out", (RAMP_MHD, )),
+    (f"{RAMP_MHD} --live", "leave --live out", (RAMP_MHD, )),
+    ("{}/ramp.vti --sound", "Cure: name a file, as in --sound touch.wav", (HEARD, )),
+    ("{}/ramp.vti --sound={}/touch.mp3", "take one that ends in .wav", (HEARD, )),
+    ("{}/ramp.vti --sound {}/none/touch.wav", "and that the folder is there and yours", (HEARD, )),
+    ("{}/ramp.vti --write-volume {}/none/copy.vti", "and the folder is there and yours", ("{}/ramp.vti --write-volume {}/copy.vti", )),
+    ("{}/ramp.vti --method feel", "…take one of: …", (HEARD, )),
+    ("", "name a volume file or a DICOM folder", ("{}/ramp.vti", )),
+    ("{}/ramp.vti --guide {}/wrong.csv", "name a file that key S of the window saved", ("{}/ramp.vti --guide {}/paths.csv", )),
+    ("{}/ramp.vti --mode Find%a%vortex", "--mode '…'…take another mode", (f"{{}}/ramp.vti {GUIDED}", )),
+    ("{}/flow.vti --mode vector-follow:still", "take another mode or array",
+     ("{}/flow.vti --mode vector-follow:flow", )),
+    ("{}/ramp.vti --mode surface:V", "leave the array's name out", (f"{{}}/ramp.vti {GUIDED}", )),
+    ("{}/noise.vti --preset propose", "--preset propose…take another preset", ("{}/noise.vti --preset MRI", )),
+    ("{}/twofold", "put the slices of one volume into a folder of their own", ("{}/series", )),
+    ("{}/nothing", "name a folder of DICOM slices, or a volume file", ("{}/series", "{}/ramp.vti")),
+    ("{}/series --series 2", "take --series 1 to ", ("{}/series --series 1", )),
+    ("{}/cutoff", "copy or export the series again, or take that file away", ("{}/series", )),
+    (f"{WINDOW} --measurements {{}}/wrong.csv", "--measurements …correct it or name another file", (OPEN, )),
+    (f"{WINDOW} --replay {{}}/none.vtp", "name a .vtp that key F10 or vtkHapticDevice::StartRecording() has written", (REPLAY, )),
+    (f"{WINDOW} --replay {{}}/back.vtp", "record the touch again", (REPLAY, )),
+    (f"{WINDOW} --device pen", "name another device, or none; volumehaptics-device list shows what there is", (OPEN, REPLAY)),
+    (f"{WINDOW} --setup {{}}/wrong.json", "--setup …correct it or name another file", (OPEN, )),
+    (f"{WINDOW} --setup {{}}/none/own.json", "can't be written…name a file in a folder of yours", (OPEN, )),
+    (f"{WINDOW.replace('close', 'point')} --measurements {{}}/none/list.csv", "--measurements …name a file in a folder of yours",
+     (OPEN, )),
+    (f"{WINDOW} --movie {{}}/none/movie.ogv", "--movie …name a file in a folder of yours", (OPEN, )),
+    (f"{WINDOW.replace('ramp.vti', 'ramp.mhd')} --large --cut box", "take --cut plane, or leave --large out",
+     (f"{WINDOW.replace('ramp.vti', 'ramp.mhd')} --large --cut plane", OPEN)),
+    ("{}/ramp.vti --script {}/jump.txt", "Take move, stroke, wheel, key, press or release", (REPLAY, )),
+    ("{}/ramp.vti --script {}/short.txt", "and a duration in seconds: stroke 0.7 0.5 1.5", (REPLAY, )),
+    ("{}/ramp.vti --script {}/long.txt", "write one event a line", (REPLAY, )),
+    ("{}/ramp.vti --script {}/none.txt", "--script …can't be read…name a file that is there", (REPLAY, )),
+    ("{}/ramp.vti --preset CT%chest", "take another --preset, or press e in the window", (f"{{}}/ramp.vti {ALL}", )),
+)
+
+
+@pytest.mark.parametrize("wrong, words, rights", COMMANDS)
+def test_cures_of_commands(shelf, explore, wrong, words, rights):
+    told = explore(wrong)
+    said = told.stderr + told.stdout
+    assert all(part in said for part in words.split("…")), said
+    assert told.returncode != 0 or wrong.endswith(("--sound", "chest"))
+    for right in rights:
+        expect_forces(shelf, explore, right)
+
+
+def dicom(values, z, uid="1.2.3.1", series="1.2.3"):
+    """A slice after DICOM's part 5: explicit VR, little endian, in order of the tags; with the preamble of part 10."""
+    def element(tag, kind, value):
+        value = value if isinstance(value, bytes) else value.encode()
+        value += (b"\0" if kind == "UI" else b" ") * (len(value) % 2)
+        head = struct.pack("<HH", tag >> 16, tag & 0xffff) + kind.encode()
+        return head + (struct.pack("<HI", 0, len(value)) if kind in ("OW", "OB") else struct.pack("<H", len(value))) + value
+
+    sop, explicit = "1.2.840.10008.5.1.4.1.1.4", "1.2.840.10008.1.2.1"
+    meta = (element(0x00020001, "OB", b"\0\1") + element(0x00020002, "UI", sop) + element(0x00020003, "UI", uid)
+            + element(0x00020010, "UI", explicit))
+    rows, columns = (struct.pack("<H", n) for n in values.shape)
+    short = {number: struct.pack("<H", number) for number in (0, 1, 15, 16)}
+    body = (element(0x00080016, "UI", sop) + element(0x00080018, "UI", uid) + element(0x00080060, "CS", "MR")
+            + element(0x0020000d, "UI", "1.2") + element(0x0020000e, "UI", series) + element(0x00200013, "IS", "1")
+            + element(0x00200032, "DS", f"0\\0\\{z}") + element(0x00200037, "DS", "1\\0\\0\\0\\1\\0")
+            + element(0x00280002, "US", short[1]) + element(0x00280004, "CS", "MONOCHROME2") + element(0x00280010, "US", rows)
+            + element(0x00280011, "US", columns) + element(0x00280030, "DS", "1\\1") + element(0x00280100, "US", short[16])
+            + element(0x00280101, "US", short[16]) + element(0x00280102, "US", short[15])
+            + element(0x00280103, "US", short[0]) + element(0x7fe00010, "OW", values.astype("<u2").tobytes()))
+    return bytes(128) + b"DICM" + element(0x00020000, "UL", struct.pack("<I", len(meta))) + meta + body
+
+
+def write_image(path, one):
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(one)
+    writer.Write()
+
+
+def fill(folder, values):
+    """What the commands name."""
+    for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff"):
+        (folder / name).mkdir(parents=True)
+    texts = {
+        "text.vti": "no image", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
+        "wrong.csv": "label,stiffness\n1,hard\n", "wrong.json": '{"Format": "other"}', "close.txt": "0.2 key q\n", "point.txt": "0.3 move 0.5 0.5\n0.4 key t\n0.6 wheel 8\n1.2 key P\n1.4 key q\n",
+        "jump.txt": "1 jump\n", "short.txt": "1 stroke 0.5 0.5\n", "long.txt": "1 key t now\n",
+        "damaged.vtu": '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">\n<Unstr',
+        "untimed.pvd": pvd('<DataSet file="ramp.vti"/>'), "other.pvd": "no collection",
+        "twice.pvd": pvd('<DataSet timestep="0" part="0" file="ramp.vti"/>', '<DataSet timestep="0" part="1" file="ramp.vti"/>'),
+        "moves.pvd": pvd(*(f'<DataSet timestep="{i}" file="ramp.vti"/>' for i in (0, 1))),
+        "moved.pvd": pvd(*(f'<DataSet timestep="{i}" file="flow.vti"/>' for i in (0, 1))),
+    }
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    values.astype("<f4").tofile(folder / "ramp.raw")
+    sizes = " ".join(map(str, values.shape[::-1]))
+    (folder / "ramp.mhd").write_text(f"NDims = 3\nDimSize = {sizes}\nElementType = MET_FLOAT\nElementDataFile = ramp.raw\n")
+    (folder / "cut.mhd").write_text(f"NDims = 3\nDimSize = {sizes}0\nElementType = MET_FLOAT\nElementDataFile = ramp.raw\n")
+    (folder / "ramp.nhdr").write_text(f"NRRD0004\ntype: float\ndimension: 3\nsizes: {sizes}\nencoding: raw\nendian: little\n"
+                                      "data file: ramp.raw\n\n")
+    for name, samples in (("ramp", values.astype("<f4").tobytes()), ("cut", b"cut")):
+        (folder / f"{name}.zarr").mkdir()
+        (folder / f"{name}.zarr" / ".zarray").write_text(json.dumps({
+            "zarr_format": 2, "shape": values.shape, "chunks": values.shape, "dtype": "<f4", "compressor": None,
+            "fill_value": 0, "order": "C", "filters": None}))
+        (folder / f"{name}.zarr" / "0.0.0").write_bytes(samples)
+    for number, plane in enumerate(values):
+        one = dicom(plane.clip(0, 65535), number, f"1.2.3.{number + 1}")
+        for place in ("series", "folders/one", "cutoff", "twofold"):
+            (folder / place / f"{number}.dcm").write_bytes(one)
+    (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
+    (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
+    for name, one in {
+            "slice": values[:1], "thin": values[:3], "nan": np.full(values.shape, np.nan),
+            "noise": np.random.default_rng(2).normal(0.0, 30.0, values.shape)}.items():
+        write_image(folder / f"{name}.vti", image(np.ascontiguousarray(one)))
+    for name, place in (("flat", dict(spacing=(1, 0, 1))), ("singular", {}), ("flow", {}), ("bare", {}), ("novoxels", {})):
+        one = vtkImageData()
+        one.DeepCopy(image(values))
+        if name == "flat":
+            one.SetSpacing(1, 0, 1)
+        if name == "singular":
+            one.SetDirectionMatrix(1, 0, 0, 1, 0, 0, 0, 0, 1)
+        if name == "bare":
+            one.GetPointData().Initialize()
+        if name == "novoxels":
+            one = vtkImageData()
+        if name == "flow":
+            for array, vector in (("flow", (1.0, 0.0, 0.0)), ("still", (0.0, 0.0, 0.0)), ("motion", (0.0, 0.0, 0.1))):
+                added = numpy_to_vtk(np.tile(vector, (values.size, 1)) * (1.0 + np.arange(values.size).reshape(-1, 1) % 7), deep=True)
+                added.SetName(array)
+                one.GetPointData().AddArray(added)
+        write_image(folder / f"{name}.vti", one)
+    for number in range(3):
+        write_image(folder / "frames" / f"{number}.vti", image(values))
+    grid, cells = vtkAppendFilter(), vtkXMLUnstructuredGridWriter()
+    grid.AddInputData(image(values))
+    cells.SetInputConnection(grid.GetOutputPort())
+    cells.SetFileName(str(folder / "grid.vtu"))
+    cells.Write()
+    points = vtkUnstructuredGrid()
+    points.SetPoints(grid.GetOutput().GetPoints())
+    points.GetPointData().ShallowCopy(grid.GetOutput().GetPointData())
+    cells.SetInputData(points)
+    cells.SetFileName(str(folder / "points.vtu"))
+    cells.Write()
+    measured = vtkHapticMeasurements()
+    measured.AddMeasurement(measured.PATH, line_to(20.0))
+    measured.WriteFile(str(folder / "paths.csv"))
+    device = recorder()
+    assert device.StartRecording(str(folder / "touch.vtp"))
+    wait(device, 100)
+    assert device.StopRecording()
+    device.Close()
+    reader, writer, back = vtkXMLPolyDataReader(), vtkXMLPolyDataWriter(), vtkPolyData()
+    reader.SetFileName(str(folder / "touch.vtp"))
+    reader.Update()
+    back.DeepCopy(reader.GetOutput())
+    back.GetPointData().GetArray("Time").Fill(1.0)
+    writer.SetInputData(back)
+    writer.SetFileName(str(folder / "back.vtp"))
+    writer.Write()
+
+
+def pvd(*entries):
+    return '<VTKFile type="Collection" version="0.1"><Collection>' + "".join(entries) + "</Collection></VTKFile>"
+
+
+def test_cure_of_no_display(shelf, explore):
+    """'xvfb-run -a volumehaptics-explore ...' is run as the error has it."""
+    bare = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+    command = [explore.program, str(shelf / "ramp.vti"), "--size", "100", "--pictures", str(shelf / "own")]
+    told = subprocess.run(command, capture_output=True, text=True, env=bare)
+    assert told.returncode == 3 and "Cure: run the program as 'xvfb-run -a volumehaptics-explore ...'" in told.stderr
+    cured = subprocess.run(["xvfb-run", "-a", *command], capture_output=True, text=True, env=bare)
+    assert cured.returncode == 0 and (shelf / "own" / "summary.txt").stat().st_size > 0

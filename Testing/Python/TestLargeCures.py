@@ -1,0 +1,526 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cures of errors about files that are read region by region, and about grids, are tried: after them all samples are read.
+
+Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). The writers are those of TestLargeFiles.py.
+"""
+
+import json
+import subprocess
+import zlib
+
+import numpy as np
+import pytest
+from TestLargeFiles import ENDLESS, EXTENT, LATEST, SHAPE, Hdf5, error_of, make_array, region_of, write_attribute
+from TestLargeFiles import write_vtkhdf
+from TestModuleCures import Bench, Calls, told, try_calls
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import VTK_SHORT, VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkDelaunay3D
+from vtkmodules.vtkFiltersPoints import vtkPointInterpolator
+from volumehaptics import open_large, vtkHapticRegionSource
+from volumehaptics._touch import Errors
+
+ARRAY = make_array()
+result = Calls()
+
+
+def samples_of(path):
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(path)), path
+    return region_of(source, source.GetWholeExtent())
+
+
+def case(*words):
+    """A generator that writes a file, yields its path, and applies the cure; it may yield the path of another one."""
+    def keep(function):
+        assert words not in FILES, words
+        FILES[words] = function
+        return function
+    return keep
+
+
+FILES = {}
+
+
+@pytest.mark.parametrize("words", FILES)
+def test_cures_of_files(words, tmp_path):
+    write = FILES[words](tmp_path)
+    path = next(write)
+    source = vtkHapticRegionSource()
+    with Errors(source) as errors:
+        if source.OpenFile(str(path)):
+            source.ReadRegion(source.GetWholeExtent(), vtkImageData())
+    assert len(errors) == 1 and all(word in errors[0] for word in words), errors
+    for cured in write:
+        if isinstance(cured, np.ndarray):
+            assert np.array_equal(cured, ARRAY)
+        else:
+            assert np.array_equal(samples_of(cured or path), ARRAY)
+
+
+# HDF5.
+
+def vtkhdf(folder, name="a.vtkhdf", array=ARRAY, h=None, **how):
+    return write_vtkhdf(h or Hdf5(), folder / name, array, **how)
+
+
+def repacked(told_words, path):
+    """Runs the command of a text, from h5repack to OUT."""
+    out = path.with_name("out.vtkhdf")
+    command = told_words.replace("IN", str(path)).replace("OUT", str(out)).split()
+    subprocess.run(command, check=True, capture_output=True)
+    return out
+
+
+# What makes a file that is converted with a command, and the command as the error has it.
+CONVERTED = {
+    "h5repack -f NONE -l CONTI IN OUT": dict(chunk=(5, 4, 7), version=LATEST, most=(ENDLESS, ENDLESS, 20)),
+    "h5repack IN OUT": dict(version=LATEST, names=tuple(f"array{i}" for i in range(60))),
+    "h5repack -f GZIP=1 IN OUT": dict(chunk=(5, 4, 7), filters=[("scaleoffset", 2, 0)]),
+    "h5repack -l CHUNK=64x64x64 IN OUT": dict(chunk=(1024, 1024, 1024), most=(ENDLESS,) * 3, empty=7),
+    "array has no samples, or in a place that is not read here. Convert it with h5repack -l CONTI IN OUT":
+        dict(filters=[("layout", 0)]),
+    "its samples lie in other files. Convert it with h5repack -l CONTI IN OUT":
+        dict(filters=[("external", b"samples.raw", 0, ARRAY.nbytes)]),
+}
+
+
+@pytest.mark.parametrize("words", CONVERTED)
+def test_cures_by_commands(words, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = vtkhdf(tmp_path, **CONVERTED[words])
+    assert words in error_of(path)
+    right = np.full_like(ARRAY, 7) if "empty" in CONVERTED[words] else ARRAY
+    assert np.array_equal(samples_of(repacked(words[words.index("h5repack"):], path)), right)
+
+
+def test_h5repack_knows_versions():
+    """A format that is newer than those that exist can't be tried; the option of its cure exists."""
+    shown = subprocess.run(["h5repack", "--help"], capture_output=True, text=True, check=True).stdout
+    assert "--high=BOUND" in shown
+
+
+@case("or write it without libver='latest'")
+def _(folder):
+    yield vtkhdf(folder, **CONVERTED["h5repack -f NONE -l CONTI IN OUT"])
+    yield vtkhdf(folder, chunk=(5, 4, 7), most=(ENDLESS, ENDLESS, 20))
+
+
+class Shared(Hdf5):
+    """The type of samples is one that is kept in the file."""
+
+    def Fcreate(self, *values):
+        self.file = self.__getattr__("Fcreate")(*values)
+        return self.file
+
+    def known(self, name):
+        if name != "T_STD_I16LE":
+            return super().known(name)
+        self.kind = self.Tcopy(super().known(name))
+        self.Tcommit2(self.file, b"kind", self.kind, 0, 0, 0)
+        return self.kind
+
+    def Fclose(self, file):
+        self.Tclose(self.kind)
+        self.__getattr__("Fclose")(file)
+
+
+@case("Write it again, each with its own")
+def _(folder):
+    yield vtkhdf(folder, h=Shared())
+    yield vtkhdf(folder)
+
+
+class Bits(Hdf5):
+    def known(self, name):
+        return super().known("T_STD_B16LE" if name == "T_STD_I16LE" else name)
+
+
+@case("Write it as integers or floating-point numbers of 1 to 8 bytes")
+def _(folder):
+    yield vtkhdf(folder, h=Bits())
+    yield vtkhdf(folder)
+
+
+@case("Check what it really is")
+def _(folder):
+    path = folder / "a.vtkhdf"
+    (folder / "a.mhd").write_text(meta_header("a.raw"))
+    ARRAY.tofile(folder / "a.raw")
+    path.write_bytes((folder / "a.mhd").read_bytes())
+    yield path
+    yield folder / "a.mhd"
+
+
+@case("its HDF5 structure ends too early or makes no sense. Copy or write it again")
+def _(folder):
+    path = vtkhdf(folder)
+    good = path.read_bytes()
+    path.write_bytes(good[:700])
+    yield path
+    path.write_bytes(good)
+    yield None
+
+
+def bare(folder, *, points=True):
+    h, path = Hdf5(), folder / "a.vtkhdf"
+    file = h.Fcreate(str(path).encode(), 2, 0, 0)
+    group = h.Gcreate2(file, b"VTKHDF", 0, 0, 0)
+    write_attribute(h, group, "Type", "ImageData")
+    write_attribute(h, group, "WholeExtent", list(EXTENT))
+    for name in ("Origin", "Spacing"):
+        write_attribute(h, group, name, [1.0, 1.0, 1.0])
+    if points:
+        h.Gclose(h.Gcreate2(group, b"PointData", 0, 0, 0))
+    h.Gclose(group)
+    h.Fclose(file)
+    return path
+
+
+@case("it has no ", ". Give a VTKHDF file of an image with point data")
+def _(folder):
+    yield bare(folder, points=False)
+    yield vtkhdf(folder)
+
+
+@case("its PointData has no array. Give a VTKHDF file of an image with point data")
+def _(folder):
+    yield bare(folder)
+    yield vtkhdf(folder)
+
+
+@case("Write that as an array of three dimensions")
+def _(folder):
+    yield vtkhdf(folder, array=ARRAY[..., None] + np.zeros(3, np.int16))
+    yield vtkhdf(folder)
+
+
+@case("(z, y, x). Write it again")
+def _(folder):
+    yield vtkhdf(folder, extent=(0, 3, 0, 3, 0, 3))
+    yield vtkhdf(folder)
+
+
+@case("Give a VTKHDF file of an image.")
+def _(folder):
+    yield vtkhdf(folder, kind="UnstructuredGrid")
+    yield vtkhdf(folder)
+
+
+@case("or has other numbers than an image needs. Write it again")
+def _(folder):
+    yield vtkhdf(folder, extent=(0, 3))
+    yield vtkhdf(folder)
+
+
+# Raw samples.
+
+def meta_header(data, size=SHAPE[::-1], more=""):
+    return (f"NDims = {len(size)}\nDimSize = {' '.join(map(str, size))}\nElementType = MET_SHORT\n{more}"
+            f"ElementDataFile = {data}\n")
+
+
+@case("Check its name and permissions")
+def _(folder):
+    ARRAY.tofile(folder / "a.raw")
+    yield folder / "b.mhd"
+    (folder / "a.mhd").write_text(meta_header("a.raw"))
+    yield folder / "a.mhd"
+
+
+@case("Write each of them into a file of its own; volumehaptics-explore takes their folder")
+def _(folder):
+    np.stack([ARRAY, ARRAY]).tofile(folder / "a.raw")
+    path = folder / "a.mhd"
+    path.write_text(meta_header("a.raw", (*SHAPE[::-1], 2)))
+    yield path
+    for name in "bc":
+        ARRAY.tofile(folder / f"{name}.raw")
+        (folder / f"{name}.mhd").write_text(meta_header(f"{name}.raw"))
+        yield folder / f"{name}.mhd"
+
+
+@case("Check that the copy of that file is complete")
+def _(folder):
+    ARRAY[:-1].tofile(folder / "a.raw")
+    (folder / "a.mhd").write_text(meta_header("a.raw"))
+    yield folder / "a.mhd"
+    ARRAY.tofile(folder / "a.raw")
+    yield None
+
+
+@case("Write them uncompressed into one raw file, or read the whole volume into memory")
+def _(folder):
+    (folder / "a.raw").write_bytes(zlib.compress(ARRAY.tobytes()))
+    (folder / "a.mhd").write_text(meta_header("a.raw", more="CompressedData = True\n"))
+    yield folder / "a.mhd"
+    ARRAY.tofile(folder / "b.raw")
+    (folder / "b.mhd").write_text(meta_header("b.raw"))
+    yield folder / "b.mhd"
+
+
+@case("or, if it is raw, SetFileName() with extent, type and spacing")
+def _(folder):
+    ARRAY.tofile(folder / "a.img")
+    yield folder / "a.img"
+    source = raw_source(folder / "a.img")
+    yield region_of(source, source.GetWholeExtent())
+
+
+def raw_source(path, extent=EXTENT):
+    source = vtkHapticRegionSource()
+    source.SetFileName(str(path))
+    source.SetScalarType(VTK_SHORT)
+    source.SetWholeExtent(*extent)
+    source.SetSpacing(1.0, 1.0, 1.0)
+    return source
+
+
+@result("Give the name of the file of samples", "Check the extent of the volume, its scalar type and the size of the header",
+        "Set it to VTK_SHORT, VTK_FLOAT or another one", "Check its numbers", "Give an extent within WholeExtent")
+def raw_files(folder):
+    def refuses(source, word):
+        with told(source, word):
+            assert not source.ReadRegion(source.GetWholeExtent(), vtkImageData())
+
+    path = folder / "a.raw"
+    ARRAY.tofile(path)
+    refuses(raw_source(folder), "Give the name of the file of samples")
+    longer = raw_source(path, (*EXTENT[:4], EXTENT[4], EXTENT[5] + 1))
+    refuses(longer, "Check the extent of the volume, its scalar type and the size of the header")
+    longer.SetWholeExtent(*EXTENT)
+    typed, counted = raw_source(path), raw_source(path, (0, 2**31 - 2) * 3)
+    typed.SetScalarType(VTK_STRING)
+    refuses(typed, "Set it to VTK_SHORT, VTK_FLOAT or another one")
+    typed.SetScalarType(VTK_SHORT)
+    refuses(counted, "Check its numbers")
+    counted.SetWholeExtent(*EXTENT)
+    with told(typed, "Give an extent within WholeExtent"):
+        assert not typed.ReadRegion((-9, -5, 0, 1, 0, 1), vtkImageData())
+    for source in longer, typed, counted:
+        assert np.array_equal(region_of(source, EXTENT), ARRAY)
+
+
+# Zarr.
+
+HEAD = {"zarr_format": 2, "shape": list(SHAPE), "chunks": list(SHAPE), "dtype": "<i2", "compressor": None, "fill_value": 0,
+        "order": "C", "filters": None}
+
+
+def zarr(folder, where="a.zarr", **changed):
+    path = folder / where
+    path.mkdir(parents=True, exist_ok=True)
+    (path / ".zarray").write_text(json.dumps({**HEAD, **changed}))
+    (path / "0.0.0").write_bytes(ARRAY.tobytes())
+    return path
+
+
+for _words, _changed in {
+    "Check its head": dict(shape=[9, 9, -9]), "Write it as integers or floating-point numbers.": dict(dtype="<c8"),
+    "has a head that is not as Zarr wants it. Write it again": dict(compressor={"id": {}}),
+    "Write it with chunks such as 64 x 64 x 64": dict(chunks=[1024, 1024, 1024]),
+}.items():
+    @case(_words)
+    def _(folder, changed=_changed):
+        yield zarr(folder, **changed)
+        yield zarr(folder)
+
+
+@case("or without a compressor")
+def _(folder):
+    yield blosc(folder, "zstd", 1)
+    yield blosc(folder, "lz4", 1)
+    yield zarr(folder, "b.zarr")
+    large = open_large(blosc(folder, "zstd", 1))
+    yield region_of(large, large.GetWholeExtent())
+
+
+def blosc(folder, kind, shuffle):
+    stored = pytest.importorskip("zarr").open(
+        str(folder / "a.zarr"), mode="w", shape=SHAPE, chunks=SHAPE, dtype="i2",
+        compressor=pytest.importorskip("numcodecs").Blosc(kind, 5, shuffle))
+    stored[:] = ARRAY
+    return folder / "a.zarr"
+
+
+@case("a chunk of it is damaged", "Copy or write it again")
+def _(folder):
+    path = blosc(folder, "lz4", 1)
+    good = (path / "0.0.0").read_bytes()
+    (path / "0.0.0").write_bytes(good[:20])
+    yield path
+    (path / "0.0.0").write_bytes(good)
+    yield None
+
+
+@case("Check whether it is complete")
+def _(folder):
+    path = zarr(folder)
+    (path / "0.0.0").write_bytes(ARRAY.tobytes()[:100])
+    yield path
+    yield zarr(folder)
+
+
+@case("it may not have been copied. Copy it, or check the name")
+def _(folder):
+    path = zarr(folder, "a.zarr/0")
+    head = (path / ".zarray").read_bytes()
+    (path / ".zarray").unlink()
+    scales(folder, "0")
+    yield folder / "a.zarr"
+    (path / ".zarray").write_bytes(head)
+    yield None
+
+
+def scales(folder, path="0", steps=(), name="multiscales"):
+    (folder / "a.zarr" / ".zattrs").write_text(json.dumps({name: [{
+        "axes": [{"name": axis} for axis in "zyx"],
+        "datasets": [{"path": path, "coordinateTransformations": list(steps)}] if path else []}]}))
+
+
+@case("Open its array itself, and set spacing and origin")
+def _(folder):
+    zarr(folder, "a.zarr/0")
+    scales(folder, steps=[{"type": "rotation", "rotation": [1, 2, 3]}])
+    yield folder / "a.zarr"
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(folder / "a.zarr/0"))
+    source.SetSpacing(1.0, 2.0, 3.0)
+    source.SetOrigin(4.0, 5.0, 6.0)
+    region = vtkImageData()
+    assert source.ReadRegion(source.GetWholeExtent(), region)
+    assert (region.GetSpacing(), region.GetPoint(0)) == ((1.0, 2.0, 3.0), (4.0, 5.0, 6.0))
+    yield folder / "a.zarr/0"
+
+
+@case("Correct its .zattrs")
+def _(folder):
+    zarr(folder, "a.zarr/0")
+    scales(folder, steps=[{"type": "scale", "scale": [1, 0, 1]}])
+    yield folder / "a.zarr"
+    scales(folder, steps=[{"type": "scale", "scale": [1, 2, 1]}])
+    yield None
+
+
+@case("Check the datasets of its multiscales")
+def _(folder):
+    zarr(folder, "a.zarr/0")
+    scales(folder, None)
+    yield folder / "a.zarr"
+    scales(folder)
+    yield None
+
+
+@case("it has neither .zarray, .zattrs nor zarr.json. Check its name")
+def _(folder):
+    (folder / "b.zarr").mkdir()
+    yield folder / "b.zarr"
+    yield zarr(folder)
+
+
+@case("without OME-Zarr's multiscales. Name one of its arrays")
+def _(folder):
+    zarr(folder, "a.zarr/0")
+    scales(folder, name="scales")
+    yield folder / "a.zarr"
+    yield folder / "a.zarr/0"
+
+
+@case("not as OME-Zarr wants them. Name one of its arrays")
+def _(folder):
+    zarr(folder, "a.zarr/0")
+    (folder / "a.zarr" / ".zattrs").write_text('{"multiscales": [7]}')
+    yield folder / "a.zarr"
+    yield folder / "a.zarr/0"
+
+
+@case("it is no object of JSON.")
+def _(folder):
+    path = zarr(folder)
+    (path / ".zarray").write_text("[]")
+    yield path
+    yield zarr(folder)
+
+
+@case("its head ")
+def _(folder):
+    path = zarr(folder)
+    (path / ".zarray").write_text(" " * (1 << 24 | 1))
+    yield path
+    yield zarr(folder)
+
+
+# Grids: V = 100 z, of 500 N/m, pressed 2 mm from z = 10 on.
+
+def grid_of_points():
+    cloud, z = vtkPoints(), []
+    for k in range(0, 33, 4):
+        for j in range(0, 25, 4):
+            for i in range(0, 25, 4):
+                cloud.InsertNextPoint(i, j, k + 0.01 * ((i + j) % 3))
+                z.append(100.0 * (k + 0.01 * ((i + j) % 3)))
+    grid, values = vtkUnstructuredGrid(), numpy_to_vtk(np.array(z), deep=True)
+    values.SetName("V")
+    grid.SetPoints(cloud)
+    grid.GetPointData().SetScalars(values)
+    return grid
+
+
+def rectilinear(heights=32, name="V", components=1):
+    grid = vtkRectilinearGrid()
+    grid.SetDimensions(24, 17, heights)
+    for axis, count in zip("XYZ", (24, 17, heights)):
+        getattr(grid, f"Set{axis}Coordinates")(numpy_to_vtk(np.arange(float(count)), deep=True))
+    values = np.repeat(100.0 * np.arange(float(heights)), 24 * 17 * components).reshape(-1, components)
+    values = numpy_to_vtk(values, deep=True)
+    values.SetName(name)
+    grid.GetPointData().SetScalars(values)
+    return grid
+
+
+@result("for example with vtkDelaunay3D, or an image with vtkPointInterpolator",
+        "Give it cells in three dimensions, or set another SampleSpacing", "there is nothing to touch. Give it one",
+        "Name one of these: ")
+def grids(_):
+    b = Bench()
+
+    def refuses(grid, word, spacing=0.0):
+        b.haptics.SetInputDataObject(0, grid)
+        with told(b.haptics, word, b.haptics.GetExecutive()):
+            b.haptics.Update()
+
+    def feels(grid):
+        b.haptics.SetInputDataObject(0, grid)
+        assert b.force() == pytest.approx(1.0, abs=0.02)
+
+    refuses(grid_of_points(), "for example with vtkDelaunay3D, or an image with vtkPointInterpolator")
+    mesh, sampled = vtkDelaunay3D(), vtkPointInterpolator()
+    mesh.SetInputData(grid_of_points())
+    mesh.Update()
+    feels(mesh.GetOutput())
+    place = vtkImageData()
+    place.SetDimensions(24, 17, 32)
+    sampled.SetInputData(place)
+    sampled.SetSourceData(grid_of_points())
+    sampled.GetKernel().SetRadius(6.0)
+    sampled.Update()
+    b.haptics.SetInputDataObject(0, sampled.GetOutput())
+    assert 0.5 < b.force() < 1.5  # of a kernel that blurs by its radius
+    refuses(rectilinear(1), "Give it cells in three dimensions, or set another SampleSpacing")
+    feels(rectilinear())
+    source = vtkHapticRegionSource()
+    with told(source, "Give it cells in three dimensions, or set another SampleSpacing"):
+        assert not source.OpenDataSet(rectilinear(), 1e-7)
+    assert source.OpenDataSet(rectilinear(), 1.0)
+    refuses(rectilinear(components=2), "there is nothing to touch. Give it one")
+    feels(rectilinear())
+    with told(source, "Name one of these: "):
+        assert not source.OpenDataSet(rectilinear(), 1.0, "W")
+    assert source.OpenDataSet(rectilinear(), 1.0, "V")
+
+
+@pytest.mark.parametrize("words", result)
+def test_cures_of_calls(words, tmp_path):
+    try_calls(words, result[words], tmp_path)
