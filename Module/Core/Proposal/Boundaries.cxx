@@ -187,6 +187,7 @@ Boundary Describe(const std::vector<const EdgeLine*>& lines, const Vector3& midd
     high.push_back({ line->High, line->Weight });
     rise.push_back({ line->High - line->Low, line->Weight });
     boundary.Blur += line->Blur / static_cast<double>(lines.size());
+    boundary.Voxel += line->Voxel / static_cast<double>(lines.size());
     boundary.Share += line->Weight;
     inward += Dot(middle - line->Centre, line->Ahead) > 0.0 ? line->Weight : 0.0;
   }

@@ -27,6 +27,7 @@ struct Boundary
   double Width = 0.0;
   /** Variance of the estimator's own blur (world units squared), which Width does not include. */
   double Blur = 0.0;
+  double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
   /** Of the area of all boundaries. */
   double Share = 0.0;
   /** The share of the lines that are brighter towards the middle of all edges. */

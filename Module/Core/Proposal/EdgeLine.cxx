@@ -282,6 +282,7 @@ bool EdgeTracer::Trace(const Vector3& index, EdgeLine& line) const noexcept
   line.Ahead = (1.0 / ray.StepLength) * (this->IndexToWorld * ray.Step);
   const Vector3 blur = Transpose(this->IndexToWorld) * line.Ahead;
   line.Blur = this->Variance * Dot(blur, blur);
+  line.Voxel = ray.StepLength / Norm(ray.Step);
   return KeepShares(profile, ray.StepLength, line);
 }
 

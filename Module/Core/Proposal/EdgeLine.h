@@ -44,6 +44,7 @@ struct EdgeLine
   Vector3 Ahead;
   /** Variance of the estimator's own blur along the line (world units squared). */
   double Blur = 0.0;
+  double Voxel = 1.0; ///< the length of a voxel along the line (world units)
   /** First derivative / (High - Low), per world unit. */
   std::array<float, Shares> Slope{};
   /** Second derivative / (High - Low), per world unit squared. */

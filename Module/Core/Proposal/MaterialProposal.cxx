@@ -225,12 +225,13 @@ int ChooseRadius(const std::vector<Boundary>& boundaries, const ProposalFacts& f
   {
     total += Salience(boundary);
   }
-  double width = 0.0;
+  double width = 0.0; // voxels along the lines
   for (const Boundary& boundary : boundaries)
   {
-    width = Salience(boundary) >= Salient * total ? std::max(width, boundary.Width) : width;
+    const double voxels = boundary.Width / boundary.Voxel;
+    width = Salience(boundary) >= Salient * total ? std::max(width, voxels) : width;
   }
-  const double radius = std::ceil(RadiusPerWidth * width / facts.LargestSpacing);
+  const double radius = std::ceil(RadiusPerWidth * width);
   const int wanted = static_cast<int>(std::clamp<double>(radius, LeastRadius, LargestRadius));
   return std::max(1, std::min(wanted, facts.MostRadius));
 }

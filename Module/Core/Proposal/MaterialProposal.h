@@ -44,7 +44,6 @@ enum class ProposedSide : std::uint8_t
 struct ProposalFacts
 {
   double Outside = 0.0;        ///< the value at the volume's border
-  double LargestSpacing = 1.0; ///< world units
   double SearchVariance = 1.0; ///< of the kernel that found the edges (voxels squared)
   int MostRadius = 2;          ///< of the kernel, as the volume allows it (voxels)
   /** 3.4 times the noise of a gradient (scalar units per world unit), with a kernel's radius. */

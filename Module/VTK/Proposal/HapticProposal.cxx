@@ -44,11 +44,6 @@ std::string NameOf(vtkDataArray* scalars)
   return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
 }
 
-double LargestSpacing(const Affine3& indexToWorld)
-{
-  return LargestColumn(indexToWorld.Linear);
-}
-
 /** Where a plateau ends and an edge begins, by the noise and the range of the values. */
 EdgeThresholds MakeThresholds(double noise, const double range[2], const GradientKernel& kernel)
 {
@@ -185,7 +180,6 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     }
     const ValueAxis axis(lines, noise);
     facts.Outside = view.BorderValue;
-    facts.LargestSpacing = LargestSpacing(volume.IndexToWorld);
     facts.MostRadius =
       static_cast<int>(std::min<std::int64_t>(GradientKernel::MaximumRadius, (fewest - 1) / 2));
     facts.NoiseGradient = [&](int radius)

@@ -183,8 +183,29 @@ TEST_F(Proposal, WidthsAreInWorldUnits)
   const std::vector<Found> found = Boundaries(this->Property);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].Width, width, 0.05 * width);
-  // V(x_s) is read at the kernel radius times the largest spacing.
+  // V(x_s) is read at the kernel radius.
   EXPECT_GE(1.1 * this->Property->GetProposedKernelRadius(), 2.0 * 0.95 * width);
+}
+
+TEST_F(Proposal, TheRadiusCountsVoxelsAcrossTheEdge)
+{
+  // A tube along thick slices has the edge of one in cubes.
+  constexpr double width = 0.9;
+  int radius[2];
+  for (int thick = 0; thick < 2; ++thick)
+  {
+    const auto image = apitest::MakeImage(Size, VTK_FLOAT,
+      [&](const Point& x)
+      {
+        const double r = 0.5 * std::hypot(x[0] - Middle, x[1] - Middle);
+        return 100.0 * Phi((10.0 - r) / width);
+      });
+    image->SetSpacing(0.5, 0.5, thick == 0 ? 0.5 : 5.0);
+    ASSERT_TRUE(this->Property->ProposeFromImage(image));
+    radius[thick] = this->Property->GetProposedKernelRadius();
+  }
+  EXPECT_EQ(radius[0], static_cast<int>(std::ceil(2.0 * width / 0.5)));
+  EXPECT_EQ(radius[1], radius[0]);
 }
 
 TEST_F(Proposal, TheHeadPhantomsTissuesAreFound)
