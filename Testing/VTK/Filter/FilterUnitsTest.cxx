@@ -60,7 +60,8 @@ protected:
   /**
    * Presses into the ball in worlds of other units, against that of mm. Units that are powers of
    * two round nothing: the law knows no unit. Decimal ones round, and a solver that accepts an end
-   * within a share of 2e-4 of its lag may then accept another one.
+   * within a share of 2e-4 of its lag may then accept another one; so it may in a millimetre that
+   * is longer by two roundings.
    */
   void ExpectSameForces(double low, double high, double leastForce)
   {
@@ -73,7 +74,8 @@ protected:
       double Tolerance; // N
     };
     const World worlds[] = { { 1024.0, 1e-9 }, { 0.125, 1e-9 }, { 0x1p-10, 1e-9 },
-      { 0x1p-20, 1e-9 }, { 1e3, 4e-6 }, { 0.1, 4e-6 }, { 1e-3, 4e-6 }, { 1e-6, 4e-6 } };
+      { 0x1p-20, 1e-9 }, { 1e3, 4e-6 }, { 0.1, 4e-6 }, { 1e-3, 4e-6 }, { 1e-6, 4e-6 },
+      { 1.0 + 0x1p-51, 4e-6 } };
     for (const World& world : worlds)
     {
       SCOPED_TRACE(testing::Message() << world.Units << " units to a millimetre");
