@@ -3,9 +3,41 @@
 #include "Core/Model/BakedLabels.h"
 
 #include <cmath>
+#include <utility>
 
 namespace VolumeHaptics
 {
+
+void BakedLabels::Refine(std::shared_ptr<const FineLabels> fine)
+{
+  if (fine)
+  {
+    const Vector3& steps = fine->GetSteps();
+    this->Image = this->View;
+    this->ImageToWorld = this->IndexToWorld;
+    for (Vector3& row : this->IndexToWorld.Linear.Row)
+    {
+      row = { row.X / steps.X, row.Y / steps.Y, row.Z / steps.Z };
+    }
+    this->View = fine->GetView();
+    this->Fine = std::move(fine);
+  }
+}
+
+ForbiddenPlace BakedLabels::FindForbidden(const Vector3& labelIndex) const noexcept
+{
+  if (!this->Fine)
+  {
+    return this->Zone->Find(labelIndex);
+  }
+  const Vector3& steps = this->Fine->GetSteps();
+  const auto divide = [&steps](const Vector3& x) {
+    return Vector3{ x.X / steps.X, x.Y / steps.Y, x.Z / steps.Z };
+  };
+  ForbiddenPlace place = this->Zone->Find(divide(labelIndex));
+  place.Gradient = divide(place.Gradient);
+  return place;
+}
 
 void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::uint64_t baked,
   MixMemory& memory) const noexcept

@@ -7,6 +7,7 @@
 #ifndef BakedLabels_h
 #define BakedLabels_h
 
+#include "Core/Field/FineLabels.h"
 #include "Core/Field/LabelView.h"
 #include "Core/Math/Vector3.h"
 #include "Core/Model/ForbiddenZone.h"
@@ -40,10 +41,26 @@ struct MixMemory
 struct BakedLabels
 {
   LabelView View;
-  Affine3 IndexToWorld;                ///< of the label image; not singular
-  std::shared_ptr<const void> Samples; ///< keeps the memory of View alive
+  Affine3 IndexToWorld;                ///< of View; not singular
+  std::shared_ptr<const void> Samples; ///< keeps the memory of the label image alive
   LabelTable Table;
   std::shared_ptr<const ForbiddenZone> Zone; ///< null if nothing is forbidden
+  /**
+   * If not null, View is its finer grid, and "label image" means that everywhere. The zone is that
+   * of the image itself.
+   */
+  std::shared_ptr<const FineLabels> Fine;
+  ///@{
+  /** The image itself if there is a finer grid. */
+  LabelView Image;
+  Affine3 ImageToWorld;
+  ///@}
+
+  /** Goes over to a finer grid of the image; nothing changes if it is null. */
+  void Refine(std::shared_ptr<const FineLabels> fine);
+
+  /** The distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
+  ForbiddenPlace FindForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
    * Replaces what the functions of the scalar say at a position by the materials of the labels

@@ -61,7 +61,8 @@ std::shared_ptr<const LabelWalls> MakeWalls(
     return nullptr;
   }
   // The default radius of 2 makes a scale of 1.4 voxels.
-  return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1);
+  return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1,
+    labels->Fine ? labels->Fine->GetShares() : nullptr);
 }
 
 std::vector<BakedMode> MakeModes(const HapticModelDescription& d)

@@ -136,9 +136,8 @@ double HapticModel::LabelReachAlong(const Vector3& normal) const noexcept
   {
     return this->LabelReach;
   }
-  const double steps =
-    std::fmin(Norm(this->DeviceToIndex.Linear * normal), Norm(this->DeviceToLabel.Linear * normal));
-  return this->Baked->Kernel.Radius / steps;
+  return std::fmax(this->KernelLengthOf(this->DeviceToIndex.Linear * normal),
+    this->KernelLengthOf(this->DeviceToLabel.Linear * normal));
 }
 
 std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
@@ -220,6 +219,7 @@ std::size_t HapticModel::GetMemorySize() const noexcept
     sizeof(baked.Materials) + baked.Distinctness.GetMemorySize() - sizeof(baked.Distinctness) +
     GetMeshSize(baked) +
     (baked.Labels ? sizeof(BakedLabels) + baked.Labels->Table.GetMemorySize() : 0) +
+    (baked.Labels && baked.Labels->Fine ? baked.Labels->Fine->GetMemorySize() : 0) +
     (baked.GetZone() ? baked.GetZone()->GetMemorySize() : 0) +
     (baked.Walls ? sizeof(LabelWalls) + baked.Walls->GetMemorySize() : 0);
 }

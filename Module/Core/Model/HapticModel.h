@@ -92,18 +92,21 @@ public:
   /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
 
+  /** KernelRadius voxels along a direction, of which one unit has these index steps. */
+  double KernelLengthOf(const Vector3& steps) const noexcept
+  {
+    return this->Baked->Kernel.Radius / std::fmax(Norm(steps), 1e-300);
+  }
   /** The distance (m) of x_s and x_v from a proxy whose surface has this normal, a unit or zero. */
   double KernelLengthAlong(const Vector3& normal) const noexcept
   {
-    return this->HasLengthByDirection
-      ? this->Baked->Kernel.Radius / std::fmax(Norm(this->DeviceToIndex.Linear * normal), 1e-300)
-      : this->KernelLength;
+    return this->HasLengthByDirection ? this->KernelLengthOf(this->DeviceToIndex.Linear * normal)
+                                      : this->KernelLength;
   }
   /** x_s - x_p (index steps), of a vector in its direction; that of GradientToReach for cubes. */
   Vector3 FindReach(const Vector3& direction) const noexcept
   {
-    return this->HasLengthByDirection ? (this->Baked->Kernel.Radius / Norm(direction)) * direction
-                                      : direction;
+    return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
   }
   /** As KernelLengthAlong, at a wall between labels. */
   double LabelReachAlong(const Vector3& normal) const noexcept;

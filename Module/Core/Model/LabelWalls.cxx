@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Model/LabelWalls.h"
 
+#include "Core/Field/FineLabels.h"
 #include "Core/Field/LabelSamples.h"
 #include "Core/Math/UniqueNumber.h"
 
@@ -24,6 +25,8 @@ struct LabelWalls::Taps
   double Value[Most + 1];
   double Slope[Most + 1];
   ///@}
+  const std::uint8_t* Shares;
+  std::int64_t Place[3][Most]; ///< the indices of the voxels
 };
 
 /** The labels around a position with their shares, and the gradients of these. */
@@ -119,7 +122,58 @@ void LabelWalls::Gather(const VolumeView& view, const Taps& taps, Around& around
   }
 }
 
-LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radius)
+template <typename T>
+void LabelWalls::GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept
+{
+  const int count = taps.Count;
+  for (int k = 0; k < count; ++k)
+  {
+    const double valueZ = taps.Weights[2][k];
+    const double slopeZ = taps.Weights[2][count + k];
+    for (int j = 0; j < count; ++j)
+    {
+      const double value = valueZ * taps.Weights[1][j];
+      const Vector3 slope{ value, valueZ * taps.Weights[1][count + j],
+        slopeZ * taps.Weights[1][j] };
+      const std::int64_t row = taps.Offset[2][k] + taps.Offset[1][j];
+      for (int i = 0; i < count; ++i)
+      {
+        const T* const voxel = static_cast<const T*>(view.Data) + row + taps.Offset[0][i];
+        const double valueX = taps.Weights[0][i];
+        const double slopeX = taps.Weights[0][count + i];
+        const auto add = [&](T label, double part)
+        {
+          FieldSample& share = around.Find(ToLabel(label));
+          share.Value += part * (value * valueX);
+          share.Gradient +=
+            { part * (slope.X * slopeX), part * (slope.Y * valueX), part * (slope.Z * valueX) };
+        };
+        const std::uint8_t shared = taps.Shares[row + taps.Offset[0][i]];
+        if (shared == 0)
+        {
+          add(*voxel, 1.0);
+          continue;
+        }
+        const double part = static_cast<double>(shared) / FineLabels::Parts;
+        T other = *voxel;
+        const std::int64_t at[3] = { taps.Place[0][i], taps.Place[1][j], taps.Place[2][k] };
+        for (int a = 0; a < 3 && other == *voxel; ++a)
+        {
+          other = at[a] > 0 ? voxel[-view.Stride[a]] : other;
+          if (other == *voxel && at[a] + 1 < view.Dimensions[a])
+          {
+            other = voxel[view.Stride[a]];
+          }
+        }
+        add(*voxel, 1.0 - part);
+        add(other, part);
+      }
+    }
+  }
+}
+
+LabelWalls::LabelWalls(
+  const LabelView& view, const LabelTable& table, int radius, const std::uint8_t* shares)
   : Kernel(GradientEstimator::Gaussian, radius, GaussianWeights::OwnDerivative,
       ScalePerCut * (radius + 1))
   , View(view.GetView())
@@ -130,8 +184,10 @@ LabelWalls::LabelWalls(const LabelView& view, const LabelTable& table, int radiu
     static_cast<double>(this->View.Dimensions[2] - 1) }
   , InverseRadius(1.0 / this->Kernel.Radius)
   , Sampler(this->View, this->Kernel)
-  , GatherShares(WithSampleType(
-      this->View.Type, [](auto sample) -> GatherFunction { return &Gather<decltype(sample)>; }))
+  , Shares(shares)
+  , GatherShares(WithSampleType(this->View.Type,
+      [shares](auto sample) -> GatherFunction
+      { return shares ? &GatherShared<decltype(sample)> : &Gather<decltype(sample)>; }))
 {
 }
 
@@ -144,8 +200,8 @@ LabelWall LabelWalls::Find(const Vector3& index, WallMemory& memory) const noexc
   {
     return {};
   }
-  return this->Kernel.Taps == LabelBlock::Taps ? this->FindInBlock(index, memory)
-                                               : this->FindInRuns(index);
+  return this->Kernel.Taps == LabelBlock::Taps && !this->Shares ? this->FindInBlock(index, memory)
+                                                                : this->FindInRuns(index);
 }
 
 bool LabelWalls::Remember(const LabelBlock& block, WallMemory& memory) const noexcept
@@ -209,6 +265,7 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
 {
   Taps taps;
   taps.Count = this->Kernel.Taps;
+  taps.Shares = this->Shares;
   const double position[3] = { index.X, index.Y, index.Z };
   for (int a = 0; a < 3; ++a)
   {
@@ -216,7 +273,8 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
     const std::int64_t last = this->View.Dimensions[a] - 1;
     for (int i = 0; i < taps.Count; ++i)
     {
-      taps.Offset[a][i] = std::clamp<std::int64_t>(first + i, 0, last) * this->View.Stride[a];
+      taps.Place[a][i] = std::clamp<std::int64_t>(first + i, 0, last);
+      taps.Offset[a][i] = taps.Place[a][i] * this->View.Stride[a];
     }
   }
   taps.Value[0] = taps.Slope[0] = 0.0;

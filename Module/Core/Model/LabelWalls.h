@@ -18,6 +18,9 @@
  * radius r: its standard deviation is s = 0.355 (r + 1), 1.4 voxels for r = 3. A wall on a ball of
  * radius R lies s^2 / R inside it, and a sheet thinner than 1.35 s between equal labels has no
  * wall.
+ *
+ * Of FineLabels, whose boundaries are known more finely than by whole voxels, each voxel counts
+ * with the shares of its two labels.
  */
 #ifndef LabelWalls_h
 #define LabelWalls_h
@@ -60,8 +63,12 @@ struct WallMemory
 class LabelWalls
 {
 public:
-  /** The radius (voxels of the label image) is that of the kernel. */
-  LabelWalls(const LabelView& view, const LabelTable& table, int radius);
+  /**
+   * The radius (voxels of the label image) is that of the kernel. The shares, if there are any, are
+   * those of FineLabels with this view.
+   */
+  LabelWalls(const LabelView& view, const LabelTable& table, int radius,
+    const std::uint8_t* shares = nullptr);
   LabelWalls(const LabelWalls&) = delete;
   LabelWalls& operator=(const LabelWalls&) = delete;
 
@@ -105,6 +112,9 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
+  /** The same of voxels with shares. */
+  template <typename T>
+  static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
   LabelWall FindInBlock(const Vector3& index, WallMemory& memory) const noexcept;
   /** False if there are more than two labels. */
@@ -120,8 +130,9 @@ private:
   const std::uint64_t Number; ///< no other object has it
   Vector3 Last;               ///< the largest index along each axis
   const double InverseRadius;
-  const LabelSampler Sampler;  ///< of the default radius of 3, which has LabelBlock::Taps
-  GatherFunction GatherShares; ///< of other radii
+  const LabelSampler Sampler; ///< of the default radius of 3, which has LabelBlock::Taps
+  const std::uint8_t* const Shares;
+  GatherFunction GatherShares; ///< of other radii, and of voxels with shares
 };
 
 } // namespace VolumeHaptics

@@ -203,6 +203,7 @@ void SampleKeeper::Look()
   {
     this->Scalars = {};
     this->Labels = {};
+    this->LabelShares = {};
   }
   else if (this->HasPlace && IsFinite(place.Tip) && IsFinite(place.Proxy))
   {
@@ -216,14 +217,28 @@ void SampleKeeper::Look()
       const Vector3& steps = model->VoxelsPerMeter;
       const double length = std::max({ reach.X / steps.X, reach.Y / steps.Y, reach.Z / steps.Z });
       const Vector3 spare{ ResidencySpare, ResidencySpare, ResidencySpare };
-      this->Keep(labels->View.GetView(), model->DeviceToLabel,
-        length * StepsOf(model->DeviceToLabel) + spare, this->Labels);
+      const Vector3 around = length * StepsOf(model->DeviceToLabel) + spare;
+      this->Keep(labels->View.GetView(), model->DeviceToLabel, around, this->Labels);
+      VolumeView shares = labels->View.GetView();
+      shares.Type = ScalarType::UInt8;
+      shares.Data = labels->Fine ? labels->Fine->GetShares() : nullptr;
+      if (shares.Data)
+      {
+        this->Keep(shares, model->DeviceToLabel, around, this->LabelShares);
+      }
+      else
+      {
+        this->LabelShares = {};
+      }
     }
     else
     {
       this->Labels = {};
+      this->LabelShares = {};
     }
-    this->Refused.store(!this->Scalars.IsLocked || (this->Labels.Of && !this->Labels.IsLocked),
+    const auto isRefused = [](const Kept& kept) { return kept.Of && !kept.IsLocked; };
+    this->Refused.store(
+      !this->Scalars.IsLocked || isRefused(this->Labels) || isRefused(this->LabelShares),
       std::memory_order_relaxed);
     this->Looks.fetch_add(1, std::memory_order_release);
   }
@@ -247,6 +262,7 @@ void SampleKeeper::Run() noexcept
   }
   this->Scalars = {};
   this->Labels = {};
+  this->LabelShares = {};
 }
 
 } // namespace VolumeHaptics

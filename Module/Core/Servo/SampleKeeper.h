@@ -118,6 +118,7 @@ private:
   Vector3 NextTip; ///< where the tip will be at the next look
   Kept Scalars;
   Kept Labels;
+  Kept LabelShares; ///< of FineLabels
 };
 
 } // namespace VolumeHaptics

@@ -9,11 +9,17 @@ namespace Law
 namespace
 {
 
+/** x_s - x_p (index steps) at a wall between labels with a normal. */
+Vector3 WallReach(const HapticModel& model, const Vector3& normal) noexcept
+{
+  return model.DeviceToIndex.Linear * (model.LabelReachAlong(normal) * normal);
+}
+
 /** The wall at the stand-off from forbidden labels. False if the position is not at it. */
 bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface& surface) noexcept
 {
   const ForbiddenZone& zone = *model.Baked->GetZone();
-  const ForbiddenPlace place = zone.Find(labelIndex);
+  const ForbiddenPlace place = model.Baked->Labels->FindForbidden(labelIndex);
   const double depth = zone.GetStandOff() - place.Distance;
   const Vector3 gradient = model.LabelGradientToDevice * place.Gradient;
   const double magnitude = Norm(gradient);
@@ -23,8 +29,7 @@ bool FindForbidden(const HapticModel& model, const Vector3& labelIndex, Surface&
   }
   surface = Surface{};
   surface.Normal = (-1.0 / magnitude) * gradient;
-  surface.Reach =
-    model.DeviceToIndex.Linear * (model.LabelReachAlong(surface.Normal) * surface.Normal);
+  surface.Reach = WallReach(model, surface.Normal);
   surface.GradientMagnitude = magnitude;
   surface.Value = -place.Distance;
   surface.Fade = std::min(1.0, 1.0 + depth / zone.GetTolerance());
@@ -69,7 +74,7 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
   const double inverse = (1.0 / square) * magnitude;
   surface.Normal = inverse * gradient;
   surface.Reach = model.HasLabelLengthByDirection
-    ? model.DeviceToIndex.Linear * (model.LabelReachAlong(surface.Normal) * surface.Normal)
+    ? WallReach(model, surface.Normal)
     : inverse * (model.LabelGradientToReach * wall.Gradient);
   surface.GradientMagnitude = magnitude;
   surface.Value = wall.Value;

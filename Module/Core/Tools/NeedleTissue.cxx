@@ -110,7 +110,7 @@ bool NeedleTissueReader::IsForbidden(const Vector3& place) const noexcept
   {
     return false;
   }
-  const ForbiddenPlace at = zone->Find(this->Model.DeviceToLabel(place));
+  const ForbiddenPlace at = this->Labels->FindForbidden(this->Model.DeviceToLabel(place));
   return at.IsNear && at.Distance < zone->GetStandOff();
 }
 

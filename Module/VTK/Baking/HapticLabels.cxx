@@ -11,9 +11,12 @@
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -200,6 +203,8 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
 
 /** Voxels: their distances are measured within some ten milliseconds. */
 constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
+/** Fine voxels: the same. */
+constexpr double MostRefinedAtOnce = 1 << 20;
 
 /** False, with an error, if the stand-off reaches too many voxels. */
 bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
@@ -222,9 +227,144 @@ bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
   return true;
 }
 
+/** Before there is a finer grid. */
+void CopyImage(const BakedLabels& from, BakedLabels& to)
+{
+  to.View = from.Fine ? from.Image : from.View;
+  to.IndexToWorld = from.Fine ? from.ImageToWorld : from.IndexToWorld;
+  to.Samples = from.Samples;
+}
+
+Vector3 SpacingOf(const BakedLabels& labels)
+{
+  const Matrix3 columns = Transpose(labels.IndexToWorld.Linear);
+  return { Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
+}
+
+/** A loop on all processors; an exception ends it. */
+void LoopOnAll(std::int64_t count, const std::function<void(std::int64_t)>& body)
+{
+  std::atomic<bool> isEnded{ false };
+  std::exception_ptr thrown;
+  const auto range = [&](vtkIdType from, vtkIdType to)
+  {
+    for (vtkIdType i = from; i < to && !isEnded; ++i)
+    {
+      try
+      {
+        body(i);
+      }
+      catch (...)
+      {
+        if (!isEnded.exchange(true))
+        {
+          thrown = std::current_exception();
+        }
+      }
+    }
+  };
+  vtkSMPTools::For(0, count, 1, range);
+  if (thrown)
+  {
+    std::rethrow_exception(thrown);
+  }
+}
+
 } // namespace
 
-bool HapticLabels::Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table)
+void HapticLabels::Refine(const ImageKey& key, const BakedLabels* last, BakedLabels& made)
+{
+  const Vector3 spacing = SpacingOf(made);
+  const Fine* const refined = this->Refining.Find(key);
+  made.Refine(refined
+      ? *refined
+      : FineLabels::Make(made.View, spacing, LoopOnAll, last ? last->Fine.get() : nullptr));
+  const double finest = std::min({ spacing.X, spacing.Y, spacing.Z });
+  const Vector3 steps = made.Fine ? made.Fine->GetSteps() : Vector3{ 1.0, 1.0, 1.0 };
+  const double longest =
+    std::max({ spacing.X / steps.X, spacing.Y / steps.Y, spacing.Z / steps.Z });
+  const std::int64_t* const n = made.View.GetView().Dimensions;
+  if (longest > FineLabels::LargestRatio * finest && std::min({ n[0], n[1], n[2] }) > 1)
+  {
+    std::ostringstream message;
+    message << "The label image has spacings of " << spacing.X << ", " << spacing.Y << " and "
+            << spacing.Z
+            << ", and too many voxels or labels for a finer grid on which they are alike: walls "
+               "between labels are stairs of its slices. Crop the label image, keep fewer labels, "
+               "or resample it to cubic voxels.";
+    this->Warning = message.str();
+  }
+}
+
+const char* HapticLabels::Prepare(
+  vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, bool isFine)
+{
+  return !this->PrepareZone(image, labels, table) ? "the distances to forbidden labels are measured"
+    : !this->PrepareFine(image, labels, isFine)
+    ? "the shapes of labels are found between thick slices"
+    : nullptr;
+}
+
+const char* HapticLabels::PrepareScalars(
+  vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property)
+{
+  vtkHapticLabelTable* const table = this->FindScalarTable(scalars, property);
+  return this->Prepare(image, scalars, table, table->GetNumberOfLabels() > 0);
+}
+
+void HapticLabels::EndPreparing()
+{
+  this->Measuring.Forget();
+  this->Refining.Forget();
+}
+
+bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine)
+{
+  const ImageKey key{ image, labels, image->GetMTime(), labels->GetMTime() };
+  const std::shared_ptr<const BakedLabels> last = this->Baked.lock();
+  if (!isFine || (last && this->BakedFine && key == this->BakedImage))
+  {
+    this->Refining.Abandon();
+    return true;
+  }
+  if (this->Refining.IsOf(key))
+  {
+    return !this->Refining.IsUnderWay();
+  }
+  const auto read = std::make_shared<BakedLabels>();
+  std::string error;
+  if (!ReadLabels(image, labels, *read, error))
+  {
+    return true; // Get() reports the error
+  }
+  const Vector3 spacing = SpacingOf(*read);
+  const Vector3 steps = FineLabels::FindSteps(read->View, spacing);
+  const double finer = steps.X * steps.Y * steps.Z;
+  if (finer == 1.0 || finer * labels->GetNumberOfTuples() <= MostRefinedAtOnce)
+  {
+    this->Refining.Abandon();
+    return true;
+  }
+  const std::shared_ptr<const FineLabels> before = last ? last->Fine : nullptr;
+  this->Refining.Follow(key,
+    [read, spacing, before](WorkMonitor& monitor) -> std::optional<Fine>
+    {
+      // One after another: other threads might not have the low priority of this one.
+      const auto loop = [&monitor](std::int64_t count, const FineLabels::Body& body)
+      {
+        for (std::int64_t i = 0; i < count && !monitor.IsCancelled(); ++i)
+        {
+          body(i);
+        }
+      };
+      Fine fine = FineLabels::Make(read->View, spacing, loop, before.get());
+      return monitor.IsCancelled() ? std::nullopt : std::optional<Fine>(std::move(fine));
+    });
+  return false;
+}
+
+bool HapticLabels::PrepareZone(
+  vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table)
 {
   const ImageKey imageKey{ image, labels, image->GetMTime(), labels->GetMTime() };
   ZoneKey zoneKey;
@@ -247,9 +387,7 @@ bool HapticLabels::Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticL
   std::string error;
   if (isImage)
   {
-    baked->View = last->View;
-    baked->IndexToWorld = last->IndexToWorld;
-    baked->Samples = last->Samples;
+    CopyImage(*last, *baked);
   }
   else if (!ReadLabels(image, labels, *baked, error))
   {
@@ -266,23 +404,21 @@ bool HapticLabels::Prepare(vtkImageData* image, vtkDataArray* labels, vtkHapticL
   return false;
 }
 
-std::shared_ptr<const BakedLabels> HapticLabels::Get(
-  vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, std::string& error)
+std::shared_ptr<const BakedLabels> HapticLabels::Get(vtkImageData* image, vtkDataArray* labels,
+  vtkHapticLabelTable* table, bool isFine, std::string& error)
 {
   const ImageKey imageKey{ image, labels, image->GetMTime(), labels->GetMTime() };
   const TableKey tableKey{ table, table ? table->GetMTime() : 0 };
   std::shared_ptr<const BakedLabels> last = this->Baked.lock();
   const bool isImage = last && imageKey == this->BakedImage;
-  if (isImage && tableKey == this->BakedTable)
+  if (isImage && tableKey == this->BakedTable && isFine == this->BakedFine)
   {
     return last;
   }
   const auto made = std::make_shared<BakedLabels>();
   if (isImage)
   {
-    made->View = last->View;
-    made->IndexToWorld = last->IndexToWorld;
-    made->Samples = last->Samples;
+    CopyImage(*last, *made);
   }
   else if (!ReadLabels(image, labels, *made, error))
   {
@@ -304,6 +440,15 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
   {
     return nullptr;
   }
+  if (isFine && isImage && this->BakedFine)
+  {
+    made->Refine(last->Fine);
+  }
+  else if (isFine)
+  {
+    this->Refine(imageKey, last.get(), *made);
+  }
+  this->BakedFine = isFine;
   this->BakedImage = imageKey;
   this->BakedTable = tableKey;
   this->BakedZone = std::move(zoneKey);
@@ -312,7 +457,16 @@ std::shared_ptr<const BakedLabels> HapticLabels::Get(
 }
 
 std::shared_ptr<const BakedLabels> HapticLabels::GetOfScalars(
-  vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property)
+  vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine)
+{
+  vtkHapticLabelTable* const table = this->FindScalarTable(scalars, property);
+  std::string ignored;
+  return table->GetNumberOfLabels() > 0 ? this->Get(image, scalars, table, isFine, ignored)
+                                        : nullptr;
+}
+
+vtkHapticLabelTable* HapticLabels::FindScalarTable(
+  vtkDataArray* scalars, vtkHapticProperty* property)
 {
   const ImageKey key{ scalars, property, scalars->GetMTime(), property->GetMTime() };
   if (!this->ScalarTable || key != this->ScalarKey)
@@ -321,10 +475,7 @@ std::shared_ptr<const BakedLabels> HapticLabels::GetOfScalars(
     this->ScalarKey = key;
     FillScalarLabels(scalars, property, this->ScalarTable);
   }
-  std::string ignored;
-  return this->ScalarTable->GetNumberOfLabels() > 0
-    ? this->Get(image, scalars, this->ScalarTable, ignored)
-    : nullptr;
+  return this->ScalarTable;
 }
 
 } // namespace VolumeHaptics

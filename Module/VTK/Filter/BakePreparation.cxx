@@ -23,7 +23,8 @@ namespace VolumeHaptics
 const char* BakePreparation::Prepare(bool isMoving)
 {
   vtkVolumeHapticsFilter* const filter = this->Filter;
-  const bool hasLabels = filter->GetLabelTable() && filter->GetInputDataObject(3, 0);
+  const bool hasLabels = (filter->GetLabelTable() && filter->GetInputDataObject(3, 0)) ||
+    (filter->GetProperty()->GetScalarsAreLabels() && !isMoving);
   const bool hasMesh = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY && !isMoving;
   if (!hasLabels)
   {
@@ -44,13 +45,13 @@ const char* BakePreparation::Prepare(bool isMoving)
       return nullptr; // Bake() reports it
     }
   }
-  const bool areLabelsReady = !hasLabels || this->PrepareLabels();
+  const char* const labels = hasLabels ? this->PrepareLabels() : nullptr;
   const bool isMeshReady = !hasMesh || this->PrepareSurface();
   const bool isToolReady = this->PrepareTool();
-  return !areLabelsReady ? "the distances to forbidden labels are measured"
-    : !isMeshReady       ? MeshingWork
-    : !isToolReady       ? "the points of the tool are spread"
-                         : nullptr;
+  return labels    ? labels
+    : !isMeshReady ? MeshingWork
+    : !isToolReady ? "the points of the tool are spread"
+                   : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -85,11 +86,23 @@ bool BakePreparation::PrepareTool()
 }
 
 //------------------------------------------------------------------------------
-bool BakePreparation::PrepareLabels()
+const char* BakePreparation::PrepareLabels()
 {
+  const HapticBaker baker(this->Filter);
+  const std::array<TouchedArray, 2> touched = baker.GetTouched();
   vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
-  vtkDataArray* const labels = HapticBaker(this->Filter).GetTouched()[1].Array;
-  return !labels || this->Labels.Prepare(image, labels, this->Filter->GetLabelTable());
+  if (image && touched[1].Array && this->Filter->GetLabelTable())
+  {
+    return this->Labels.Prepare(
+      image, touched[1].Array, this->Filter->GetLabelTable(), baker.HasLabelWalls());
+  }
+  vtkImageData* const scalars = this->Filter->GetTouchedImage();
+  if (scalars && touched[0].Array && baker.AreLabels(scalars))
+  {
+    return this->Labels.PrepareScalars(scalars, touched[0].Array, this->Filter->GetProperty());
+  }
+  this->Labels.EndPreparing();
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -21,8 +21,9 @@ namespace VolumeHaptics
 inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
- * The mesh of SURFACE_PROXY, the distances to forbidden labels, and the points of a tool with a
- * shape, which can be made in the background before a filter bakes.
+ * The mesh of SURFACE_PROXY, the distances to forbidden labels, the finer grid of labels with thick
+ * slices, and the points of a tool with a shape, which can be made in the background before a
+ * filter bakes.
  */
 class BakePreparation
 {
@@ -57,7 +58,7 @@ public:
   double EstimateTime();
 
 private:
-  bool PrepareLabels();
+  const char* PrepareLabels();
   bool PrepareSurface();
   bool PrepareTool();
 

@@ -173,7 +173,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   error = this->Filter->CheckSettings(1.0 / tickPeriod);
   if (!error.empty() ||
     !this->ReadPlacement(deviceToWorld, options.Description.DeviceToWorld, error) ||
-    !this->BakeLabels(options.Description.Labels, error))
+    !this->BakeLabels(recording, options.Description.Labels, error))
   {
     return nullptr;
   }
@@ -195,9 +195,14 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   if (frames.Frames.empty() && this->AreLabels(image))
   {
     options.Description.Labels = this->Filter->Preparation->GetLabels().GetOfScalars(
-      image, scalars, this->Filter->GetProperty());
+      image, scalars, this->Filter->GetProperty(), HasFineLabels(recording));
     options.Description.Settings.Geometry =
       options.Description.Labels ? SurfaceGeometry::Labels : SurfaceGeometry::Scalars;
+  }
+  const std::string warning = this->Filter->Preparation->GetLabels().TakeWarning();
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning);
   }
   options.Description.Settings.TickPeriod = tickPeriod;
   options.Description.Settings.Caps.Stiffness = this->Filter->MaximumStiffness;
@@ -236,7 +241,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
 }
 
 //------------------------------------------------------------------------------
-bool HapticBaker::BakeLabels(std::shared_ptr<const BakedLabels>& labels, std::string& error) const
+bool HapticBaker::BakeLabels(
+  vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error) const
 {
   vtkImageData* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   if (!image && this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
@@ -264,9 +270,15 @@ bool HapticBaker::BakeLabels(std::shared_ptr<const BakedLabels>& labels, std::st
       "SetInputArrayToProcess(1, 3, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name).";
     return false;
   }
-  labels =
-    this->Filter->Preparation->GetLabels().Get(image, array, this->Filter->LabelTable, error);
+  labels = this->Filter->Preparation->GetLabels().Get(image, array, this->Filter->LabelTable,
+    this->HasLabelWalls() && HasFineLabels(recording), error);
   return labels != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool HapticBaker::HasLabelWalls() const
+{
+  return this->Filter->LabelTable && this->Filter->Geometry != vtkVolumeHapticsFilter::FROM_SCALARS;
 }
 
 //------------------------------------------------------------------------------

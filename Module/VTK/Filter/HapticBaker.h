@@ -120,6 +120,10 @@ public:
   }
   /** Ends what Prepare() began. */
   void EndPreparing() const { this->Filter->Preparation->EndPreparing(); }
+  /** Whether walls between the labels on port 3 are felt, if there are labels. */
+  bool HasLabelWalls() const;
+  /** Whether the scalars of an image on port 0 are to be felt as labels, if they can be some. */
+  bool AreLabels(vtkImageData* image) const;
 
   /**
    * How long (s) Bake() would take now on a desktop computer, approximately and without the
@@ -157,10 +161,9 @@ private:
     vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
   std::shared_ptr<const HapticModel> BakeInput(double rate, const ForceCaps& deviceCaps,
     vtkMatrix4x4* deviceToWorld, HapticFrames&& frames) const;
-  /** Bakes the labels, if there are any; false after an error. */
-  bool BakeLabels(std::shared_ptr<const BakedLabels>& labels, std::string& error) const;
-  /** Whether the scalars of an image on port 0 are to be felt as labels, if they can be some. */
-  bool AreLabels(vtkImageData* image) const;
+  /** Bakes the labels, if there are any, for a recording or null; false after an error. */
+  bool BakeLabels(
+    vtkPolyData* recording, std::shared_ptr<const BakedLabels>& labels, std::string& error) const;
   bool ReadPlacement(vtkMatrix4x4* deviceToWorld, Affine3& placement, std::string& error) const;
 
   vtkVolumeHapticsFilter* const Filter;

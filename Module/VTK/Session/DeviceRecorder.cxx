@@ -194,7 +194,14 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
     std::ostringstream settings;
     settings.imbue(std::locale::classic()); // a replay reads them
     felt->PrintSettings(settings, vtkIndent());
-    settings << "ServoRate of the device: " << this->Session.GetRate() << " Hz\n";
+    settings << RecordingNames::DeviceRate << this->Session.GetRate() << " Hz\n";
+    const BakedLabels* const labels = ticks->GetLatestModel()->Baked->Labels.get();
+    if (labels && labels->Fine)
+    {
+      const Vector3& steps = labels->Fine->GetSteps();
+      settings << RecordingNames::LabelGrid << steps.X << " x " << steps.Y << " x " << steps.Z
+               << "\n";
+    }
     if (touched[1].Array)
     {
       DescribeLabels(felt, settings);

@@ -75,6 +75,12 @@ bool IsOlderThanMaterialPlacement(vtkPolyData* recording)
     FindRecordedSetting(recording, "MaterialPlacement: ").empty();
 }
 
+bool HasFineLabels(vtkPolyData* recording)
+{
+  return !recording || FindRecordedSetting(recording, RecordingNames::DeviceRate).empty() ||
+    !FindRecordedSetting(recording, RecordingNames::LabelGrid).empty();
+}
+
 std::string FindLabelHash(vtkPolyData* recording)
 {
   return FindRecordedSetting(recording, RecordingNames::LabelHash);

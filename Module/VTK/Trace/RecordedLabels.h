@@ -35,6 +35,12 @@ std::string FindRecordedSetting(vtkPolyData* recording, const std::string& prefi
  */
 bool IsOlderThanMaterialPlacement(vtkPolyData* recording);
 
+/**
+ * Whether walls of labels with thick slices are those of a finer grid: not with a recording that
+ * was made without. The recording may be null, or a path.
+ */
+bool HasFineLabels(vtkPolyData* recording);
+
 /** The hash of the label image in the settings of a recording; empty if it was made without. */
 std::string FindLabelHash(vtkPolyData* recording);
 

@@ -34,6 +34,9 @@ constexpr const char* AirValue = "AirValue"; ///< field array: of a sample witho
 constexpr const char* Settings = "Settings"; ///< field array: a text
 /// begins the line of the settings that has the hash of the label image, if there was one
 constexpr const char* LabelHash = "LabelHash: ";
+/// the same, of the fine voxels in a voxel of the label image, if it has a finer grid
+constexpr const char* LabelGrid = "LabelGrid: ";
+constexpr const char* DeviceRate = "ServoRate of the device: "; ///< the same, in all recordings
 } // namespace RecordingNames
 
 } // namespace VolumeHaptics

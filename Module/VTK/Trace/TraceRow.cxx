@@ -59,7 +59,8 @@ bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record)
   {
     return false;
   }
-  const ForbiddenPlace place = zone->Find(model.DeviceToLabel(record.Proxy));
+  const ForbiddenPlace place =
+    model.Baked->Labels->FindForbidden(model.DeviceToLabel(record.Proxy));
   return place.IsNear && place.Distance < zone->GetStandOff() + 2.0 * zone->GetTolerance();
 }
 

@@ -282,6 +282,59 @@ TEST_P(LabelsOfSolver, MakeWallsInAVolumeOfOneValue)
   EXPECT_NEAR(Get(this->Run(451), "Force", 450, 2), -800.0 * 0.002, 0.012);
 }
 
+TEST_P(LabelsOfSolver, OfThickSlicesHaveWallsWithoutStairs)
+{
+  // A plane that leans by 45 degrees against slices of 3 mm, pressed by 2 mm along its normal.
+  const double n[3] = { 0.8 * std::sqrt(0.5), 0.6 * std::sqrt(0.5), std::sqrt(0.5) };
+  const auto depth = [&n](double x, double y, double z)
+  { return n[0] * (x - 12.03) + n[1] * (y - 12.11) + n[2] * (z - 12.17); };
+  constexpr int size = 41;
+  const auto labels = MakeImage(size, VTK_UNSIGNED_SHORT,
+    [&](const Point& p) { return depth(0.6 * p[0], 0.6 * p[1], 3.0 * p[2]) < 0.0 ? 1000.0 : 0.0; });
+  labels->SetSpacing(0.6, 0.6, 3.0);
+  this->Filter->SetInputData(MakeImage(25, VTK_SHORT, [](const Point&) { return 40.0; }));
+  this->Filter->SetLabelData(labels);
+  this->Filter->SetLabelTable(this->Table);
+  this->Filter->SetGeometryFromLabels();
+  this->Table->SetStiffness(1000, 500.0);
+  const auto at = [&n](double height) {
+    return Point{ 12.03 + height * n[0], 12.11 + height * n[1], 12.17 + height * n[2] };
+  };
+  this->Filter->SetPathData(MakePath(Line(at(2.0), at(-2.0), 400)));
+  const auto press = [&](double tolerance)
+  {
+    vtkPolyData* const output = this->Run(401);
+    double force = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      force += n[axis] * Get(output, "Force", 400, axis);
+      EXPECT_NEAR(Get(output, "Normal", 400, axis), -n[axis], tolerance);
+    }
+    EXPECT_NEAR(force, 1.0, 0.075) << "N";
+  };
+  press(0.05);
+  // A stroke of a brush elsewhere changes nothing here, and shows what a fresh filter has.
+  vtkDataArray* const array = labels->GetPointData()->GetScalars();
+  for (int i = 0; i < 200; ++i)
+  {
+    array->SetComponent(10 * size + 5 + i / 20 * size + i % 20 + size * size * 20, 0, 7.0);
+  }
+  array->Modified();
+  press(0.05);
+  const auto again = Keep(this->Filter);
+  vtkNew<vtkVolumeHapticsFilter> fresh;
+  fresh->SetInputDataObject(0, this->Filter->GetInputDataObject(0, 0));
+  fresh->SetLabelData(labels);
+  fresh->SetLabelTable(this->Table);
+  fresh->SetGeometryFromLabels();
+  fresh->SetSolver(this->Filter->GetSolver());
+  fresh->SetProperty(this->Property);
+  fresh->SetPathData(MakePath(Line(at(2.0), at(-2.0), 400)));
+  fresh->Update();
+  EXPECT_TRUE(IsSame(again, fresh->GetOutput()));
+  EXPECT_TRUE(this->Log.Warnings.empty());
+}
+
 TEST_P(LabelsOfSolver, LeaveSurfacesOfTheVolumeAlone)
 {
   // The ramp is a surface everywhere: with both geometries it is what is felt.

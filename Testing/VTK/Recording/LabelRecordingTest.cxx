@@ -14,8 +14,12 @@
 #include <vtkExecutive.h>
 #include <vtkHapticLabelTable.h>
 #include <vtkHapticPathSource.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -170,6 +174,33 @@ TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfLabels)
   this->ExpectSame(0.1);
 }
 
+TEST_F(LabelRecording, ReplaysToTheBitWithWallsOfThickSlices)
+{
+  this->Labels =
+    MakeImage(16, VTK_SHORT, [](const Point& p) { return p[0] + 1.5 * p[2] < 12.0 ? -7.0 : 9.0; });
+  this->Labels->SetSpacing(1.0, 1.0, 3.0);
+  this->Filter->SetGeometryFromLabels();
+  this->Filter->SetLabelData(this->Labels);
+  this->Begin();
+  this->Wander(20);
+  this->StartRecording();
+  this->Wander(80);
+  this->ExpectSame(0.1);
+  auto* const settings =
+    vtkStringArray::SafeDownCast(this->Recorded->GetFieldData()->GetAbstractArray("Settings"));
+  ASSERT_NE(settings, nullptr);
+  std::string text = settings->GetValue(0);
+  const std::string line = "\nLabelGrid: 1 x 1 x 3\n";
+  ASSERT_NE(text.find(line), std::string::npos) << text;
+  // A recording of a version without finer grids is replayed without one.
+  this->Filter->Update();
+  const auto fine = apitest::Keep(this->Filter);
+  settings->SetValue(0, text.replace(text.find(line), line.size(), "\n"));
+  this->Recorded->Modified();
+  this->Filter->Update();
+  EXPECT_FALSE(apitest::IsSame(fine, this->Filter->GetOutput()));
+}
+
 TEST_F(LabelRecording, TheStateTellsTheLabel)
 {
   this->Begin();
@@ -248,4 +279,47 @@ TEST_F(LabelRecording, AForbiddenLabelOfALargeImageDoesNotHoldTheProgramUp)
   EXPECT_TRUE(this->Device->IsPublished());
   EXPECT_FALSE(isMeasuring());
   ASSERT_TRUE(this->Wait([this] { return !this->Device->IsAtForbiddenLabel(); }));
+}
+
+TEST_F(LabelRecording, ThickSlicesOfALargeImageDoNotHoldTheProgramUp)
+{
+  // Slices of 0.9 in pixels of 0.15; the label begins halfway between the slices 12 and 13.
+  constexpr int n = 104;
+  vtkNew<vtkImageData> slices;
+  slices->SetDimensions(n, n, 18);
+  slices->SetSpacing(0.15, 0.15, 0.9);
+  slices->AllocateScalars(VTK_SHORT, 1);
+  auto* const label = static_cast<short*>(slices->GetScalarPointer());
+  std::fill_n(label, n * n * 13, short{ 0 });
+  std::fill_n(label + n * n * 13, n * n * 5, short{ 9 });
+  const auto isRefining = [this]
+  { return this->Device->GetStatusText().find("between thick slices") != std::string::npos; };
+  this->Begin();
+  ASSERT_TRUE(this->ArmFully());
+  this->Filter->SetLabelData(slices);
+  this->Filter->SetGeometryFromLabels();
+  this->Table->SetStiffness(9, 700.0);
+  this->Table->SetSurfaceStrength(9, 5.0);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(this->Device->IsPublished());
+  EXPECT_TRUE(isRefining()) << this->Device->GetStatusText();
+  EXPECT_EQ(this->Device->GetStatus(), vtkHapticDevice::ACTIVE);
+  ASSERT_TRUE(this->Wait([this] { return this->Device->IsPublished(); }));
+  EXPECT_FALSE(isRefining());
+  ASSERT_TRUE(this->LeadInto(12.5 * 0.9 + 1.5));
+  ASSERT_TRUE(this->Wait(
+    [this] { return std::abs(this->Device->GetProxyPosition()[2] - 12.5 * 0.9) < 0.15; }));
+  // Other materials of the same labels are felt at once.
+  this->Table->SetStiffness(9, 600.0);
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_FALSE(isRefining());
+  EXPECT_TRUE(this->Device->IsPublished());
+  // Without walls there is nothing to wait for.
+  slices->GetPointData()->GetScalars()->Modified();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(isRefining());
+  this->Filter->SetGeometryFromScalars();
+  ASSERT_TRUE(this->Device->Publish());
+  EXPECT_TRUE(this->Device->IsPublished());
+  EXPECT_FALSE(isRefining());
 }

@@ -225,7 +225,7 @@ private:
     for (int i = 0; i < 2; ++i)
     {
       reach[i] = this->Model.HasLengthByDirection
-        ? this->Model.Baked->Kernel.Radius / Norm(this->WorldToIndex.Linear * axes[i])
+        ? this->Model.KernelLengthOf(this->WorldToIndex.Linear * axes[i])
         : step;
       Vector3 ahead;
       Vector3 behind;

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A label image with thick slices, on a finer grid whose voxels are nearly cubes.
+ *
+ * Walls of labels (LabelWalls.h) come from sums over voxels. With thick slices the steps between
+ * them are longer than the kernel is wide across them, and walls would be stairs. Between slices,
+ * labels are therefore found by their shape (S. P. Raya and J. K. Udupa, "Shape-based interpolation
+ * of multidimensional objects", IEEE Trans. Med. Imaging 9, 1990; G. T. Herman, J. Zheng and C. A.
+ * Bucholtz, "Shape-based interpolation", IEEE Comput. Graph. Appl. 12(3), 1992):
+ *
+ * - in each slice a label has a signed distance S to its boundary, above 0 inside;
+ * - along the slices' axis S is a cubic between slices, without overshoot (F. N. Fritsch and R. E.
+ *   Carlson, SIAM Journal on Numerical Analysis 17, 1980);
+ * - at a fine voxel the label with the largest S wins, and the share of the next one tells where
+ *   between both voxels the boundary is.
+ *
+ * The distances are smoothed along the slice, since those of pixels are stairs, too; but not where
+ * a label or a gap is thinner than eight fine voxels, so that thin ones stay what they are. A label
+ * that a slice lacks has a distance of some slices there, so that it ends between both.
+ */
+#ifndef FineLabels_h
+#define FineLabels_h
+
+#include "Core/Field/LabelView.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class FineLabels
+{
+public:
+  /** Spacings up to this share of the finest are left as they are. */
+  static constexpr double LargestRatio = 1.5;
+  /** The most fine voxels: 2 to 9 bytes each. With more, they are made longer. */
+  static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 28;
+  /** The most pixels of all labels' boxes, of which each costs about 100 ns. */
+  static constexpr std::int64_t MostWork = std::int64_t{ 1 } << 30;
+  /** A share of this many parts of a voxel is all of it. */
+  static constexpr int Parts = 254;
+
+  using Body = std::function<void(std::int64_t)>;
+  /**
+   * Calls a function with each number below a count, in any order, maybe at the same time; or with
+   * fewer, if Make() is to end: what it returns then is of no use.
+   */
+  using Loop = std::function<void(std::int64_t count, const Body& body)>;
+
+  /** Fine voxels in a voxel of the image, along each axis: 1 if there is no finer grid. */
+  static Vector3 FindSteps(
+    const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels = MostVoxels);
+
+  /**
+   * Null if the spacings are alike, or if the image is too large or has too many labels: then walls
+   * are those of its own voxels. If `last` was made of the same image before some of its slices
+   * have changed, only these are found again.
+   * @param spacing of the image, above 0
+   * @param mostVoxels MostVoxels; less in tests
+   */
+  static std::shared_ptr<const FineLabels> Make(const LabelView& view, const Vector3& spacing,
+    const Loop& loop = nullptr, const FineLabels* last = nullptr,
+    std::int64_t mostVoxels = MostVoxels);
+
+  FineLabels(const FineLabels&) = delete;
+  FineLabels& operator=(const FineLabels&) = delete;
+
+  const LabelView& GetView() const noexcept { return this->View; }
+  /** Fine voxels in a voxel of the image, along each axis: the first samples of both coincide. */
+  const Vector3& GetSteps() const noexcept { return this->Steps; }
+  /**
+   * For each sample of GetView(), how much of it has another label, in shares of Parts: that of its
+   * first neighbour, in the order of axes and down before up, which has one.
+   */
+  const std::uint8_t* GetShares() const noexcept { return this->Shares.data(); }
+  /** Bytes. */
+  std::size_t GetMemorySize() const noexcept
+  {
+    return sizeof(*this) + this->Labels.capacity() + this->Shares.capacity() +
+      this->Hashes.capacity() * sizeof(std::uint64_t);
+  }
+  /** The slices that Make found, and not took over from the last one. */
+  std::int64_t GetSlicesFound() const noexcept { return this->SlicesFound; }
+
+private:
+  FineLabels() = default;
+  /** Refines an image along one axis. */
+  struct Pass;
+
+  LabelView View;
+  Vector3 Steps{ 1, 1, 1 };
+  std::vector<std::byte> Labels;
+  std::vector<std::uint8_t> Shares;
+  ///@{
+  /** Of the image: what Make() compares. */
+  std::vector<std::uint64_t> Hashes; ///< of the slices; empty if more than one axis was refined
+  Vector3 Spacing;
+  ///@}
+  std::int64_t SlicesFound = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif
