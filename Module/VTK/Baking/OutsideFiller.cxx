@@ -136,9 +136,13 @@ vtkSmartPointer<vtkDataArray> CopyFilled(
 
 std::string DescribeOutside(const OutsideSamples& outside, vtkDataArray* scalars)
 {
+  const bool hasHoles = outside.Holes > MostHoles;
+  if (!scalars || !(outside.HasAny() || hasHoles))
+  {
+    return {}; // a process may have no piece of the array
+  }
   std::ostringstream text;
   text << "The " << DescribeArray(scalars) << " of the input image has ";
-  const bool hasHoles = outside.Holes > MostHoles;
   if (hasHoles)
   {
     text << "samples that are no numbers (" << std::lround(100.0 * outside.Holes)
@@ -147,7 +151,7 @@ std::string DescribeOutside(const OutsideSamples& outside, vtkDataArray* scalars
   }
   if (!outside.HasAny())
   {
-    return hasHoles ? text.str() : std::string();
+    return text.str();
   }
   text << (hasHoles ? " It has " : "");
   if (outside.AreNonFinite)
