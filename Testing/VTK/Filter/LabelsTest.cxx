@@ -563,3 +563,32 @@ TEST_F(LabelsTest, AMillionOfThemCanBeTold)
   EXPECT_NEAR(Get(this->Run(2), "Stiffness", 1),
     stiffness(27, 40, k) + (above - k) * (stiffness(27, 40, k + 1.0) - stiffness(27, 40, k)), 1e-6);
 }
+
+TEST_F(LabelsTest, TooManyOfThemInThickSlicesAreTold)
+{
+  constexpr int side = 80;
+  vtkNew<vtkImageData> labels;
+  labels->SetDimensions(side, side, side + 2);
+  labels->SetSpacing(0.2, 0.2, 0.6);
+  labels->AllocateScalars(VTK_INT, 1);
+  vtkDataArray* const array = labels->GetPointData()->GetScalars();
+  for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+  {
+    array->SetComponent(point, 0, static_cast<double>(point % (side * side)));
+  }
+  this->Filter->SetLabelData(labels);
+  this->Table->SetStiffness(1, 300.0);
+  this->Filter->SetLabelTable(this->Table);
+  this->Filter->SetGeometryFromLabels();
+  this->Filter->Update();
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find("walls between labels are stairs"), std::string::npos);
+  // Fewer labels have the finer grid.
+  for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+  {
+    array->SetComponent(point, 0, array->GetComponent(point, 0) < 3200.0 ? 1.0 : 0.0);
+  }
+  array->Modified();
+  this->Filter->Update();
+  EXPECT_EQ(this->Log.Warnings.size(), 1U);
+}
