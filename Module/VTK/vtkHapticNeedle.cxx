@@ -3,6 +3,7 @@
 #include "vtkHapticNeedle.h"
 
 #include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Baking/HapticPresets.h"
 #include "VTK/Baking/HapticToolSettings.h"
 #include "VTK/Trace/NeedleTrace.h"
 
@@ -32,6 +33,19 @@ vtkPiecewiseFunction* vtkHapticNeedle::GetShaftFriction()
 vtkPiecewiseFunction* vtkHapticNeedle::GetCuttingForce()
 {
   return VolumeHaptics::ProvideFunction(this->CuttingForce);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticNeedle::ApplyPreset(const char* name)
+{
+  if (!VolumeHaptics::FillCuttingForce(name, this->GetCuttingForce()))
+  {
+    vtkErrorMacro("There are no cutting forces of a needle for the preset \""
+      << (name ? name : "") << "\". Cure: take one of those of vtkHapticProperty that begin with "
+      << "\"CT\", or fill GetCuttingForce().");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

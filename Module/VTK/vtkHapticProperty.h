@@ -213,9 +213,10 @@ public:
    *
    * - "CT contrast": Hounsfield units; tissues told apart clearly by hand. Bone is solid.
    * - "CT physical": Hounsfield units; stiffness from published soft-tissue moduli by way of a flat
-   *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m). Subtle on most devices.
+   *   punch of 2 mm radius, k = 2 E a / (1 - nu^2) (liver: 28 N/m; skin over fat: 53).
+   *   Subtle on most devices.
    * - "CT angiography": Hounsfield units, with contrast medium in vessels and heart.
-   * - "CT chest": Hounsfield units; lung has strengths of its own.
+   * - "CT chest": Hounsfield units; lung has one drag, from emphysema on.
    * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides.
    * - "Micro-CT": one solid material, of any unit: micro-CT and industrial CT. Distinctness is from
    *   the noise, and what is background from the values (SolidFromImage).

@@ -17,6 +17,7 @@
  */
 #include "BumpyBall.h"
 #include "Feel.h"
+#include "InsideTissues.h"
 #include "Palpation.h"
 #include "Parts.h"
 #include "Proposals.h"
@@ -175,6 +176,10 @@ Feel MeasureScans(const Scans& scans, const Effort& effort)
   if (scans.Head)
   {
     feel.Required.push_back(CountMissingBoundaries(scans.Head));
+  }
+  if (scans.Head || scans.Chest)
+  {
+    Tell(MeasureInsideTissues(scans, effort), feel.Found);
   }
   Tell(CompareOnBumpyBall(effort), feel.Found);
   Tell(IdentifyOnSlabs("CT contrast").Confusions, feel.Found);

@@ -7,6 +7,7 @@
 #include "VTK/Filter/HapticBaker.h"
 
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticNeedle.h"
 #include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -304,6 +305,9 @@ ForceError RunNeedleProtocol(vtkImageData* image, vtkImageData* labels, const La
     vtkNew<vtkVolumeHapticsFilter> filter;
     filter->SetInputDataObject(0, image);
     filter->GetProperty()->ApplyPreset("CT contrast");
+    vtkNew<vtkHapticNeedle> needle; // its point is felt, without its shaft
+    needle->ApplyPreset("CT contrast");
+    filter->GetProperty()->SetViscosity(needle->GetCuttingForce());
     if (isByLabel)
     {
       filter->SetLabelData(labels);

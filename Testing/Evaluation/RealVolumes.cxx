@@ -46,8 +46,9 @@ struct KnownVolume
 
 std::vector<KnownVolume> ListVolumes(const VolumePlaces& places)
 {
-  const std::vector<std::string> ct = { "CT contrast" };
-  const std::vector<std::string> chest = { "CT contrast", "CT chest", "CT angiography" };
+  const std::vector<std::string> ct = { "CT contrast", "CT physical" };
+  const std::vector<std::string> chest = { "CT contrast", "CT chest", "CT angiography",
+    "CT physical" };
   const std::vector<std::string> mri = { "auto", "MRI" };
   const std::vector<std::string> micro = { "auto", "Micro-CT" };
   const std::vector<std::string> own = { "auto" };

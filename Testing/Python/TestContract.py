@@ -182,7 +182,7 @@ def test_modes():
 
 def test_tools():
     documented = {"SetShaftFriction": ("N per metre", "0"), "SetCuttingForce": ("(N)", "viscosity"),
-                  "SetLateralStrength": ("(N)", "1")}
+                  "SetLateralStrength": ("(N)", "1"), "ApplyPreset": ("CT contrast", "N in fat")}
     assert issubclass(volumehaptics.vtkHapticNeedle, volumehaptics.vtkHapticTool)
     check(volumehaptics.vtkHapticNeedle, documented, ("MakeTrack", "GetText"))
     documented = {"SetMesh": ("world units", "closed"), "SetNumberOfPoints": ("Default 2000",),

@@ -5,6 +5,8 @@
 #include "vtkHapticProperty.h"
 #include "vtkPiecewiseFunction.h"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace VolumeHaptics
@@ -53,8 +55,10 @@ const std::vector<Preset>& Presets()
 {
   // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
   // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
-  // falls and rises again for fluid. Fluid has the drag of muscle: in a brain, noise would make
-  // grains of a ramp between the two. The distinctness of the presets for comfort starts at 16
+  // falls and rises again for fluid. Soft tissues have one drag: inside a tissue nothing else is
+  // felt, and a few HU of noise on a ramp between two drags would be grains. So has the lung, which
+  // has no walls of its own: its noise and its emphysema reach the values of air, and a drag above
+  // 0.05 N, from which on falls are felt, would come and go with them. Distinctness starts at 16
   // HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for 20 HU of white noise, 1 mm
   // voxels and the default kernel, and twice that where neighbours share their noise, as those of
   // CT do. So noise is not felt as surfaces.
@@ -62,32 +66,36 @@ const std::vector<Preset>& Presets()
     { "CT contrast",
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
-        { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
+        { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
-        { "fluid", -10, 10, K, 0.12, 0.50, 1.5 },
-        { "muscle, organ", 50, 80, K, 0.30, 0.50, 2.2 },
-        { "contrast medium, cartilage", 150, 250, K, 0.25, 0.50, 3.2 },
+        { "fluid", -10, 10, K, 0.12, 0.30, 1.5 },
+        { "muscle, organ", 50, 80, K, 0.30, 0.30, 2.2 },
+        { "contrast medium, cartilage", 150, 250, K, 0.25, 0.30, 3.2 },
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
+    // Fat is met from outside only, where it lies under skin: it has the stiffness of both. So have
+    // the half-filled voxels of the skin, and those of skin, fat and muscle that have the values of
+    // fluid. What holds nothing has the stiffness of an organ, that springs begin without slack.
     { "CT physical",
       {
-        { "air", -1024, -955, 8, 0.00, 0.00, 0.00 },
-        { "lung", -950, -500, 8, 0.46, 0.01, 0.05 },
-        { "fat", -150, -30, 16, 0.46, 0.02, 0.15 },
-        { "fluid", -10, 15, 4, 0.05, 0.02, 0.01 },
-        { "muscle, organ", 20, 80, 28, 0.46, 0.03, 0.30 },
+        { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
+        { "lung", -950, -700, 28, 0.46, 0.01, 0.00 },
+        { "skin", -500, -200, 53, 0.46, 0.02, 0.30 },
+        { "fat under skin", -150, -30, 53, 0.46, 0.02, 0.30 },
+        { "fluid", -10, 15, 53, 0.05, 0.02, 0.30 },
+        { "muscle, organ", 20, 80, 28, 0.46, 0.03, 0.40 },
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
-      8, 40, vtkHapticProperty::HIGHER },
+      20, 52, vtkHapticProperty::HIGHER }, // its drag hides less
     // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
     { "CT angiography",
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
-        { "lung", -900, -500, K, 0.10, 0.05, 0.4 },
+        { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
-        { "muscle, organ", 30, 100, K, 0.30, 0.50, 2.0 },
+        { "muscle, organ", 30, 100, K, 0.30, 0.30, 2.0 },
         { "vessel, spongy bone", 180, 450, K, 0.05, 0.30, 3.2 },
         { "bone", 650, 3071, K, 0.30, 0.00, Solid },
       },
@@ -97,10 +105,10 @@ const std::vector<Preset>& Presets()
     { "CT chest",
       {
         { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
-        { "lung", -960, -300, K, 0.10, 0.10, 0.0 },
+        { "lung", -960, -300, K, 0.10, 0.04, 0.0 },
         { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
-        { "muscle, organ, blood", 20, 80, K, 0.30, 0.50, 2.2 },
-        { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.50, 3.2 },
+        { "muscle, organ, blood", 20, 80, K, 0.30, 0.30, 2.2 },
+        { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.30, 3.2 },
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
@@ -184,6 +192,27 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
     }
   }
   return false;
+}
+
+bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
+{
+  const std::string wanted = name ? name : "";
+  const bool isKnown = std::any_of(Presets().begin(), Presets().end(),
+    [&](const Preset& preset) { return wanted == preset.Name; });
+  if (!isKnown || wanted.compare(0, 3, "CT ") != 0)
+  {
+    return false;
+  }
+  // Of a lumbar puncture: Documentation/method.md#the-needle. The values of fluid are also those
+  // between fat and muscle, where a dip would be a loss of resistance that is not there.
+  constexpr double cutting[][2] = { { -955.0, 0.0 }, { -900.0, 0.04 }, { -300.0, 0.04 },
+    { -150.0, 0.1 }, { -80.0, 0.1 }, { 20.0, 0.3 } }; // HU, N
+  Empty(force);
+  for (const auto& [value, newtons] : cutting)
+  {
+    force->AddPoint(value, newtons);
+  }
+  return true;
 }
 
 vtkSmartPointer<vtkStringArray> MakePresetNames()

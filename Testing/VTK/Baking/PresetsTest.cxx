@@ -7,6 +7,7 @@
 
 #include "Rigs/ApiRig.h"
 
+#include <vtkHapticNeedle.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -185,8 +186,41 @@ TEST_F(Presets, PhysicalHasThePublishedLiver)
   ASSERT_TRUE(this->Property->ApplyPreset("CT physical"));
   // 2 E a / (1 - nu^2) for a shear modulus of 1.8 kPa and a = 2 mm.
   EXPECT_NEAR(this->Property->GetStiffness()->GetValue(55.0), 28.0, 1.0);
+  // The same for a Young's modulus of 10 kPa: skin in place, at its softest.
+  EXPECT_NEAR(this->Property->GetStiffness()->GetValue(-100.0), 2.0 * 10e3 * 2e-3 / 0.75, 1.0);
   const double friction = this->Property->GetFriction()->GetValue(1000.0);
   EXPECT_TRUE(friction >= 0.29 && friction <= 0.36) << "bone on muscle";
+}
+
+TEST_F(Presets, ANeedleHasCuttingForcesOfItsOwn)
+{
+  // One drag for soft tissues; a needle tells the layers of Documentation/method.md apart.
+  vtkNew<vtkHapticNeedle> needle;
+  vtkPiecewiseFunction* const force = needle->GetCuttingForce();
+  for (const char* const name : { "CT contrast", "CT physical", "CT angiography", "CT chest" })
+  {
+    SCOPED_TRACE(name);
+    needle->SetCuttingForce(force);
+    force->RemoveAllPoints();
+    ASSERT_TRUE(needle->ApplyPreset(name));
+    EXPECT_EQ(needle->GetCuttingForce(), force) << "filled in place";
+    EXPECT_EQ(force->GetValue(-1000.0), 0.0);
+    EXPECT_NEAR(force->GetValue(-100.0), 0.1, 1e-12);
+    EXPECT_NEAR(force->GetValue(55.0), 0.3, 1e-12);
+    for (double value = -1100.0; value < 3200.0; value += 1.0)
+    {
+      EXPECT_GE(force->GetValue(value + 1.0), force->GetValue(value) - 1e-12) << value;
+    }
+  }
+  const vtkMTimeType before = needle->GetMTime();
+  for (const char* const name : { "MRI", "Labels", "CT", "", static_cast<const char*>(nullptr) })
+  {
+    const MessageLog log(needle);
+    EXPECT_FALSE(needle->ApplyPreset(name));
+    ASSERT_EQ(log.Errors.size(), 1U);
+    EXPECT_NE(log.Errors[0].find("GetCuttingForce()"), std::string::npos);
+    EXPECT_EQ(needle->GetMTime(), before);
+  }
 }
 
 TEST_F(Presets, EveryPresetMakesSense)

@@ -112,9 +112,9 @@ TEST_F(Tissues, ChangeAloneAndOnRamps)
     {
       expected = 1.4;
     }
-    else if (value > -500.0 && value < -150.0) // from lung, 0.4
+    else if (value > -300.0 && value < -150.0) // from lung, 0
     {
-      expected = 0.4 + (value + 500.0) / 350.0 * 1.0;
+      expected = (value + 300.0) / 150.0 * 1.4;
     }
     else if (value > -80.0 && value < -10.0) // to fluid, 1.5
     {

@@ -45,6 +45,10 @@ HandTool::HandTool(TouchScene& touch, const Exploration& exploration,
   const double skin = exploration.Values.OuterThreshold;
   shaft->AddPoint(skin, 0.0);
   shaft->AddPoint(skin + 1e-3 * (exploration.Values.Range[1] - skin), SHAFT_FRICTION);
+  if (exploration.Materials.compare(0, 3, "CT ") == 0)
+  {
+    this->Needle->ApplyPreset(exploration.Materials.c_str());
+  }
   this->KeyObserver->SetClientData(this);
   this->KeyObserver->SetCallback(
     [](vtkObject*, unsigned long, void* self, void*) { static_cast<HandTool*>(self)->PressKey(); });

@@ -23,8 +23,9 @@ namespace Explore
 /// the next number that is not taken.
 ///
 /// Values above the outer surface rub along the needle where the labels have no shaft friction, and
-/// are solid for the other tools. The burr has a radius of four voxels; it takes the least energy
-/// at the outer surface, and the most at the largest value.
+/// are solid for the other tools. With a preset for CT, vtkHapticNeedle::ApplyPreset() says how the
+/// needle cuts. The burr has a radius of four voxels; it takes the least energy at the outer
+/// surface, and the most at the largest value.
 class HandTool
 {
 public:
