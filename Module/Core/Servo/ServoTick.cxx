@@ -116,9 +116,9 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.DataTime = state.DataTime;
   record.Force = Vector3{};
   record.NormalForce = record.FrictionForce = record.DragForce = record.WallWork = 0.0;
+  record.MayLeap = false;
   record.Leap = Vector3{};
   record.LeapStiffness = 0.0;
-  record.LeapEnergy = 0.0;
   record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
   record.Request = RemovalRequest::None;
   record.IsServed = false;

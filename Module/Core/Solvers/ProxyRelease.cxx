@@ -23,18 +23,21 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 }
 
 /**
- * A remainder without the part along a step with which the hand would get something, if its next
- * step is as this one: by trapezoids, half of the work belongs to this step and half to the next.
+ * The largest share s of a way from the force `held` on that is paid for: a s^2 + b s <= 2 k Saved,
+ * which is true for s = 0.
  */
-Vector3 MakePassive(const ReleaseState& before, const Vector3& force, const Vector3& step) noexcept
+double FindPaidShare(
+  const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept
 {
-  const double work = Dot(force, step);
-  const double rest = before.Absorbed - 0.5 * Dot(before.Force, step);
-  if (!(work > 0.0) || rest >= work)
+  const double a = Dot(way, way);
+  const double b = Dot(way, twiceMean);
+  const double saved = 2.0 * release.Stiffness * release.Saved;
+  if (a + b <= saved)
   {
-    return force;
+    return 1.0;
   }
-  return force - ((work - std::max(rest, 0.0)) / Dot(step, step)) * step;
+  const double share = (std::sqrt(b * b + 4.0 * a * saved) - b) / (2.0 * a);
+  return share > 0.0 ? std::min(share, 1.0) : 0.0; // NaN is no share
 }
 
 } // namespace
@@ -42,31 +45,37 @@ Vector3 MakePassive(const ReleaseState& before, const Vector3& force, const Vect
 void ReleaseProxy(const HapticSettings& settings, const Vector3& step, ReleaseState& release,
   TickRecord& record) noexcept
 {
-  const bool leaps = record.Leap.X != 0.0 || record.Leap.Y != 0.0 || record.Leap.Z != 0.0;
-  const bool remains = release.Stiffness > 0.0;
-  if (!leaps && !remains)
+  if (!(record.LeapStiffness > 0.0) && !(release.Stiffness > 0.0))
   {
     return;
   }
-  if (!(settings.ReleaseTime > 0.0))
+  if (!record.MayLeap || !(settings.ReleaseTime > 0.0))
   {
     release = ReleaseState{};
     return;
   }
-  release.Stiffness = std::max(release.Stiffness, record.LeapStiffness);
-  release.Absorbed += record.LeapEnergy;
+  const double k = release.Stiffness = std::max(release.Stiffness, record.LeapStiffness);
+  const Vector3 before = record.ForceBefore + release.Force;
+  const Vector3 held = before - k * step;
   const Vector3 faded = Fade(settings, release.Force - record.Leap);
-  const Vector3 force = MakePassive(release, faded, step);
-  release.Absorbed -= 0.5 * Dot(release.Force + force, step);
-  release.Force = force;
-  if (Dot(force, force) == 0.0)
+  const Vector3 change = record.Force + faded - before;
+  const double most = std::max(FastestChange * settings.TickPeriod, k * Norm(step));
+  const double size = Norm(change);
+  const Vector3 way = before + (size > most ? most / size : 1.0) * change - held;
+  release.Saved += record.WallWork > 0.0 ? record.WallWork : 0.0; // the wall pays for its push
+  const double share = FindPaidShare(release, way, before + held);
+  if (share == 1.0 && size <= most && Dot(faded, faded) == 0.0)
   {
     release = ReleaseState{};
     return;
   }
-  record.Force += force;
-  record.Stiffness = std::max(record.Stiffness, release.Stiffness);
-  record.Proxy = record.Tip + (1.0 / record.Stiffness) * record.Force;
+  const Vector3 force = held + share * way;
+  const double cost = share * Dot(way, before + force) / (2.0 * k);
+  release.Saved = std::max(0.0, release.Saved - cost);
+  release.Force = force - record.Force;
+  record.Force = force;
+  record.Stiffness = std::max(record.Stiffness, k);
+  record.Proxy = record.Tip + (1.0 / record.Stiffness) * force;
 }
 
 } // namespace VolumeHaptics

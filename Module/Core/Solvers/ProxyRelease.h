@@ -6,23 +6,31 @@
  *
  * Where a surface gives way, the law lets the proxy of solver PRECISE leap to the next place that
  * holds it, and the force changes by newtons in one tick. The solver finds these places as before,
- * and goes on from them; the hand feels the force f of the law and a remainder e of the forces
- * before the leaps. A leap that changes f by L (TickRecord::Leap) subtracts L from e, so that f + e
- * goes on. From then on e fades, in a tick of dt by
+ * and goes on from them; the hand feels g = f + e: the force f of the law and a remainder e of the
+ * forces before the leaps. A leap that changes f by L (TickRecord::Leap) subtracts L from e, so
+ * that g goes on. From then on e fades, in a tick of dt by
  *
  *   |e| dt/(tau + dt), but no more than FastestRelease dt,
  *
  * with tau the ReleaseTime. What a wall holds, and when it gives way, does not depend on e. With
  * the kernel's materials, as the paper has them, the law alone is felt.
  *
+ * ## Steps
+ *
+ * Until e has faded, a tick changes g by no more than max(FastestChange dt, k |dx|), with the
+ * stiffness k of the spring and the hand's step dx, whatever the law does meanwhile.
+ *
  * ## Energy
  *
- * The law dissipates the energy of a spring that is released. Where the hand goes along with e, as
- * a hand that is on its way back when the proxy slides off a speck, it gets a part of this energy
- * back, and never more: the hand gets no energy that it has not put in. The work of e on the hand,
- * by trapezoids as the trace's Energy, is summed from the first leap on. Where it would exceed what
- * the springs have lost by the leaps (TickRecord::LeapEnergy), e loses the part along the hand's
- * step that would make it so.
+ * The spring that has leapt, with the force g and the stiffness k, holds |g|^2/(2k), which the hand
+ * has put in. If its end rests, g becomes h = g - k dx, and the work on the hand, by trapezoids as
+ * the trace's Energy, is what the spring loses. Any other g' costs
+ *
+ *   (g' - h).(g' + g)/(2k),
+ *
+ * which is paid from what earlier ticks have saved so; a tick goes from h as far towards its goal
+ * as that suffices. So a release gives the hand no more than the spring held before it, as if it
+ * were released slowly. Both limits allow h, and therefore all places between h and the goal.
  */
 #ifndef ProxyRelease_h
 #define ProxyRelease_h
@@ -37,12 +45,14 @@ namespace VolumeHaptics
 struct ReleaseState
 {
   Vector3 Force;          ///< e, N
-  double Stiffness = 0.0; ///< N/m, of the spring before the last leap
-  double Absorbed = 0.0;  ///< J, that the leaps have lost and e has taken from the hand
+  double Stiffness = 0.0; ///< k, N/m, of the stiffest spring that has leapt; 0: nothing remains
+  double Saved = 0.0;     ///< J, that the hand has put in and the spring of g does not hold
 };
 
-/** N/s: at 1 kHz, 0.15 N in a tick. */
+/** N/s, of e: at 1 kHz, 0.15 N in a tick. */
 constexpr double FastestRelease = 150.0;
+/** N/s, of g while e fades: at 1 kHz, 0.24 N in a tick. */
+constexpr double FastestChange = 240.0;
 
 /**
  * Adds what remains to the force of a tick, in which the tip has moved by `step` (m), and shows the

@@ -233,7 +233,7 @@ void VisitState(State& state, Function&& visit)
   VisitBurr(state.Burr, visit);
   VisitVector(state.Release.Force, visit);
   visit(state.Release.Stiffness);
-  visit(state.Release.Absorbed);
+  visit(state.Release.Saved);
   visit(state.Burr.Room);
 }
 
@@ -339,7 +339,7 @@ bool IsPossible(const BurrState& burr)
 bool IsPossible(const ReleaseState& release)
 {
   return IsNear(release.Force, MostOfForce) && IsAmount(release.Stiffness) &&
-    std::abs(release.Absorbed) <= MostOfMaterial;
+    IsAmount(release.Saved);
 }
 
 } // namespace

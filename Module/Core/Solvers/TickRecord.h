@@ -40,10 +40,13 @@ struct TickRecord : MaterialPoint
   double FrictionForce = 0.0; ///< N, magnitude before the drag step
   /// N, stiffness times the distance by which the drag step moved the proxy back
   double DragForce = 0.0;
-  /// N, the change of Force by a leap of the proxy; of PRECISE, for ProxyRelease.h
-  Vector3 Leap;
-  double LeapStiffness = 0.0; ///< N/m, of the spring before it
-  double LeapEnergy = 0.0;    ///< J, that the spring has lost by it, and the hand has not got
+  ///@{
+  /** Of PRECISE, for ProxyRelease.h. */
+  bool MayLeap = false;       ///< whether it is a tick whose leaps take time
+  Vector3 ForceBefore;        ///< N, the force of the law in the last tick
+  Vector3 Leap;               ///< N, the change of Force by a leap of the proxy
+  double LeapStiffness = 0.0; ///< N/m, the stiffer one of the springs before and after it
+  ///@}
   double Depth = 0.0;         ///< m, of a needle that is inserted; 0: it is not
   double ShaftForce = 0.0;    ///< N, the most that the tissue along a needle's shaft holds
   double RemovedVolume = 0.0; ///< mm^3 of the hand's space, by a burr in this tick

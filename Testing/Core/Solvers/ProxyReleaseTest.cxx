@@ -4,8 +4,9 @@
 /**
  * Where a surface gives way, the hand feels it over some milliseconds. Ticks with a release time
  * are compared with the same ticks without one: what remains of the force before a leap fades as
- * e dt/(tau + dt) or 150 N/s (Core/Solvers/ProxyRelease.h), and the work on the hand, by
- * trapezoids, exceeds that without by no more than the energy that the springs lose by leaps.
+ * e dt/(tau + dt) or 150 N/s (Core/Solvers/ProxyRelease.h). No tick changes the force by more than
+ * 0.25 N, and the work on the hand, by trapezoids, is no more than the |F|^2/(2 k) of a spring that
+ * is released slowly.
  */
 
 #include "Core/Solvers/ServoStateNumbers.h"
@@ -19,11 +20,9 @@ using namespace coretest;
 
 namespace
 {
-constexpr double Tau = 0.005;       // s
-constexpr double Period = 0.001;    // s
-constexpr double MostStep = 0.25;   // N in a tick, at a release
-constexpr double Stiffness = 400.0; // N/m
-constexpr double Mu = 0.3;
+constexpr double Tau = 0.005;     // s
+constexpr double Period = 0.001;  // s
+constexpr double MostStep = 0.25; // N in a tick, at a release
 
 /// A bright shell, 4 mm thick, across z = 20 mm, in a volume of 1 mm voxels.
 TestVolume MakeShell()
@@ -41,8 +40,8 @@ TestVolume MakeShell()
 HapticModelDescription DescribeShell(const TestVolume& volume, double strength)
 {
   HapticModelDescription d = Describe(volume);
-  d.Material.Stiffness = ConstantPolyline(Stiffness);
-  d.Material.Friction = ConstantPolyline(Mu);
+  d.Material.Stiffness = ConstantPolyline(400.0);
+  d.Material.Friction = ConstantPolyline(0.3);
   d.Material.SurfaceStrength = ConstantPolyline(strength);
   d.Material.Distinctness = { { 50.0, 0.0 }, { 150.0, 1.0 } };
   return d;
@@ -75,18 +74,11 @@ public:
     if (!isFirst)
     {
       this->Work += 0.5 * Dot(this->A.Force + before, step);
-      const double without = 0.5 * Dot(this->B.Force + beforeB, step);
-      this->WorkWithout += without;
-      // The energy of a spring is f^2/2k; a leap is what its motion does not explain.
-      const double k = std::max(this->B.Stiffness, this->StiffnessB);
-      const double lost = 0.5 * (Dot(beforeB, beforeB) - Dot(this->B.Force, this->B.Force)) / k;
-      const bool leaps = this->StepWithout > k * std::sqrt(1.0 + Mu * Mu) * Norm(step) + 0.02;
-      this->Lost += leaps ? std::max(lost - without, 0.0) : 0.0;
+      this->WorkWithout += 0.5 * Dot(this->B.Force + beforeB, step);
     }
-    this->StiffnessB = this->B.Stiffness;
-    EXPECT_LE(this->Work, 1e-12) << "the hand gets nothing that it has not put in";
     const Vector3 pull = this->A.Stiffness * (this->A.Proxy - this->A.Tip);
-    EXPECT_LT(Norm(this->A.Force - pull), 1e-9) << "the force is that of the spring, as ever";
+    EXPECT_TRUE(this->A.IsUnfinished || Norm(this->A.Force - pull) < 1e-9)
+      << "the force is that of the spring, as ever";
   }
   /// What remains of earlier forces.
   Vector3 GetRemainder() const { return this->A.Force - this->B.Force; }
@@ -101,7 +93,6 @@ public:
   double MostWithout = 0.0;
   double Work = 0.0; // J, on the hand
   double WorkWithout = 0.0;
-  double Lost = 0.0; // J, by leaps
 
 private:
   static HapticModelDescription Set(HapticModelDescription d, double time)
@@ -112,7 +103,6 @@ private:
 
   const HapticModel With;
   const HapticModel Without;
-  double StiffnessB = 0.0;
 };
 
 Vector3 At(double z)
@@ -170,26 +160,50 @@ TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
   EXPECT_EQ(pair.Work, pair.WorkWithout);
 }
 
-TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanTheSpringHad)
+TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 {
-  // It breaks through, and goes back after so many ticks.
+  // It breaks through at 40 mm/s, and goes back along the force after so many ticks, slowly or at
+  // 0.5 m/s, where a spring of 400 N/m changes by 0.2 N in a tick.
   const TestVolume volume = MakeShell();
-  for (const int late : { 0, 1, 2, 4, 8, 16 })
+  for (const double strength : { 1.0, 3.0, 8.0 })
   {
-    SCOPED_TRACE(late);
-    Pair pair(DescribeShell(volume, 3.0));
-    double z = 0.002;
-    int since = -1;
-    for (int i = 0; i < 1200 && z > 0.001; ++i)
+    for (const int late : { 0, 1, 2, 4, 8, 16 })
     {
-      z += since > late ? -4e-5 : 4e-5;
-      pair.Tick(At(z));
-      since = since >= 0 || pair.StepWithout > 0.5 ? since + 1 : since;
-      EXPECT_LE(pair.Work, pair.WorkWithout + pair.Lost + 1e-15) << i;
+      for (const double speed : { 0.04, 0.2, 0.5 })
+      {
+        SCOPED_TRACE(testing::Message() << strength << " N, " << late << ", " << speed << " m/s");
+        Pair pair(DescribeShell(volume, strength));
+        double z = 0.002;
+        int since = -1;
+        double held = 0.0;   // J, before the release
+        double before = 0.0; // J, of the work until then
+        for (int i = 0; i < 1200 && z > 0.001; ++i)
+        {
+          const double force = Norm(pair.A.Force);
+          const double work = pair.Work;
+          z += since > late ? -speed * Period : 4e-5;
+          pair.Tick(At(z));
+          if (since < 0 && pair.StepWithout > 0.5)
+          {
+            held = 0.5 * force * force / pair.A.Stiffness;
+            before = work;
+            since = 0;
+          }
+          since += since >= 0 ? 1 : 0;
+          EXPECT_LE(pair.Work - before, held + 1e-12) << i;
+          EXPECT_LE(pair.Work, 1e-12) << i;
+        }
+        for (int i = 0; i < 100; ++i) // it rests
+        {
+          pair.Tick(At(z));
+        }
+        EXPECT_GT(since, late);
+        EXPECT_LT(pair.Most, MostStep);
+        EXPECT_GT(pair.MostWithout, 0.5 * strength);
+        // The back of the shell may hold it then, and what the hand has not put in it does not get.
+        EXPECT_TRUE(Norm(pair.GetRemainder()) == 0.0 || Norm(pair.A.Force) < Norm(pair.B.Force));
+      }
     }
-    EXPECT_LT(pair.Most, MostStep);
-    EXPECT_GT(since, late);
-    EXPECT_EQ(Norm(pair.GetRemainder()), 0.0);
   }
 }
 
@@ -213,6 +227,7 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
     }
     const double pressed = Norm(pair.B.Force);
     EXPECT_GT(pressed, 4.0);
+    const double before = pair.Work;
     const int ticks = static_cast<int>(0.01 / (speed * Period));
     for (int i = 0; i <= ticks; ++i)
     {
@@ -224,33 +239,57 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
       pair.Tick(pair.StateB.PreviousTip);
     }
     EXPECT_GT(pair.MostWithout, 1.0) << "it slides off in one tick";
-    // What the spring's motion explains, the least leap, and the fade.
-    const double motion = speed * Period * std::hypot(1.0, 0.3);
-    EXPECT_LE(pair.Most, Stiffness * std::hypot(1.0, Mu) * motion + 0.02 + 150.0 * Period + 1e-9);
+    EXPECT_LT(pair.Most, MostStep);
     EXPECT_GT(pair.Work, pair.WorkWithout) << "the hand gets a part of the spring's energy";
-    EXPECT_LE(pair.Work, pair.WorkWithout + pair.Lost);
+    EXPECT_LE(pair.Work - before, 0.5 * pressed * pressed / pair.A.Stiffness);
     EXPECT_EQ(Norm(pair.GetRemainder()), 0.0);
   }
 }
 
-TEST(ProxyRelease, IsPassiveOnARandomWalk)
+/// Random walks of up to 0.5 m/s, 400 N/m, in noise that has surfaces everywhere.
+TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
 {
-  TestVolume volume(ScalarType::Float32, { 24, 24, 24 });
-  volume.FillRandom(7);
-  HapticModelDescription d = Describe(volume);
-  d.Material.Friction = ConstantPolyline(0.3);
-  d.Material.Viscosity = ConstantPolyline(0.1);
-  Pair pair(d);
   int remains = 0;
-  for (int i = 0; i < 6000; ++i)
+  double mostWithout = 0.0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
   {
-    const double s = 1e-3 * i;
-    pair.Tick({ 0.012 + 0.008 * std::sin(1.3 * s), 0.012 + 0.008 * std::sin(1.7 * s + 1.0),
-      0.012 + 0.008 * std::sin(2.1 * s + 2.0) });
-    remains += Norm(pair.GetRemainder()) > 0.0 ? 1 : 0;
-    EXPECT_LE(pair.Work, pair.WorkWithout + pair.Lost + 1e-12) << i;
+    SCOPED_TRACE(seed);
+    TestVolume volume(ScalarType::Float32, { 24, 24, 24 });
+    volume.FillRandom(seed);
+    HapticModelDescription d = Describe(volume);
+    d.Settings.Side = seed % 3 == 0 ? SurfaceSide::Both : SurfaceSide::Higher;
+    d.Material.Stiffness = ConstantPolyline(400.0);
+    d.Material.Friction = ConstantPolyline(0.3);
+    d.Material.Viscosity = ConstantPolyline(0.1);
+    d.Material.SurfaceStrength = ConstantPolyline(seed % 2 == 0 ? 2.0 : 6.0);
+    Pair pair(d);
+    double x[3];
+    double turn[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      turn[axis] = 1.7 * seed + 2.0 * axis;
+    }
+    for (int i = 0; i < 4000; ++i)
+    {
+      // Lissajous ways, which turn back at all places, at a speed that changes along them.
+      const double t = 1e-3 * i + 0.15 * std::sin(0.0021 * i);
+      const double rates[3] = { 13.0 + 0.7 * seed, 17.0 - 0.9 * seed, 19.0 + 0.3 * seed };
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        x[axis] = 0.012 + 0.008 * std::sin(rates[axis] * t + turn[axis]);
+      }
+      const Vector3 tip{ x[0], x[1], x[2] };
+      const double way = i > 0 ? Norm(tip - pair.StateB.PreviousTip) : 0.0;
+      ASSERT_LT(way, 0.6e-3);
+      pair.Tick(tip);
+      ASSERT_LT(pair.Step, std::max(MostStep, 400.0 * way + 0.02)) << i;
+      ASSERT_LE(pair.Work, 1e-9) << i;
+      remains += Norm(pair.GetRemainder()) > 0.0 ? 1 : 0;
+    }
+    mostWithout = std::max(mostWithout, pair.MostWithout);
   }
-  EXPECT_GT(remains, 50) << "the walk has releases";
+  EXPECT_GT(remains, 500) << "the walks have releases";
+  EXPECT_GT(mostWithout, 1.0);
 }
 
 TEST(ProxyRelease, IsNotOfPaperAndOfTheKernelsMaterials)

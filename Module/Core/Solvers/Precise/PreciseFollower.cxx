@@ -42,13 +42,6 @@ constexpr double Rounding = 1e-9;
 /** The most motions at one tip that may lengthen the spring. */
 constexpr int MostSetbacks = 8;
 
-/** Of a spring (J) that exerts a force. */
-double FindEnergy(const PassiveSpring& spring, const Vector3& force) noexcept
-{
-  const double square = Dot(force, force);
-  return square > 0.0 ? 0.5 * square / spring.Tissue : 0.0;
-}
-
 } // namespace
 
 void PreciseFollower::Follow(const Vector3& tip) noexcept
@@ -63,12 +56,8 @@ void PreciseFollower::Follow(const Vector3& tip) noexcept
   }
   if (Law::IsFelt(this->State.Here))
   {
-    this->StiffnessBefore = this->State.Spring.GetEffective();
-    this->ForceBefore = this->StiffnessBefore * (this->Proxy - from);
-    this->EnergyBefore = FindEnergy(this->State.Spring, this->ForceBefore);
-    this->FrictionBefore = this->State.Here.Friction;
+    this->Refreshed = this->State.Spring.GetEffective() * (this->Proxy - from);
   }
-  this->TipBefore = from;
   Vector3 at = from;
   for (double steps = 2.0; steps > 1.0;)
   {
@@ -121,24 +110,23 @@ void PreciseFollower::Write(TickRecord& record) const noexcept
   }
 }
 
-void PreciseFollower::WriteLeap(TickRecord& record) const noexcept
+void PreciseFollower::WriteLeap(
+  const SpringBefore& before, double carried, TickRecord& record) const noexcept
 {
+  record.MayLeap = true;
+  record.ForceBefore = before.Force;
   // Without a leap, a force changes as much as its spring, and friction with it.
-  const double k = std::max(this->StiffnessBefore, record.Stiffness);
-  const double mu = std::max(this->FrictionBefore, record.Friction);
-  const double motion = Norm(this->State.ReachedTip - this->TipBefore) + this->Carried;
+  const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
+  const double mu = std::max(before.Friction, record.Friction);
+  const double motion = Norm(this->State.ReachedTip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  const Vector3 change = record.Force - this->ForceBefore;
+  // Nor is it a leap if the tissue itself has changed.
+  const Vector3 change = record.Force - this->Refreshed.value_or(before.Force);
   const double square = Dot(change, change);
   if (square > most * most)
   {
     record.Leap = (1.0 - most / std::sqrt(square)) * change;
     record.LeapStiffness = k;
-    // The reserve may still pay for a rise of the stiffness.
-    const double kept = FindEnergy(this->State.Spring, record.Force) + this->State.Spring.Reserve;
-    const double got =
-      0.5 * Dot(this->ForceBefore + record.Force, this->State.ReachedTip - this->TipBefore);
-    record.LeapEnergy = std::max(this->EnergyBefore - kept - got, 0.0);
   }
 }
 

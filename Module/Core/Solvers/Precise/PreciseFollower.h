@@ -11,8 +11,28 @@
 #include "Core/Solvers/Precise/PreciseSurroundings.h"
 #include "Core/Solvers/ServoState.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace VolumeHaptics
 {
+
+/** The spring that the last tick has left. */
+struct SpringBefore
+{
+  explicit SpringBefore(const ServoState& state) noexcept
+    : Tip(state.Precise.ReachedTip)
+    , Force(state.Stiffness * (state.Proxy - state.Precise.ReachedTip))
+    , Stiffness(std::max(state.Stiffness, state.Precise.Spring.Tissue))
+    , Friction(state.Precise.Here.Friction)
+  {
+  }
+
+  Vector3 Tip;
+  Vector3 Force;    ///< N
+  double Stiffness; ///< N/m, without slack
+  double Friction;
+};
 
 /** Moves the tip and makes the proxy follow it. Changes all of the state except its proxy. */
 class PreciseFollower
@@ -29,14 +49,15 @@ public:
 
   /** The volume moves: the proxy was carried by a motion (m) to the surface that is there. */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
-  /** Before that, the volume has carried the proxy by a distance (m). */
-  void NoteCarried(double distance) noexcept { this->Carried = distance; }
   /** Moves the tip straight to a position, and makes the proxy follow it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */
   void Write(TickRecord& record) const noexcept;
-  /** The change of the force by leaps of the proxy: more than the tip's motion explains. */
-  void WriteLeap(TickRecord& record) const noexcept;
+  /**
+   * The change of the force by leaps of the proxy: more than the tip's motion explains, and that of
+   * the proxy with the volume (m).
+   */
+  void WriteLeap(const SpringBefore& before, double carried, TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
 
 private:
@@ -71,15 +92,7 @@ private:
   bool WentThrough = false;
   bool Slid = false;
   bool LooksAreSpent = false;
-  ///@{
-  /** Before the tick. */
-  Vector3 TipBefore;
-  Vector3 ForceBefore;
-  double EnergyBefore = 0.0;
-  double StiffnessBefore = 0.0;
-  double FrictionBefore = 0.0;
-  double Carried = 0.0;
-  ///@}
+  std::optional<Vector3> Refreshed; ///< N, before the tip's motion, if something is felt
 };
 
 } // namespace VolumeHaptics

@@ -10,13 +10,15 @@ namespace VolumeHaptics
 namespace
 {
 
-void Follow(const HapticModel& model, PreciseFollower& follower, TickRecord& record) noexcept
+/** @param carried how far (m) the volume has carried the proxy before */
+void Follow(const HapticModel& model, const SpringBefore& before, double carried,
+  PreciseFollower& follower, TickRecord& record) noexcept
 {
   follower.Follow(record.Tip);
   follower.Write(record);
   if (model.Baked->Settings.Placement != MaterialPlacement::Kernel)
   {
-    follower.WriteLeap(record);
+    follower.WriteLeap(before, carried, record);
   }
   record.IsUnfinished = follower.IsUnfinished();
 }
@@ -32,11 +34,12 @@ void StepPrecise(
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }
+  const SpringBefore spring(state);
   // A CarriedProxy is large: only where the volume moves, a tick makes one.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);
-    Follow(model, follower, record);
+    Follow(model, spring, 0.0, follower, record);
     return;
   }
   const Vector3 before = state.Proxy;
@@ -49,13 +52,13 @@ void StepPrecise(
     const Vector3 lag = tip - before - carried.Shift;
     state.Precise.Spring.Stretch(Norm(lag), Norm(tip - state.Proxy));
   }
+  const double distance = Norm(state.Proxy - before);
   PreciseFollower follower(model, state, memory);
-  follower.NoteCarried(Norm(state.Proxy - before));
   if (carried.There)
   {
     follower.TakeOver(*carried.There, carried.Motion);
   }
-  Follow(model, follower, record);
+  Follow(model, spring, distance, follower, record);
 }
 
 } // namespace VolumeHaptics
