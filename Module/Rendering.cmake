@@ -13,6 +13,7 @@ set(VolumeHaptics_RENDERING_CLASSES
   vtkHapticRegionPicture
   vtkHapticRepresentation
   vtkHapticSliceView
+  vtkHapticWidget
   vtkHapticXRController
   vtkInteractorStyleHaptic)
 set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK

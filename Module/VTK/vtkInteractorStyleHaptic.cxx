@@ -333,6 +333,12 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
 }
 
 //------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::IsOwnTimer() const
+{
+  return this->Internals->Timer != 0 && this->Internals->FiredTimer == this->Internals->Timer;
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnTimer()
 {
   auto& d = *this->Internals;
@@ -379,20 +385,32 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
 }
 
 //------------------------------------------------------------------------------
+VolumeHaptics::HapticInteraction& vtkInteractorStyleHaptic::GetInteraction()
+{
+  return this->Internals->Interaction;
+}
+
+//------------------------------------------------------------------------------
+bool vtkInteractorStyleHaptic::UseMouseMove()
+{
+  auto& interaction = this->Internals->Interaction;
+  if (!interaction.MoveMouse())
+  {
+    return false;
+  }
+  const double travel = interaction.Scene.Device ? interaction.Touch.GetTravelTime() : 0.0;
+  if (interaction.Frames.AwaitLateMotion(travel))
+  {
+    this->DrawHaptics();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnMouseMove()
 {
-  if (!HasWindow(this->Interactor))
+  if (!HasWindow(this->Interactor) || this->UseMouseMove())
   {
-    return;
-  }
-  auto& interaction = this->Internals->Interaction;
-  if (interaction.MoveMouse())
-  {
-    const double travel = interaction.Scene.Device ? interaction.Touch.GetTravelTime() : 0.0;
-    if (interaction.Frames.AwaitLateMotion(travel))
-    {
-      this->DrawHaptics();
-    }
     return;
   }
   // The superclass asks the window of the renderer for its size: a renderer that was removed from
@@ -475,14 +493,16 @@ void vtkInteractorStyleHaptic::OnMouseWheelBackward()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkInteractorStyleHaptic::FindKeyName()
+{
+  return KeyMap::FindName(this->Interactor->GetKeySym(), this->Interactor->GetKeyCode(),
+    this->Interactor->GetShiftKey() != 0);
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyPress()
 {
-  if (!HasWindow(this->Interactor))
-  {
-    return;
-  }
-  const char* const symbol = this->Interactor->GetKeySym();
-  if (!this->Internals->Interaction.PressKey(symbol ? symbol : ""))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.PressKey(this->FindKeyName()))
   {
     this->Superclass::OnKeyPress();
   }
@@ -491,12 +511,7 @@ void vtkInteractorStyleHaptic::OnKeyPress()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnKeyRelease()
 {
-  if (!HasWindow(this->Interactor))
-  {
-    return;
-  }
-  const char* const symbol = this->Interactor->GetKeySym();
-  if (!this->Internals->Interaction.ReleaseKey(symbol ? symbol : ""))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.ReleaseKey(this->FindKeyName()))
   {
     this->Superclass::OnKeyRelease();
   }
@@ -505,14 +520,7 @@ void vtkInteractorStyleHaptic::OnKeyRelease()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::OnChar()
 {
-  if (!HasWindow(this->Interactor))
-  {
-    return;
-  }
-  // Not every platform tells the name of a key that was typed.
-  const char* const symbol = this->Interactor->GetKeySym();
-  const std::string code(1, this->Interactor->GetKeyCode());
-  if (!this->Internals->Interaction.TypeKey(symbol ? symbol : code))
+  if (HasWindow(this->Interactor) && !this->Internals->Interaction.TypeKey(this->FindKeyName()))
   {
     this->Superclass::OnChar();
   }

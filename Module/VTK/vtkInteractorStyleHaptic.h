@@ -146,6 +146,11 @@ class vtkTable;
 class vtkVolume;
 class vtkVolumeHapticsFilter;
 
+namespace VolumeHaptics
+{
+class HapticInteraction;
+}
+
 class VTKVOLUMEHAPTICS_EXPORT vtkInteractorStyleHaptic : public vtkInteractorStyleTrackballCamera
 {
 public:
@@ -472,6 +477,19 @@ protected:
    * nothing has disarmed it since. For subclasses in applications that track arming themselves.
    */
   virtual bool ArmsAfterClutch();
+
+  ///@{
+  /**
+   * For subclasses beside another style, such as that of vtkHapticWidget: the parts of which this
+   * style is made; whether the last timer event was that of this style; whether the hand has used a
+   * motion of the mouse; and the name of the key of the last event. A toolkit that gives a key's
+   * code without a name, such as wx, gets the name that X11 has for it.
+   */
+  VolumeHaptics::HapticInteraction& GetInteraction();
+  bool IsOwnTimer() const;
+  bool UseMouseMove();
+  std::string FindKeyName();
+  ///@}
 
   double DepthStep = 0.0;
   double DisplayRate = 60.0;

@@ -49,6 +49,13 @@ TRIED = {
         "show those that are to be felt by a vtkVolume with a mapper each": "by a vtkVolume with a mapper each",
         "TouchVolume() of the interactor style with a vtkVolume that is there": "Cure: TouchVolume() of the interactor style",
     },
+    "VTK/Scene/HapticWidgetTest.cxx": {
+        "with the window's vtkRenderWindowInteractor before On()": "SetInteractor()",
+        "add a visible vtkVolume whose mapper shows": "add a visible vtkVolume",
+        "The widget is off. Cure: On()": "Cure: On()", "needs a device. Cure:": "needs a device",
+        "needs a filter, which says how volumes feel": "needs a filter",
+        "of a renderer of the window, and VisibilityOn()": "of a renderer of the window",
+    },
     "VTK/Scene/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
     "VTK/Session/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},
     "VTK/Session/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},

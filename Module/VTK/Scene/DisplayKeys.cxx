@@ -70,6 +70,7 @@ std::string DisplayKeys::ListKeys() const
   vtkVolumeHapticsFilter* const filter = scene.Device ? scene.Device->GetVolumeHaptics() : nullptr;
   KeyedParts parts;
   parts.HasMouse = !scene.IsReal();
+  parts.TurnsView = parts.HasMouse && scene.TurnsView;
   parts.HasDevice = scene.IsReal();
   parts.HasTool = this->Turn.HasTool();
   parts.HasEditor = scene.Editor != nullptr;
@@ -116,7 +117,9 @@ std::string DisplayKeys::FindHint()
     const std::string begin = this->Scene.IsVirtual()
       ? this->Tell("Put the pointer on the volume and press ", "t", " to touch it")
       : this->Tell("Press ", "a", " to feel the volume");
-    return Join(begin, this->Tell("", "question", " shows all keys"));
+    // Beside another style all other keys are those of the host until the touch mode begins.
+    return Join(
+      begin, this->Scene.TurnsView ? this->Tell("", "question", " shows all keys") : std::string());
   }
   return this->HasTouched || !this->Scene.IsVirtual()
     ? ""

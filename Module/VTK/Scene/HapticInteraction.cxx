@@ -300,7 +300,12 @@ bool HapticInteraction::PressKey(const std::string& pressed)
 {
   auto& scene = this->Scene;
   const std::string key = this->Keys.Find(pressed);
-  if (key.empty() || (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key)))
+  if (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key))
+  {
+    return this->IsRepeat(pressed);
+  }
+  this->UsedKey.clear();
+  if (key.empty())
   {
     return false;
   }
@@ -324,21 +329,21 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     this->Workspace.IsClutched() || scene.IsArmed() ? scene.Device->Disarm() : scene.Device->Arm();
   }
-  else if (key == "c")
+  else if (key == "c" && scene.IsReal())
   {
     this->Workspace.Recenter();
   }
-  else if (key == "k")
+  else if (key == "k" && scene.IsReal())
   {
     this->Workspace.SetClutch(true);
   }
-  else if ((key == "plus" || key == "minus") && scene.Device)
+  else if ((key == "plus" || key == "minus") && scene.IsReal())
   {
     const bool larger = key == "plus";
     scene.Style->SetWorkspaceScale(
       this->Workspace.GetScale() * (larger ? WorkspaceStep : 1.0 / WorkspaceStep));
   }
-  else if (key == "Home" && scene.Device)
+  else if (key == "Home" && scene.IsReal())
   {
     scene.Device->Home();
   }
@@ -363,6 +368,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   {
     return false;
   }
+  this->UsedKey = pressed;
   this->Frames.Draw(true);
   return true;
 }

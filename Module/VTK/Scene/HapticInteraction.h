@@ -90,6 +90,11 @@ public:
   /** Keys have X11's names. */
   bool PressKey(const std::string& pressed);
   bool ReleaseKey(const std::string& released);
+  /** Whether a press is a repeat of the one that was used last, because the key is held. */
+  bool IsRepeat(const std::string& pressed) const
+  {
+    return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
+  }
   /**
    * True for a key that the superclass must not get, because it would do something else with it.
    */
@@ -132,6 +137,7 @@ private:
 
   PlaybackKeys Playback;
   KeyRepeat Repeat;
+  std::string UsedKey; ///< the last one that was pressed, if it was used
   ModeKeys Modes;
   EditorKeys Editor;
   SliceMouse Slices;

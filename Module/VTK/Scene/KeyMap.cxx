@@ -92,6 +92,27 @@ std::vector<std::string> KeyMap::ListActions()
   return names;
 }
 
+std::string KeyMap::FindName(const char* symbol, char code, bool hasShift)
+{
+  if (symbol && *symbol)
+  {
+    return symbol;
+  }
+  // The codes of ASCII and X11's names (keysymdef.h) of those that are no letters or digits.
+  static const std::map<char, const char*> names{ { '\b', "BackSpace" }, { '\t', "Tab" },
+    { '\n', "Return" }, { '\r', "Return" }, { '\x1b', "Escape" }, { ' ', "space" },
+    { '\x7f', "Delete" }, { '?', "question" }, { '+', "plus" }, { '-', "minus" }, { ',', "comma" },
+    { '.', "period" }, { '<', "less" }, { '>', "greater" } };
+  const auto name = names.find(code);
+  if (name != names.end())
+  {
+    return name->second;
+  }
+  const bool isCapital = code >= 'A' && code <= 'Z';
+  const char letter = isCapital && !hasShift ? static_cast<char>(code - 'A' + 'a') : code;
+  return letter == '\0' ? std::string() : std::string(1, letter);
+}
+
 bool KeyMap::Set(const std::string& action, const std::string& keys, std::string& error)
 {
   const std::vector<std::string> names = ListActions();

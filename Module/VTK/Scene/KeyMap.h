@@ -25,6 +25,12 @@ public:
   static std::vector<std::string> ListActions();
 
   /**
+   * The name of the key of an event: its symbol, or if a toolkit gives none, X11's name for its
+   * code. wx gives capital letters for keys without Shift.
+   */
+  static std::string FindName(const char* symbol, char code, bool hasShift);
+
+  /**
    * Gives an action other keys: X11's names, with spaces between them; none switch it off. False
    * with an error, which tells the cure, if there is no such action or another one has a key.
    */

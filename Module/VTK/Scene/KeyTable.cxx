@@ -77,8 +77,11 @@ std::string ListKeys(const KeyedParts& parts, const KeyMap& keys)
   {
     list.AddMouse({ { "mouse", "stroke" }, { "wheel", "press, and lift" },
       { "Ctrl + mouse", "press, and lift" }, { "Shift", "five times finer" },
-      { "left button", "the button of the device" },
-      { "right button", "turn the view and keep touching" } });
+      { "left button", "the button of the device" } });
+  }
+  if (parts.TurnsView)
+  {
+    list.AddMouse({ { "right button", "turn the view and keep touching" } });
   }
   if (parts.HasTool)
   {

@@ -18,6 +18,7 @@ class KeyMap;
 struct KeyedParts
 {
   bool HasMouse = true;   ///< leads the tip
+  bool TurnsView = true;  ///< the mouse's right button, in the touch mode
   bool HasDevice = false; ///< a real one
   bool HasTool = false;   ///< that the mouse can turn
   bool HasEditor = false;

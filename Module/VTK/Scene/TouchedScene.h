@@ -43,7 +43,8 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  std::string Hidden; ///< why what is touched is not seen, and the cure; empty if it is
+  bool TurnsView = true; ///< with the right button in the touch mode; beside another style not
+  std::string Hidden;    ///< why what is touched is not seen, and the cure; empty if it is
 
   /**
    * The renderer of the last button event, or the default one, or the window's first. VTK has no

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHapticWidget
+ * @brief   touch in a window of any VTK program, beside its own style
+ *
+ * A widget by VTK's convention: it observes the interactor of a program that keeps its interactor
+ * style, its widgets and its keys.
+ *
+ *   vtkNew<vtkHapticWidget> widget;
+ *   widget->SetInteractor(interactor);
+ *   widget->GetProperty()->ApplyPreset("CT contrast");
+ *   widget->On();
+ *
+ * While it is on, the key t (KeyPressActivationValue) with the pointer on a volume begins the touch
+ * mode of vtkInteractorStyleHaptic: the mouse strokes, the wheel presses, Escape lets go. The
+ * volume is that of SetVolume(), or else what the renderer under the pointer shows: if it shows
+ * several, that whose surface is the first one along the line of sight. It is felt where and as far
+ * as it is shown: see vtkInteractorStyleHaptic::TouchVolume().
+ *
+ * In the touch mode the widget aborts the events of keys, wheel and buttons that it uses, so that
+ * no observer of the program with a lower Priority gets them. All other events, and outside of the
+ * touch mode all but its activation key, go to the program: its right button turns the camera as it
+ * always does, and so does a drag that has begun before. The widget observes the interactor and not
+ * the style, so that it goes on if the program sets another style. Default Priority: 0.9, above
+ * VTK's widgets (0.5).
+ *
+ * The widget makes what it needs: a vtkHapticDevice, which it opens as "virtual" (the mouse) and
+ * starts; a vtkVolumeHapticsFilter; and, in the renderer of the volume, a vtkHapticRepresentation
+ * and a vtkHapticHeadUpDisplay. Each can be had by its getter, and device and filter can be given.
+ * Force ends with the window: see vtkInteractorStyleHaptic. Off() ends all force, stops the device
+ * if the widget has started it, and takes hand and display out of the renderer.
+ *
+ * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
+ *
+ * @sa vtkInteractorStyleHaptic, vtkHapticDevice, vtkVolumeHapticsFilter
+ */
+#ifndef vtkHapticWidget_h
+#define vtkHapticWidget_h
+
+#include "vtkInteractorObserver.h"
+#include "vtkVolumeHapticsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkHapticDevice;
+class vtkHapticHeadUpDisplay;
+class vtkHapticProperty;
+class vtkHapticRepresentation;
+class vtkInteractorStyleHaptic;
+class vtkVolume;
+class vtkVolumeHapticsFilter;
+
+class VTKVOLUMEHAPTICS_EXPORT vtkHapticWidget : public vtkInteractorObserver
+{
+public:
+  static vtkHapticWidget* New();
+  vtkTypeMacro(vtkHapticWidget, vtkInteractorObserver);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * On() and Off() call this. It stays off, with an error, without an interactor, or if the device
+   * does not open. If the window shows no volume yet, hand and display are added when the touch
+   * mode begins.
+   */
+  void SetEnabled(int enabling) override;
+
+  ///@{
+  /**
+   * The touch mode of vtkInteractorStyleHaptic, default off. On begins it with the volume under the
+   * pointer; it stays off, with an error, if the widget is off or there is no volume.
+   */
+  void SetTouchMode(bool on);
+  bool GetTouchMode();
+  vtkBooleanMacro(TouchMode, bool);
+  ///@}
+
+  ///@{
+  /** The volume that is touched. Default nullptr: all that the renderer under the pointer shows. */
+  void SetVolume(vtkVolume* volume);
+  vtkVolume* GetVolume();
+  ///@}
+
+  ///@{
+  /**
+   * The device. One that is closed is opened as "virtual", and one that does not run is started,
+   * when the widget is switched on; the widget stops and closes it then. Default: one of its own.
+   * nullptr is an error.
+   */
+  void SetDevice(vtkHapticDevice* device);
+  vtkHapticDevice* GetDevice();
+  ///@}
+
+  ///@{
+  /**
+   * The filter that says how volumes feel, and its property. If several volumes can be touched, the
+   * first one is felt by this filter, and each of the others by a copy with the same settings.
+   * Default: one of its own. nullptr is an error.
+   */
+  void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);
+  vtkVolumeHapticsFilter* GetVolumeHaptics();
+  vtkHapticProperty* GetProperty();
+  ///@}
+
+  /** The hand in the scene. Its sizes follow the touched volume unless they were set before. */
+  vtkHapticRepresentation* GetRepresentation();
+  /** Figures and a plot over the scene. */
+  vtkHapticHeadUpDisplay* GetHeadUpDisplay();
+
+  /**
+   * The interaction, for its settings: keys (SetKey), measurements, slices, method, comparison, and
+   * the events of contact and force. The widget gives it the interactor, device and volume; it
+   * never becomes the style of the interactor.
+   */
+  vtkInteractorStyleHaptic* GetStyle();
+
+  /** See vtkInteractorStyleHaptic::UpdateHaptics: for programs whose loop runs no timers of VTK. */
+  bool UpdateHaptics();
+
+  void SetKeyPressActivation(vtkTypeBool on) override;
+  void SetKeyPressActivationValue(char key) override;
+  void OnChar() override;
+
+protected:
+  vtkHapticWidget();
+  ~vtkHapticWidget() override;
+
+private:
+  vtkHapticWidget(const vtkHapticWidget&) = delete;
+  void operator=(const vtkHapticWidget&) = delete;
+
+  /** Finds the volumes, shows the hand beside them, and starts the device. */
+  bool Prepare(bool isNeeded);
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

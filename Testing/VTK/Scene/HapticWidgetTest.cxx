@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A program with a style, observers and keys of its own gets a widget: the hand touches, and the
+ * program lives on as before. The program is VTK's own: vtkInteractorStyleTrackballCamera, and
+ * observers that count what reaches them.
+ */
+
+#include "StyleRig.h"
+
+#include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkHapticHeadUpDisplay.h>
+#include <vtkHapticRepresentation.h>
+#include <vtkHapticWidget.h>
+#include <vtkInteractorStyleImage.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkPropCollection.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <map>
+
+using namespace scenetest;
+
+namespace
+{
+class HapticWidget : public testing::Test
+{
+protected:
+  HapticWidget()
+  {
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(300, 300);
+    this->Window->AddRenderer(this->Renderer);
+    vtkCamera* const camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, 0.0, 200.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetParallelProjection(1);
+    camera->SetParallelScale(30.0); // a pixel is 0.2 mm
+    camera->SetClippingRange(1.0, 400.0);
+    this->Interactor->SetRenderWindow(this->Window);
+    this->Interactor->SetInteractorStyle(this->Style);
+    this->AddBall(this->Volume, 0.0);
+    this->Counter->SetClientData(&this->Seen);
+    this->Counter->SetCallback([](vtkObject*, unsigned long event, void* seen, void*)
+      { ++(*static_cast<std::map<unsigned long, int>*>(seen))[event]; });
+    // Above a style, which takes all events for itself between a press and its release.
+    this->Interactor->AddObserver(vtkCommand::AnyEvent, this->Counter, 0.1f);
+    // Nothing is felt outside; what is inside is not to be pushed through.
+    vtkPiecewiseFunction* const strength = this->Widget->GetProperty()->GetSurfaceStrength();
+    strength->AddPoint(0.0, 0.0);
+    strength->AddPoint(0.1, 8.0);
+  }
+  ~HapticWidget() override
+  {
+    this->Widget->SetInteractor(nullptr);
+    this->Interactor->SetInteractorStyle(nullptr);
+    this->Interactor->RemoveObserver(this->Counter);
+  }
+
+  /// Of 30 mm, all of which can be seen.
+  void AddBall(vtkVolume* volume, double z)
+  {
+    vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+    mapper->SetInputData(MakeBall());
+    volume->SetMapper(mapper);
+    volume->SetPosition(0.0, 0.0, z);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 1.0);
+    volume->GetProperty()->SetScalarOpacity(opacity);
+    this->Renderer->AddVolume(volume);
+  }
+  void Run(vtkIdType ticks)
+  {
+    const vtkIdType end = this->Widget->GetDevice()->GetTick() + ticks;
+    ASSERT_TRUE(Eventually(
+      [&]
+      {
+        this->Widget->UpdateHaptics();
+        return this->Widget->GetDevice()->GetTick() >= end;
+      }));
+  }
+  void Pointer(int x, int y, unsigned long event = vtkCommand::MouseMoveEvent)
+  {
+    this->Interactor->SetEventInformation(x, y);
+    this->Interactor->InvokeEvent(event);
+  }
+  /// As toolkits send it: the key, then what was typed. How many of both the program has got.
+  int Press(const char* symbol, char code = '\0')
+  {
+    this->Seen.clear();
+    this->Interactor->SetKeyEventInformation(0, 0, code, 1, symbol);
+    this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
+    this->Interactor->InvokeEvent(vtkCommand::CharEvent);
+    return this->Seen[vtkCommand::KeyPressEvent] + this->Seen[vtkCommand::CharEvent];
+  }
+  int Release(const char* symbol, char code = '\0')
+  {
+    this->Seen.clear();
+    this->Interactor->SetKeyEventInformation(0, 0, code, 1, symbol);
+    this->Interactor->InvokeEvent(vtkCommand::KeyReleaseEvent);
+    return this->Seen[vtkCommand::KeyReleaseEvent];
+  }
+  /// How many of an event of the mouse the program gets.
+  int Count(unsigned long event, int x = 150, int y = 150)
+  {
+    this->Seen.clear();
+    this->Pointer(x, y, event);
+    return this->Seen[event];
+  }
+  void SwitchOn()
+  {
+    this->Widget->SetInteractor(this->Interactor);
+    this->Widget->On();
+    ASSERT_TRUE(this->Widget->GetEnabled());
+  }
+  /// By the key and the wheel, in the middle of the picture.
+  void PushIn()
+  {
+    this->Pointer(150, 150);
+    EXPECT_EQ(this->Press("t", 't'), 0);
+    EXPECT_EQ(this->Release("t", 't'), 0);
+    ASSERT_TRUE(this->Widget->GetTouchMode());
+    ASSERT_TRUE(Eventually(
+      [this]
+      {
+        this->Widget->UpdateHaptics();
+        return IsFullyArmed(this->Widget->GetDevice());
+      }));
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent), 0);
+      this->Run(10);
+    }
+    this->Run(30);
+    ASSERT_GT(this->GetForce(), 0.3) << "N";
+  }
+  double GetForce() { return Length(this->Widget->GetDevice()->GetForce()); }
+  void ExpectLetGo()
+  {
+    EXPECT_FALSE(this->Widget->GetTouchMode());
+    EXPECT_TRUE(Eventually(
+      [this]
+      {
+        this->Widget->UpdateHaptics();
+        return this->GetForce() == 0.0;
+      }));
+  }
+  /// The camera's position: the program's style has turned it if it has changed.
+  std::vector<double> GetView()
+  {
+    const double* const at = this->Renderer->GetActiveCamera()->GetPosition();
+    return { at, at + 3 };
+  }
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> Style;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkHapticWidget> Widget;
+  vtkNew<vtkCallbackCommand> Counter;
+  std::map<unsigned long, int> Seen; ///< events that have reached the program
+  MessageLog Log{ this->Widget };
+};
+
+constexpr unsigned long MouseEvents[] = { vtkCommand::MouseMoveEvent,
+  vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
+  vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonReleaseEvent,
+  vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonReleaseEvent,
+  vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent };
+} // namespace
+
+TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
+{
+  this->Widget->SetInteractor(this->Interactor);
+  this->Widget->GetProperty()->GetStiffness()->AddPoint(0.0, 500.0);
+  this->Widget->On();
+  this->PushIn();
+  // A ball of 30 mm: where the tip is by four wheel steps of a voxel each below the first contact.
+  const double* const tip = this->Widget->GetDevice()->GetTipPosition();
+  const double* const proxy = this->Widget->GetDevice()->GetProxyPosition();
+  EXPECT_NEAR(proxy[2], 30.0 + 2.0, 1.5) << "read a kernel radius ahead";
+  EXPECT_LT(tip[2], proxy[2] - 1.0);
+  EXPECT_EQ(this->Interactor->GetInteractorStyle(), this->Style.Get()) << "the style lives on";
+  EXPECT_EQ(this->Press("Escape", '\x1b'), 0);
+  this->ExpectLetGo();
+  EXPECT_TRUE(this->Log.Errors.empty());
+}
+
+TEST_F(HapticWidget, TheProgramGetsAllButTheActivationKeyWhileNothingIsTouched)
+{
+  // VTK's style grabs the events between a press and its release, with and without the widget.
+  std::vector<int> alone;
+  for (const unsigned long event : MouseEvents)
+  {
+    alone.push_back(this->Count(event));
+  }
+  this->SwitchOn();
+  for (std::size_t i = 0; i < alone.size(); ++i)
+  {
+    EXPECT_EQ(this->Count(MouseEvents[i]), alone[i])
+      << vtkCommand::GetStringFromEventId(MouseEvents[i]);
+  }
+  for (const char* const key :
+    { "Escape", "a", "m", "C", "s", "c", "h", "question", "F1", "space" })
+  {
+    EXPECT_EQ(this->Press(key), 2) << key;
+    EXPECT_EQ(this->Release(key), 1) << key;
+  }
+  EXPECT_EQ(this->Widget->GetDevice()->GetStatus(), vtkHapticDevice::READY) << "a did not arm";
+  this->Widget->KeyPressActivationOff();
+  EXPECT_EQ(this->Press("t", 't'), 2);
+  EXPECT_FALSE(this->Widget->GetTouchMode());
+}
+
+TEST_F(HapticWidget, TheProgramGetsWhatTheTouchDoesNotUse)
+{
+  this->SwitchOn();
+  this->PushIn();
+  for (const unsigned long event : MouseEvents)
+  {
+    // The releases go to the style that has taken the presses.
+    const bool isTheirs =
+      event == vtkCommand::RightButtonPressEvent || event == vtkCommand::MiddleButtonPressEvent;
+    EXPECT_EQ(this->Count(event), isTheirs ? 1 : 0) << vtkCommand::GetStringFromEventId(event);
+  }
+  // Keys of parts that are not in this scene, and those that the hand has no use for.
+  for (const char* const key : { "3", "w", "x", "F2", "c", "k", "plus", "Home", "s", "P", "v",
+         "space", "M", "Tab", "Control_L" })
+  {
+    EXPECT_EQ(this->Press(key), 2) << key;
+    EXPECT_EQ(this->Release(key), 1) << key;
+  }
+  // A held key sends presses alone (Qt), or releases and presses (X11): none of them is the
+  // program's, even after Escape has let go.
+  for (const char* const key : { "h", "g", "d", "F1", "Escape" })
+  {
+    for (int repeat = 0; repeat < 3; ++repeat)
+    {
+      EXPECT_EQ(this->Press(key), 0) << key;
+      EXPECT_EQ(this->Press(key), 0) << key << " is held";
+      EXPECT_EQ(this->Release(key), 0) << key;
+    }
+  }
+  EXPECT_FALSE(this->Widget->GetTouchMode());
+}
+
+TEST_F(HapticWidget, TheProgramsDragGoesOnWithItsStyle)
+{
+  this->SwitchOn();
+  this->PushIn();
+  const std::vector<double> before = this->GetView();
+  const double depth = this->Widget->GetDevice()->GetTipPosition()[2];
+  this->Pointer(150, 150);
+  EXPECT_EQ(this->Count(vtkCommand::MiddleButtonPressEvent), 1);
+  this->Pointer(170, 150); // the program pans
+  this->Pointer(170, 150, vtkCommand::MiddleButtonReleaseEvent);
+  this->Run(10);
+  EXPECT_NE(this->GetView(), before);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetTipPosition()[2], depth, 1e-6);
+  const std::vector<double> panned = this->GetView();
+  EXPECT_EQ(this->Count(vtkCommand::MouseMoveEvent, 175, 150), 0) << "the hand has the mouse again";
+  EXPECT_EQ(this->GetView(), panned);
+  // A press that the hand has used is released for the hand, even if the touch mode has ended.
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 175, 150), 0);
+  this->Widget->TouchModeOff();
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonReleaseEvent, 175, 150), 0);
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 175, 150), 1);
+}
+
+TEST_F(HapticWidget, AnotherStyleOfTheProgramEndsNothing)
+{
+  this->SwitchOn();
+  this->PushIn();
+  const double before = this->GetForce();
+  vtkNew<vtkInteractorStyleImage> other;
+  this->Interactor->SetInteractorStyle(other);
+  this->Run(20);
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+  EXPECT_NEAR(this->GetForce(), before, 1e-3);
+  EXPECT_EQ(this->Count(vtkCommand::MouseWheelBackwardEvent), 0);
+  EXPECT_EQ(this->Press("Escape", '\x1b'), 0);
+  this->ExpectLetGo();
+}
+
+TEST_F(HapticWidget, OffLeavesTheWindowAsItWas)
+{
+  const int props = this->Renderer->GetViewProps()->GetNumberOfItems();
+  this->SwitchOn();
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), props + 2) << "hand and display";
+  EXPECT_TRUE(this->Widget->GetDevice()->IsRunning());
+  this->PushIn();
+  this->Widget->Off();
+  EXPECT_FALSE(this->Widget->GetTouchMode());
+  EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), props);
+  EXPECT_FALSE(this->Widget->GetDevice()->IsRunning());
+  EXPECT_FALSE(this->Widget->GetDevice()->IsOpen());
+  EXPECT_EQ(this->GetForce(), 0.0);
+  EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent), 1);
+  EXPECT_EQ(this->Press("Escape"), 2);
+  // By VTK's convention the activation key switches the widget on again.
+  this->Pointer(150, 150);
+  this->Press("t", 't');
+  EXPECT_TRUE(this->Widget->GetEnabled());
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+}
+
+TEST_F(HapticWidget, EndsWithTheInteractorAndWithoutOne)
+{
+  this->SwitchOn();
+  this->PushIn();
+  this->Widget->SetInteractor(nullptr);
+  EXPECT_FALSE(this->Widget->GetEnabled());
+  this->ExpectLetGo();
+  this->Widget->On();
+  EXPECT_FALSE(this->Widget->GetEnabled());
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("SetInteractor()"), std::string::npos);
+  this->Widget->SetInteractor(this->Interactor);
+  this->Widget->On(); // the cure
+  EXPECT_TRUE(this->Widget->GetEnabled());
+}
+
+TEST_F(HapticWidget, TouchesTheFirstOfSeveralVolumes)
+{
+  vtkNew<vtkVolume> front;
+  this->AddBall(front, 40.0);
+  this->SwitchOn();
+  this->PushIn();
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 70.0 + 2.0, 1.5);
+  this->Widget->TouchModeOff();
+  this->ExpectLetGo();
+  this->Widget->SetVolume(this->Volume);
+  this->PushIn();
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+  this->Widget->TouchModeOff();
+  this->ExpectLetGo();
+  this->Widget->SetVolume(nullptr);
+  front->VisibilityOff();
+  this->PushIn();
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+}
+
+TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
+{
+  this->Renderer->RemoveVolume(this->Volume);
+  this->SwitchOn();
+  EXPECT_TRUE(this->Log.Errors.empty());
+  this->Pointer(150, 150);
+  this->Press("t", 't');
+  this->Release("t", 't');
+  EXPECT_FALSE(this->Widget->GetTouchMode());
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("add a visible vtkVolume"), std::string::npos);
+  this->Renderer->AddVolume(this->Volume); // the cure
+  this->PushIn();
+}
+
+TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
+{
+  // As wxVTKRenderWindowInteractor of VTK sends them: GetKeyCode() of wxKeyEvent, which is a
+  // capital letter for a key without Shift, and no name.
+  this->SwitchOn();
+  this->Pointer(150, 150);
+  EXPECT_EQ(this->Press(nullptr, 'T'), 0);
+  EXPECT_EQ(this->Release(nullptr, 'T'), 0);
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+  EXPECT_EQ(this->Press(nullptr, 'X'), 2);
+  EXPECT_EQ(this->Press(nullptr, '\x1b'), 0);
+  this->ExpectLetGo();
+}
+
+TEST_F(HapticWidget, HasAnotherKeyAndADeviceOfTheProgram)
+{
+  vtkNew<vtkHapticDevice> device;
+  ASSERT_TRUE(device->Open("virtual"));
+  this->Widget->SetDevice(device);
+  this->Widget->SetKeyPressActivationValue('j');
+  this->SwitchOn();
+  EXPECT_TRUE(device->IsRunning());
+  this->Pointer(150, 150);
+  EXPECT_EQ(this->Press("t", 't'), 2);
+  EXPECT_EQ(this->Press("j", 'j'), 0);
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+  this->Widget->Off();
+  EXPECT_TRUE(device->IsOpen()) << "the program has opened it";
+  EXPECT_FALSE(device->IsRunning());
+}
+
+TEST_F(HapticWidget, TellsWhatIsMissingWithTheCure)
+{
+  const auto expectTold = [this](const char* cure)
+  {
+    ASSERT_EQ(this->Log.Errors.size(), 1U) << cure;
+    EXPECT_NE(this->Log.Errors[0].find(cure), std::string::npos) << this->Log.Errors[0];
+    this->Log.Errors.clear();
+  };
+  this->Widget->SetDevice(nullptr);
+  expectTold("needs a device");
+  EXPECT_NE(this->Widget->GetDevice(), nullptr);
+  this->Widget->SetVolumeHaptics(nullptr);
+  expectTold("needs a filter");
+  EXPECT_NE(this->Widget->GetVolumeHaptics(), nullptr);
+  this->Widget->SetInteractor(this->Interactor);
+  this->Widget->TouchModeOn();
+  expectTold("Cure: On()");
+  vtkNew<vtkVolume> other;
+  this->Widget->SetVolume(other);
+  this->Widget->On();
+  this->Widget->TouchModeOn();
+  expectTold("of a renderer of the window");
+  EXPECT_FALSE(this->Widget->GetTouchMode());
+  this->AddBall(other, 0.0); // the cure
+  this->PushIn();
+}
