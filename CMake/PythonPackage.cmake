@@ -37,6 +37,7 @@ foreach (file IN ITEMS
     __init__.py
     __main__.py
     _grids.py
+    _hosts.py
     _identify.py
     _labels.py
     _large.py

@@ -11,8 +11,8 @@ In one call, of images and polydata or of NumPy arrays:
 
 touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
 volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. identify() tells which materials a hand could tell
-apart; open_large() opens volumes that are larger than memory. volumehaptics.pyvista does the same with
-PyVista's data, and makes its plotters touchable. volumehaptics.examples has a head to try them on, and
+apart; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any
+VTK program touchable. volumehaptics.pyvista does all this with PyVista's data and plotters. volumehaptics.examples has a head to try them on, and
 
     python -m volumehaptics --demo
 
@@ -53,6 +53,7 @@ from .vtkVolumeHaptics import *
 
 if TYPE_CHECKING:
     from . import arrays, examples, pyvista
+    from ._hosts import add_haptics
     from ._identify import identify
     from ._large import open_large
     from .arrays import image, path
@@ -61,13 +62,13 @@ __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("v
 
 # On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
-_FUNCTIONS = {"identify": "._identify", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
+_FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
 
 if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
 
     def __getattr__(name: str):
-        if name == "pyvista" and not _HAS_RENDERING:
-            raise ImportError("this volumehaptics was built without rendering, which PyVista's windows need. "
+        if name in ("add_haptics", "pyvista") and not _HAS_RENDERING:
+            raise ImportError("this volumehaptics was built without rendering, which windows need. "
                               "Cure: one that was built with VolumeHaptics_USE_RENDERING=ON")
         if name in _MODULES or name == "pyvista":
             return importlib.import_module(f".{name}", __name__)

@@ -1,0 +1,193 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the volumes in the window of any VTK program touchable. It imports none of these programs."""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable
+from typing import Any
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor, vtkRenderer, vtkVolume
+
+from ._qt import watch_widget
+from ._touch import Errors, configure
+from .vtkVolumeHaptics import (
+    vtkHapticDevice,
+    vtkHapticHeadUpDisplay,
+    vtkHapticRepresentation,
+    vtkHapticWidget,
+    vtkInteractorStyleHaptic,
+    vtkVolumeHapticsFilter,
+)
+
+# What programs call the things that lead to a window: VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
+_NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
+_DEPTH = 4  # of these, such as figure.scene.interactor
+
+
+class Haptics:
+    """What add_haptics() has added to a window, until close() is called, the window ends, or this object goes.
+
+    widget: the vtkHapticWidget that observes the window's interactor.
+    device: the vtkHapticDevice in the hand, whose servo runs once there is a volume.
+    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
+    style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
+    representation: the vtkHapticRepresentation, the hand in the scene.
+    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
+    """
+
+    def __init__(self, widget: vtkHapticWidget) -> None:
+        self.widget = widget
+        self.device: vtkHapticDevice = widget.GetDevice()
+        self.filter: vtkVolumeHapticsFilter = widget.GetVolumeHaptics()
+        self.style: vtkInteractorStyleHaptic = widget.GetStyle()
+        self.representation: vtkHapticRepresentation = widget.GetRepresentation()
+        self.head_up_display: vtkHapticHeadUpDisplay = widget.GetHeadUpDisplay()
+        self.closed = False
+        self._leave_widget: Callable[[], None] | None = None
+
+    def update(self) -> bool:
+        """One step of the window's timer, for programs whose loop has none. True: there is something new to draw."""
+        return not self.closed and self.widget.UpdateHaptics()
+
+    def close(self) -> None:
+        """Ends all force, and gives the window back as it was. May be called twice."""
+        if not self.closed:
+            self.closed = True
+            if self._leave_widget is not None:
+                self._leave_widget()
+            self.widget.SetInteractor(None)
+
+    def __del__(self) -> None:
+        self.close()
+
+    def __enter__(self) -> Haptics:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _let_go(self) -> None:
+        """Ends the touch; the force fades."""
+        self.device.FadeOut()
+        self.widget.TouchModeOff()
+
+
+def _plain_vtk(wrapped: Any) -> Any:
+    """The object of VTK in one of tvtk's (Mayavi)."""
+    return getattr(wrapped, "_vtk_obj", wrapped)
+
+
+def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
+    """The interactor of what a program calls its window, by what it has."""
+    target = _plain_vtk(target)
+    if isinstance(target, vtkRenderWindowInteractor):
+        return target
+    if isinstance(target, vtkRenderWindow):
+        return target.GetInteractor()
+    if isinstance(target, vtkRenderer):
+        return _find_interactor(target.GetRenderWindow(), depth)
+    if target is None or depth == 0 or callable(target):
+        return None
+    window = getattr(target, "GetRenderWindow", None)
+    candidates = [getattr(target, name, None) for name in _NAMES] + [window() if callable(window) else None]
+    return next(filter(None, (_find_interactor(one, depth - 1) for one in candidates)), None)
+
+
+def _find_volume(volume: Any) -> vtkVolume:
+    """The volume that a program shows, by what it has."""
+    for one in (volume, getattr(volume, "actor", None)):  # vedo
+        if isinstance(_plain_vtk(one), vtkVolume):
+            return _plain_vtk(one)
+    raise TypeError(f"what is touched in a window is a vtkVolume that it shows, not {_describe(volume)}. Cure: give that "
+                    "volume, or none: then it is what the window shows under the pointer")
+
+
+def _describe(thing: Any) -> str:
+    return f"{type(thing).__module__}.{type(thing).__qualname__}"
+
+
+def _is_of_pyvista(target: Any) -> bool:
+    return hasattr(target, "iren") and any(
+        kind.__module__.split(".")[0] == "pyvista" for kind in type(target).__mro__)
+
+
+def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -> vtkImageData | None:
+    """What a volume shows, or the first one of a window."""
+    shown = [volume] if volume is not None else []
+    renderers = interactor.GetRenderWindow().GetRenderers()
+    for renderer in map(renderers.GetItemAsObject, range(renderers.GetNumberOfItems())):
+        volumes = renderer.GetVolumes()
+        shown += map(volumes.GetItemAsObject, range(volumes.GetNumberOfItems()))
+    images = (one.GetMapper().GetInputDataObject(0, 0) for one in shown if one.GetMapper() is not None)
+    return next((image for image in images if isinstance(image, vtkImageData)), None)
+
+
+def add_haptics(target: Any, volume: Any = None, preset: str | None = None, device: Any = None, **settings: Any) -> Haptics:
+    """Makes the volumes in a window touchable, beside the style, the widgets and the keys of its program.
+
+    target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
+        plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi; or anything else that leads to a
+        window by an attribute that one of these has.
+    volume: what is touched, a vtkVolume or what has one. Default: what the window shows under the pointer.
+    preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
+        "propose": what the volume's own edges suggest, or a file ".json": both as in touch().
+    device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is open
+        and stays so.
+    settings: of vtkVolumeHapticsFilter, in snake_case, as for touch().
+
+    The key t with the pointer on a volume begins the touch, Escape ends it: see vtkHapticWidget. Keep what comes back:
+    the touch ends with it.
+
+    TypeError: target leads to no window, or volume is none. ValueError: the window has no interactor, or settings can't
+    be felt; the text says why, and what helps. RuntimeError: the device does not open.
+    """
+    if _is_of_pyvista(target):
+        from .pyvista import add_haptics as add_to_plotter
+
+        return add_to_plotter(target, volume, preset, device="virtual" if device is None else device, **settings)
+    interactor = _find_interactor(target)
+    if interactor is None or interactor.GetRenderWindow() is None:
+        raise TypeError(f"haptics are added to a window, and {_describe(target)} leads to none that has an interactor. "
+                        "Cure: give the vtkRenderWindowInteractor, after SetRenderWindow() of it")
+    widget = vtkHapticWidget()
+    haptics = Haptics(widget)
+    touched = None if volume is None else _find_volume(volume)
+    image = _image_of(interactor, touched)
+    try:
+        with Errors(widget, haptics.filter, haptics.filter.GetProperty()) as errors:
+            if preset is not None or settings:
+                if image is None:
+                    raise ValueError("the window shows no image yet, which a preset or settings are checked against. "
+                                     "Cure: add_haptics() after the volume was added")
+                configure(haptics.filter, image, preset, settings, errors, "add_haptics")
+            widget.SetVolume(touched)
+            _choose_device(haptics, device)
+            widget.SetInteractor(interactor)
+            widget.On()
+        if errors:
+            raise ValueError("; ".join(errors))
+    except BaseException:
+        haptics.close()
+        raise
+    itself = weakref.ref(haptics)
+
+    def let_go() -> None:
+        haptics = itself()
+        if haptics is not None and not haptics.closed:
+            haptics._let_go()
+
+    haptics._leave_widget = watch_widget(target, let_go)  # if it is one of Qt
+    return haptics
+
+
+def _choose_device(haptics: Haptics, wanted: Any) -> None:
+    if isinstance(wanted, vtkHapticDevice):
+        haptics.widget.SetDevice(wanted)
+        haptics.device = wanted
+    elif wanted is not None:
+        with Errors(haptics.device) as errors:
+            if not haptics.device.Open(wanted):
+                raise RuntimeError("; ".join(errors))

@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""add_haptics() in windows of programs that keep their own style: of VTK itself, and of shapes that other libraries have."""
+
+import time
+import types
+
+import numpy
+import pytest
+import volumehaptics
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
+from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  isort: skip
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  isort: skip
+
+RADIUS = 30.0  # mm, of a ball in a cube of 96 mm
+
+
+class Program:
+    """A window with a ball, off the screen: the camera looks along -z, and a pixel is 0.2 mm."""
+
+    def __init__(self):
+        axis = numpy.arange(-48.0, 49.0)
+        z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+        values = 100.0 * (RADIUS - numpy.sqrt(x * x + y * y + z * z))
+        image = volumehaptics.image(values.astype(numpy.float32), origin=(-48.0, -48.0, -48.0))
+        self.volume = vtkVolume()
+        mapper = vtkFixedPointVolumeRayCastMapper()
+        mapper.SetInputData(image)
+        self.volume.SetMapper(mapper)
+        opacity = vtkPiecewiseFunction()
+        opacity.AddPoint(-1.0, 0.0)
+        opacity.AddPoint(1.0, 1.0)
+        self.volume.GetProperty().SetScalarOpacity(opacity)
+        self.renderer = vtkRenderer()
+        self.renderer.AddVolume(self.volume)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(0.0, 0.0, 200.0)
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(30.0)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetSize(300, 300)
+        self.window.AddRenderer(self.renderer)
+        self.interactor = vtkRenderWindowInteractor()
+        self.interactor.SetRenderWindow(self.window)
+        self.style = vtkInteractorStyleTrackballCamera()
+        self.interactor.SetInteractorStyle(self.style)
+
+    def press(self, haptics):
+        """Touches the middle of the ball by the key and the wheel; the largest force (N)."""
+        self.interactor.SetEventInformation(150, 150)
+        self.interactor.SetKeySym("t")
+        self.interactor.InvokeEvent("KeyPressEvent")
+        assert haptics.widget.GetTouchMode()
+        force = 0.0
+        end = time.monotonic() + 30.0
+        steps = 0
+        while force < 0.3 and time.monotonic() < end:
+            if steps < 5:
+                self.interactor.InvokeEvent("MouseWheelForwardEvent")
+                steps += 1
+            time.sleep(0.02)
+            haptics.update()
+            force = numpy.linalg.norm(haptics.device.GetForce())
+        return force
+
+
+@pytest.fixture
+def program():
+    return Program()
+
+
+TARGETS = {
+    "interactor": lambda p: p.interactor,
+    "window": lambda p: p.window,
+    "renderer": lambda p: p.renderer,
+    "vedo.Plotter": lambda p: types.SimpleNamespace(interactor=p.interactor, window=p.window, renderer=p.renderer),
+    "fury.window.ShowManager": lambda p: types.SimpleNamespace(iren=p.interactor, scene=p.renderer),
+    "mayavi figure": lambda p: types.SimpleNamespace(scene=types.SimpleNamespace(
+        interactor=types.SimpleNamespace(_vtk_obj=p.interactor))),
+    "widget of Qt, Tk or wx": lambda p: types.SimpleNamespace(GetRenderWindow=lambda: p.window),
+}
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_one_line_makes_a_window_touchable(program, target):
+    haptics = volumehaptics.add_haptics(TARGETS[target](program))
+    assert program.press(haptics) > 0.3
+    # 500 N/m at a surface that is read two voxels ahead: the proxy is within them of the ball.
+    assert abs(numpy.linalg.norm(haptics.device.GetProxyPosition()) - RADIUS) < 3.0
+    assert program.interactor.GetInteractorStyle() is program.style
+    haptics.close()
+    haptics.close()
+    assert haptics.closed and not haptics.device.IsRunning()
+    assert program.renderer.GetViewProps().GetNumberOfItems() == 1, "only the volume is left"
+
+
+def test_what_comes_back_has_the_parts_and_takes_settings(program):
+    with volumehaptics.add_haptics(program.interactor, program.volume, "CT contrast", kernel_radius=3) as haptics:
+        assert haptics.filter.GetKernelRadius() == 3
+        assert haptics.filter is haptics.widget.GetVolumeHaptics()
+        assert haptics.style.GetDevice() is haptics.device
+        assert program.renderer.HasViewProp(haptics.representation)
+        assert program.renderer.HasViewProp(haptics.head_up_display)
+        assert haptics.style.GetTouchedVolume() is program.volume
+        assert haptics.device.IsRunning()
+    assert haptics.closed
+
+
+def test_a_device_of_the_program_stays_open(program):
+    device = volumehaptics.vtkHapticDevice()
+    assert device.Open("virtual")
+    with volumehaptics.add_haptics(program.interactor, device=device) as haptics:
+        assert haptics.device is device
+        assert program.press(haptics) > 0.3
+    assert device.IsOpen()
+
+
+def test_what_leads_to_no_window_is_told_with_the_cure(program):
+    with pytest.raises(TypeError, match=r"builtins\.dict leads to none.*Cure: give the vtkRenderWindowInteractor"):
+        volumehaptics.add_haptics({})
+    lonely = vtkRenderWindowInteractor()
+    with pytest.raises(TypeError, match=r"SetRenderWindow\(\)"):
+        volumehaptics.add_haptics(lonely)
+    lonely.SetRenderWindow(program.window)  # the cure
+    with volumehaptics.add_haptics(lonely) as haptics:
+        program.interactor = lonely
+        assert program.press(haptics) > 0.3
+    with pytest.raises(TypeError, match=r"builtins\.str\. Cure: give that volume, or none"):
+        volumehaptics.add_haptics(program.window, "volume")
+    with pytest.raises(RuntimeError, match="nonsense"):
+        volumehaptics.add_haptics(program.window, device="nonsense")
+    with pytest.raises(ValueError, match="no preset"):
+        volumehaptics.add_haptics(program.window, preset="CT nonsense")
+
+
+def test_a_preset_needs_a_volume_to_be_checked_against(program):
+    program.renderer.RemoveVolume(program.volume)
+    with pytest.raises(ValueError, match="Cure: add_haptics.. after the volume was added"):
+        volumehaptics.add_haptics(program.window, preset="CT contrast")
+    with volumehaptics.add_haptics(program.window) as haptics:
+        program.renderer.AddVolume(program.volume)
+        assert program.press(haptics) > 0.3
