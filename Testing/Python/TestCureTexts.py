@@ -216,7 +216,6 @@ OUTSIDE = {
 
 # Errors that no test provokes; what their cures name is tried elsewhere.
 UNPROVOKED = (
-    "turn it with --front and --up",  # tried in TestExplorerCures.py
     "the measurements of this window first, then F11",  # Testing/Window/keep.sh
     "Lower MaximumRegionVoxels",  # TestLiveModes.py feels with less
     "Choose a RecordingFile in a folder that can be",  # TestLiveRemote.py records

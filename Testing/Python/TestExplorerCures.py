@@ -189,6 +189,7 @@ COMMANDS = (
     ("{}/ramp.vti --script {}/short.txt", "and a duration in seconds: stroke 0.7 0.5 1.5", (REPLAY, )),
     ("{}/ramp.vti --script {}/long.txt", "write one event a line", (REPLAY, )),
     ("{}/ramp.vti --script {}/none.txt", "--script …can't be read…name a file that is there", (REPLAY, )),
+    ("{}/bowl.vti", "turn it with --front and --up", ("{}/bowl.vti --front +y", "{}/bowl.vti --front +y --up -z")),
     ("{}/ramp.vti --preset CT%chest", "take another --preset, or press e in the window", (f"{{}}/ramp.vti {ALL}", )),
 )
 
@@ -268,7 +269,7 @@ def fill(folder, values):
     (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
     (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
     for name, one in {
-            "slice": values[:1], "thin": values[:3], "nan": np.full(values.shape, np.nan),
+            "bowl": bowl(), "slice": values[:1], "thin": values[:3], "nan": np.full(values.shape, np.nan),
             "noise": np.random.default_rng(2).normal(0.0, 30.0, values.shape)}.items():
         write_image(folder / f"{name}.vti", image(np.ascontiguousarray(one)))
     for name, place in (("flat", dict(spacing=(1, 0, 1))), ("singular", {}), ("flow", {}), ("bare", {}), ("novoxels", {})):
@@ -317,6 +318,18 @@ def fill(folder, values):
     writer.SetInputData(back)
     writer.SetFileName(str(folder / "back.vtp"))
     writer.Write()
+
+
+def bowl():
+    """It opens towards the camera, which is 38 degrees to the left of -y and 20 degrees above: on the way from there to its
+    middle, in its hollow, there is only air."""
+    left, above = np.radians((38.0, 20.0))
+    toward = np.array([np.cos(above) * np.sin(left), -np.cos(above) * np.cos(left), np.sin(above)])
+    z, y, x = np.mgrid[0:60, 0:60, 0:60].astype(float)
+    from_middle = np.stack([x, y, z], -1) - 29.5 - 59.375 * toward
+    radius = np.linalg.norm(from_middle, axis=-1)
+    is_in = (radius > 60.0) & (radius < 65.0) & (from_middle @ -toward > np.cos(np.radians(25.0)) * radius)
+    return 1000.0 * is_in + np.random.default_rng(4).normal(0.0, 0.3, x.shape)
 
 
 def pvd(*entries):
