@@ -9,8 +9,9 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
-from paraview import simple  # noqa: E402
+from paraview import servermanager, simple  # noqa: E402
 from paraview.modules.vtkRemotingCore import vtkProcessModule  # noqa: E402
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow  # noqa: E402
 
 ranks = vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 assert ranks > 1, "this is the test of several ranks"
@@ -46,3 +47,14 @@ ticks = rig.arrays_of(haptics)
 if rig.is_first_rank():
     assert len(ticks["Force"]) == 1509, len(ticks["Force"])
     assert numpy.linalg.norm(ticks["Force"], axis=1).max() > 0.1
+
+# Only the first rank shows a view in which a device can be; what the others are told to do without it was done above.
+device, view = rig.HapticDevice(Touch=haptics), simple.CreateRenderView()
+log, console = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+vtkOutputWindow.SetInstance(log)
+link = servermanager.misc.HapticView(View=view, Device=device)
+link.Attached = 1
+vtkOutputWindow.SetInstance(console)
+told = "Attach the device to a render view of paraview or pvpython; a path can be felt anywhere" in log.GetOutput()
+assert told != rig.is_first_rank(), log.GetOutput()
+link.Attached = 0

@@ -143,7 +143,11 @@ TRIED = {
     },
     "ParaView/Live/TestLiveArrays.py": {"Choose a point array of another type than bits": "bits"},
     "ParaView/Live/TestLiveLarge.py": {"an Input whose file is there, and arm again": "no image"},
-    "ParaView/Live/TestLiveLost.py": {"Connect to a server again, and open the data there": "Connect"},
+    "ParaView/Live/TestLiveLost.py": {
+        "Connect to a server again, and open the data there": "Connect",
+        "Choose a RecordingFile in a folder that can be": "Choose a RecordingFile in a folder that can be",
+    },
+    "ParaView/TestRanks.py": {"Attach the device to a render view of paraview or pvpython": "a path can be felt anywhere"},
     "ParaView/Live/TestLiveCures.py": {
         "has no kind of mode. Give one of": "has no kind of mode. Give one of", "Leave it empty": "Leave it empty",
         'Give one, or pairs such as "0 0, 0.5 2"': 'Give one, or pairs such as "0 0, 0.5 2"',
@@ -218,8 +222,6 @@ OUTSIDE = {
 UNPROVOKED = (
     "the measurements of this window first, then F11",  # Testing/Window/keep.sh
     "Lower MaximumRegionVoxels",  # TestLiveModes.py feels with less
-    "Choose a RecordingFile in a folder that can be",  # TestLiveRemote.py records
-    "Attach the device to a render view of paraview or pvpython",  # TestLiveCures.py
     "The connection was closed. Attach again in another one",  # TestLiveLost.py connects again
     # Of the dock; Testing/ParaView/Gui opens, shows and attaches.
     "Select a volume in the pipeline browser", "There is nothing to be felt yet: attach first", "to be saved: attach first",

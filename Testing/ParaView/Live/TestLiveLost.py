@@ -4,6 +4,7 @@
 import os
 
 from paraview import simple
+from vtkmodules.util.misc import calldata_type
 
 import live
 
@@ -45,11 +46,27 @@ with live.Server():
     device = simple.HapticDevice(Touch=touch)
     live.press(device, [-9, 0, 0], [-4, 0, 0])
     live.check(live.poll(device, lambda: live.norm(device.Force) > 0.5), "a new server is touched", device.StatusText)
-    # A disk that is full is no secret.
+    # A folder that is not there is no secret, and neither is a disk that is full.
     full, errors = os.path.join(live.FOLDER, "full.csv"), []
     if not os.path.islink(full):
         os.symlink("/dev/full", full)
-    device.SMProxy.AddObserver("ErrorEvent", lambda *_: errors.append("full"))
+
+    @calldata_type("string0")
+    def note(_, __, message):
+        errors.append(message)
+
+    device.SMProxy.AddObserver("ErrorEvent", note)
+    device.RecordingFile = os.path.join(live.FOLDER, "nowhere", "felt.csv")
+    device.Recording = 1
+    live.check(len(errors) == 1 and "Choose a RecordingFile in a folder that can be" in errors[0], "there is no folder", errors)
+    errors.clear()
+    device.Recording = 0
+    device.RecordingFile = os.path.join(live.FOLDER, "felt.csv")
+    device.Recording = 1
+    live.poll_for(device, 0.1)
+    device.Recording = 0
+    log = live.read_log(device.RecordingFile)
+    live.check(not errors and max(map(abs, log["Force x (N)"])) > 0.5, "another folder has what is felt", errors)
     device.RecordingFile = full
     device.Recording = 1
     live.poll_for(device, 0.1)
