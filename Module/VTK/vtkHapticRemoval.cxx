@@ -8,12 +8,14 @@
 #include "VTK/Trace/ShareArrays.h"
 
 #include "vtkFieldData.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <utility>
 
 vtkStandardNewMacro(vtkHapticRemoval);
+vtkInformationKeyRestrictedMacro(vtkHapticRemoval, TOUCHED_ARRAY, ObjectBase, "vtkDataArray");
 
 namespace
 {

@@ -36,6 +36,7 @@
 #include <string> // for std::string
 
 class vtkImageData;
+class vtkInformationObjectBaseKey;
 class vtkPolyData;
 
 namespace VolumeHaptics
@@ -96,6 +97,17 @@ public:
   bool IsUsedUp();
   /** How many of Undo(), Redo() and Reset() wait or are carried out. */
   int GetNumberOfRequests();
+
+  /**
+   * In the information of an array that is shown instead of the touched one, such as a copy of it
+   * in which a head rest is hidden: the touched array. Then a scene shows what was removed of the
+   * shown array, too, by the same shares and AirValue:
+   *
+   *   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), touched);
+   *
+   * Both have the same number of values and components. The key keeps the touched array.
+   */
+  static vtkInformationObjectBaseKey* TOUCHED_ARRAY();
 
   /**
    * Makes an image of the shares, VTK_UNSIGNED_CHAR, with the geometry of the volume; without

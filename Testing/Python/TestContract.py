@@ -201,7 +201,8 @@ def test_tools():
     assert issubclass(volumehaptics.vtkHapticBurr, volumehaptics.vtkHapticShapedTool)
     check(volumehaptics.vtkHapticBurr, documented, ("SetSolidToFromStrength", "SetSolidToAbove", "SetSolidToBelow"))
     check(volumehaptics.vtkHapticRemoval, {"SetAutoAirValue": ("Default: on",), "SetAirValue": ("-1000",)},
-          ("Undo", "Redo", "Reset", "MakeShares", "WriteFile", "ReadFile", "ReadTrace", "GetRemovedVolume"))
+          ("Undo", "Redo", "Reset", "MakeShares", "WriteFile", "ReadFile", "ReadTrace", "GetRemovedVolume",
+           "TOUCHED_ARRAY"))
     haptics = vtkVolumeHapticsFilter()
     assert haptics.GetRemoval().IsEmpty()
     assert haptics.GetTool() is None

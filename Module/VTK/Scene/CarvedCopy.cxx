@@ -3,6 +3,9 @@
 #include "VTK/Scene/CarvedCopy.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkHapticRemoval.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkPointData.h"
 
 #include <cstring>
@@ -19,22 +22,50 @@ vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
     : nullptr;
 }
 
+/** What a mapper shows of the image at a port. */
+vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
+{
+  vtkImageData* const image = FindImage(mapper, port);
+  int isCells = 0;
+  return image
+    ? vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), isCells)
+    : nullptr;
+}
+
+bool IsShownInstead(vtkDataArray* shown, vtkDataArray* touched)
+{
+  return shown->HasInformation() &&
+    shown->GetInformation()->Get(vtkHapticRemoval::TOUCHED_ARRAY()) == touched &&
+    shown->GetNumberOfTuples() == touched->GetNumberOfTuples() &&
+    shown->GetNumberOfComponents() == touched->GetNumberOfComponents();
+}
+
 } // namespace
 
 int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array)
 {
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
   {
-    vtkImageData* const image = FindImage(mapper, port);
-    int isCells = 0;
-    if (image &&
-      vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-        mapper->GetArrayId(), mapper->GetArrayName(), isCells) == array)
+    if (GetShown(mapper, port) == array)
     {
       return port;
     }
   }
   return -1;
+}
+
+vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched)
+{
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataArray* const shown = GetShown(mapper, port);
+    if (shown && (shown == touched || IsShownInstead(shown, touched)))
+    {
+      return shown;
+    }
+  }
+  return nullptr;
 }
 
 bool CarvedCopy::Replace()
@@ -57,6 +88,11 @@ void CarvedCopy::CopyImage()
   this->ImageTime = this->Image->GetMTime();
   this->Left.TakeReference(vtkDataArray::CreateDataArray(this->Carved.Array->GetDataType()));
   this->Left->DeepCopy(this->Carved.Array);
+  if (this->Left->HasInformation())
+  {
+    // The copy is this picture's own.
+    this->Left->GetInformation()->Remove(vtkHapticRemoval::TOUCHED_ARRAY());
+  }
   this->Copy->ShallowCopy(this->Image);
   // Arrays keep their numbers, by which a mapper may ask for one.
   vtkPointData* const from = this->Image->GetPointData();

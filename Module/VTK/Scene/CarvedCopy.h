@@ -26,6 +26,11 @@ namespace VolumeHaptics
 
 /** The port at which a mapper gets an image of which it shows an array; -1 if there is none. */
 int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
+/**
+ * The array that a mapper shows if it is the touched one, or is shown instead of it: see
+ * vtkHapticRemoval::TOUCHED_ARRAY(). Null if it shows neither.
+ */
+vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
 
 class CarvedCopy
 {

@@ -25,6 +25,13 @@ bool DrawsOtherwise(vtkVolumeMapper* mapper)
     : mode != vtkSmartVolumeMapper::UndefinedRenderMode;
 }
 
+CarvedArray WithArray(const CarvedArray& touched, vtkDataArray* shown)
+{
+  CarvedArray carved = touched;
+  carved.Array = shown ? shown : touched.Array.Get();
+  return carved;
+}
+
 vtkOpenGLGPUVolumeRayCastMapper* FindTextureMapper(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
@@ -34,9 +41,10 @@ vtkOpenGLGPUVolumeRayCastMapper* FindTextureMapper(vtkVolumeMapper* mapper)
 
 } // namespace
 
-CarvedPicture::CarvedPicture(vtkVolumeMapper* mapper, CarvedArray carved)
+CarvedPicture::CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDataArray* shown)
   : Mapper(mapper)
-  , Carved(std::move(carved))
+  , Touched(std::move(touched))
+  , Carved(WithArray(this->Touched, shown))
   , Bricks(Carved.Removal)
 {
   if (vtkOpenGLGPUVolumeRayCastMapper* const drawing = FindTextureMapper(mapper))

@@ -30,7 +30,8 @@ namespace VolumeHaptics
 class CarvedPicture
 {
 public:
-  CarvedPicture(vtkVolumeMapper* mapper, CarvedArray carved);
+  /** @param shown the array that the mapper shows; null for the touched one itself */
+  CarvedPicture(vtkVolumeMapper* mapper, CarvedArray touched, vtkDataArray* shown = nullptr);
   ~CarvedPicture();
   CarvedPicture(const CarvedPicture&) = delete;
   CarvedPicture& operator=(const CarvedPicture&) = delete;
@@ -41,7 +42,10 @@ public:
    */
   bool Update();
   vtkVolumeMapper* GetMapper() const { return this->Mapper; }
-  const CarvedArray& GetArray() const { return this->Carved; }
+  /** The touched array, of which the tool has removed tissue. */
+  const CarvedArray& GetArray() const { return this->Touched; }
+  /** The array that is shown, which may be another one. */
+  vtkDataArray* GetShown() const { return this->Carved.Array; }
   /** Whether an image is the copy that the mapper shows in the place of its own. */
   bool IsCopy(vtkDataObject* image) const { return this->Copy && this->Copy->IsCopy(image); }
   /** What the copy replaces; null if there is none. */
@@ -54,7 +58,8 @@ public:
 
 private:
   vtkWeakPointer<vtkVolumeMapper> Mapper;
-  const CarvedArray Carved;
+  const CarvedArray Touched;
+  const CarvedArray Carved; ///< the array that is shown
   FollowedBricks Bricks;
   std::unique_ptr<CarvedTexture> Texture;
   std::unique_ptr<CarvedCopy> Copy;

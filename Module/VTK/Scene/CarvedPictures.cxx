@@ -27,8 +27,13 @@ void CarvedPictures::Find(
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    const auto isKnown = [mapper, &array](const std::unique_ptr<CarvedPicture>& one)
-    { return one && one->GetMapper() == mapper && one->GetArray().IsSame(array); };
+    // Nothing if the mapper has a picture's copy, or shows something else.
+    vtkDataArray* const shown = FindShownArray(mapper, array.Array);
+    const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
+    {
+      return one && one->GetMapper() == mapper && one->GetArray().IsSame(array) &&
+        (!shown || shown == one->GetShown());
+    };
     if (!mapper || std::any_of(now.begin(), now.end(), isKnown))
     {
       continue;
@@ -38,9 +43,9 @@ void CarvedPictures::Find(
     {
       now.push_back(std::move(*known));
     }
-    else if (FindShownPort(mapper, array.Array) >= 0)
+    else if (shown)
     {
-      now.push_back(std::make_unique<CarvedPicture>(mapper, array));
+      now.push_back(std::make_unique<CarvedPicture>(mapper, array, shown));
     }
   }
 }

@@ -9,6 +9,9 @@
 #include "CarvedScene.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkHapticRemoval.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseKey.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkVariant.h>
 
@@ -119,6 +122,63 @@ TEST_F(CarvedPicturesScene, LeavesOtherVolumesAlone)
   EXPECT_EQ(this->Pictures.FindImage(nullptr), nullptr);
   this->Pictures.Clear();
   EXPECT_LE(Difference(this->Scene.Draw(), whole), 1);
+}
+
+/// A copy in which a part is hidden is shown instead of the touched array: by a texture and a copy.
+TEST_F(CarvedPicturesScene, ShowsItInAnArrayThatIsShownInstead)
+{
+  const vtkSmartPointer<vtkImageData> other = MakeImage(VTK_UNSIGNED_CHAR, 1, 0.0, 250.0);
+  vtkDataArray* const shown = other->GetPointData()->GetScalars();
+  for (vtkIdType i = 2; i < shown->GetNumberOfTuples() / 3; ++i)
+  {
+    shown->SetComponent(i, 0, 0.0);
+  }
+  shown->GetInformation()->Set(
+    vtkHapticRemoval::TOUCHED_ARRAY(), this->Image->GetPointData()->GetScalars());
+  this->Burr.At(28.0, 19.0, 30.0, 7.0);
+  const vtkSmartPointer<vtkImageData> reference =
+    MakeCarved(other, this->Burr.Shares, 0, this->MakeArray().Air);
+  this->Scene.Mapper->SetInputDataObject(other);
+  const std::vector<int> whole = this->Scene.Draw();
+  this->Scene.Mapper->SetInputDataObject(reference);
+  const std::vector<int> expected = this->Scene.Draw();
+  EXPECT_GT(Difference(expected, whole), 20);
+
+  this->Scene.Mapper->SetInputDataObject(other);
+  EXPECT_LE(Difference(this->Follow({ this->MakeArray() }), expected), 1);
+  EXPECT_EQ(this->Scene.Mapper->GetInputDataObject(0, 0), other) << "by its texture";
+  EXPECT_LE(Difference(this->Follow({}), whole), 1);
+
+  vtkNew<vtkVolume> second;
+  vtkNew<vtkFixedPointVolumeRayCastMapper> copied;
+  copied->SetInputData(other);
+  second->SetMapper(copied);
+  SetLook(second->GetProperty(), 1, 0.0, 250.0);
+  this->Scene.Renderer->RemoveAllViewProps();
+  this->Scene.Renderer->AddVolume(second);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }), i == 0) << i;
+    vtkDataArray* const copy = copied->GetInput()->GetPointData()->GetScalars();
+    vtkDataArray* const wanted = reference->GetPointData()->GetScalars();
+    ASSERT_NE(copy, shown);
+    for (vtkIdType at = 0; at < wanted->GetNumberOfTuples(); ++at)
+    {
+      ASSERT_EQ(copy->GetComponent(at, 0), wanted->GetComponent(at, 0)) << at;
+    }
+  }
+  this->Burr.Reset();
+  this->Follow({});
+  EXPECT_EQ(copied->GetInput(), other);
+
+  // Another volume's, and one of another size.
+  shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), shown);
+  this->Burr.At(28.0, 19.0, 30.0, 7.0);
+  EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
+  shown->GetInformation()->Set(
+    vtkHapticRemoval::TOUCHED_ARRAY(), this->Image->GetPointData()->GetScalars());
+  shown->SetNumberOfTuples(shown->GetNumberOfTuples() - 1);
+  EXPECT_FALSE(this->Pictures.Update(this->Scene.Renderer, { this->MakeArray() }));
 }
 
 namespace

@@ -12,7 +12,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRemoval.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -70,6 +72,12 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   result.Body = volume.AreLabels
     ? volume.Image
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
+  if (scalars && result.Body != volume.Image)
+  {
+    // What is removed from the one that is felt is to be seen.
+    result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
+      vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
+  }
   if (!volume.Large && !volume.Frames)
   {
     const double share = MeasureHidden(volume.Image, result.Body, result.Values.OuterThreshold);
