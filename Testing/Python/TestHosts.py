@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """add_haptics() in windows of programs that keep their own style: of VTK itself, and of shapes that other libraries have."""
 
+import re
 import time
 import types
+from pathlib import Path
 
 import numpy
 import pytest
@@ -97,6 +99,15 @@ def test_one_line_makes_a_window_touchable(program, target):
     haptics.close()
     assert haptics.closed and not haptics.device.IsRunning()
     assert program.renderer.GetViewProps().GetNumberOfItems() == 1, "only the volume is left"
+
+
+def test_the_line_of_the_page_does_it(program):
+    page = Path(__file__).resolve().parents[2] / "Documentation" / "window.md"
+    (block,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    names = {"volumehaptics": volumehaptics, "plotter": TARGETS["vedo.Plotter"](program)}
+    exec(block, names)
+    with names["haptics"] as haptics:
+        assert program.press(haptics) > 0.3
 
 
 def test_what_comes_back_has_the_parts_and_takes_settings(program):
