@@ -113,7 +113,7 @@ void CheckTissues(int argc, char* argv[])
   const double skin =
     Hear(exploration, begin + start, begin + SLIDE, -150.0, -80.0, "skin over fat (neck)");
   // Where the muscle under the fat holds: deeper, the hand goes through it.
-  begin = Stroke(exploration, 40.0, 0.0, 11.0);
+  begin = Stroke(exploration, 40.0, 0.0, 10.0);
   const double muscle =
     Hear(exploration, begin + start, begin + SLIDE, 35.0, 80.0, "muscle (temple)");
   exploration.Filter->SetPathData(exploration.Tip.Path);
