@@ -147,6 +147,12 @@ TRIED = {
         "Connect to a server again, and open the data there": "Connect",
         "Choose a RecordingFile in a folder that can be": "Choose a RecordingFile in a folder that can be",
     },
+    "ParaView/Gui/session.py": {
+        "is no image data, so it can't be felt. Select a volume in the": "can't be felt. Select a volume",
+        "There is nothing to be felt yet: attach first": "There is nothing to be felt yet: attach first",
+        "There is nothing felt to be saved: attach first": "There is nothing felt to be saved: attach first",
+        "press Show as CT volume, or choose": "press Show as CT volume, or choose",
+    },
     "ParaView/TestRanks.py": {"Attach the device to a render view of paraview or pvpython": "a path can be felt anywhere"},
     "ParaView/Live/TestLiveCures.py": {
         "has no kind of mode. Give one of": "has no kind of mode. Give one of", "Leave it empty": "Leave it empty",
@@ -223,9 +229,8 @@ UNPROVOKED = (
     "the measurements of this window first, then F11",  # Testing/Window/keep.sh
     "Lower MaximumRegionVoxels",  # TestLiveModes.py feels with less
     "The connection was closed. Attach again in another one",  # TestLiveLost.py connects again
-    # Of the dock; Testing/ParaView/Gui opens, shows and attaches.
-    "Select a volume in the pipeline browser", "There is nothing to be felt yet: attach first", "to be saved: attach first",
-    "is a file of this computer, which the server does not read: open it there", "press Show as CT volume, or choose",
+    # Of the dock; Testing/ParaView/Gui opens a recording.
+    "is a file of this computer, which the server does not read: open it there",
 )
 
 # Texts that the scan takes for cures.

@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 STEPS = ["setup", "attached", "chosen", "saved", "loaded", "picture_of_dock", "shown_as_ct", "focused", "touch_mode", "contact",
          "at_rest", "picture", "recorded", "opened", "escaped", "detached", "keys", "armed_elsewhere",
          "taken_over", "armed", "other_style", "close_view", "view_closed", "delete_device",
-         "device_deleted", "armed_at_exit"]
+         "device_deleted", "cures", "armed_at_exit"]
 LIMIT = 600  # s: a hang; it takes a minute, and four on a machine that computes six times as much beside it
 
 

@@ -187,17 +187,35 @@ class Session:
             self.device().UpdatePipeline()
             time.sleep(0.02)
 
+    def arm(self, device):
+        device.Armed = 1
+        for _ in range(100):
+            device.UpdatePipeline()
+            time.sleep(0.02)
+            device.UpdatePropertyInformation()
+            if "100 % of the force" in "".join(device.GetPropertyValue("StatusText")):
+                break
+
+    def feel(self):
+        """Into the forehead from the front; as above, once more."""
+        device = self.device()
+        for _ in range(5):
+            device.Armed = 0
+            device.VirtualTip = [-25, -110, 45]
+            for _ in range(20):
+                device.UpdatePipeline()
+                time.sleep(0.02)
+            self.arm(device)
+            self.lead(device, [-25, -70, 45])
+            if self.force(device) > 0.5:
+                return
+        raise AssertionError(f"only {self.force(device)} N are felt: {device.GetPropertyValue('StatusText')}")
+
     def press(self):
         """By the wheel, a voxel a step. If the machine stood still, force was cut off, as it must be: once more."""
         device = self.device()
         for _ in range(5):
-            device.Armed = 1
-            for _ in range(100):
-                device.UpdatePipeline()
-                time.sleep(0.02)
-                device.UpdatePropertyInformation()
-                if "100 % of the force" in "".join(device.GetPropertyValue("StatusText")):
-                    break
+            self.arm(device)
             for steps in range(1, 21):
                 self.turn_wheel(1)
                 if self.force(device) > 0.5:
@@ -351,6 +369,68 @@ class Session:
         assert self.force(self.kept) < AT_REST, "the device is deleted, and force is left"
         assert self.current_style() is self.style, "the view has not got its own style back"
         self.kept = None
+
+    def told(self):
+        """What the dock says, now and after its next look at the device."""
+        from PyQt5 import QtWidgets
+
+        label, = self.main_window().findChildren(QtWidgets.QLabel, "HapticStatus")
+        QtWidgets.QApplication.processEvents()
+        end = time.monotonic() + 0.5
+        while time.monotonic() < end:
+            QtWidgets.QApplication.processEvents()
+            time.sleep(0.01)
+        return label.text()
+
+    def call(self, slot, *arguments):
+        """What a button of the dock does that was pressed before the dock has seen the last change."""
+        from PyQt5 import QtCore
+
+        dock, = self.main_window().findChildren(QtCore.QObject, "HapticDock")
+        controller, = [child for child in dock.children() if child.metaObject().className() == "HapticController"]
+        QtCore.QMetaObject.invokeMethod(controller, slot, *(QtCore.Q_ARG(str, one) for one in arguments))
+        return self.told()
+
+    def press_button(self, name):
+        from PyQt5 import QtWidgets
+
+        button, = self.main_window().findChildren(QtWidgets.QPushButton, name)
+        button.click()
+        return self.told()
+
+    def cures(self):
+        """What the dock says that a person has to do is done."""
+        from PyQt5 import QtWidgets
+
+        head, file, sphere = simple.FindSource("HeadPhantom.vti"), os.path.join(OUTPUT, "cure.json"), simple.Sphere()
+        sphere.UpdatePipeline()
+        simple.SetActiveSource(sphere)
+        for told, words in ((self.call("loadPreset", file), "There is nothing to be felt yet: attach first."),
+                            (self.call("savePreset", file), "There is nothing felt to be saved: attach first."),
+                            (self.call("showAsCT"), "Select a volume in the pipeline browser, and click on a render view."),
+                            (self.press_button("HapticAttach"), "can't be felt. Select a volume in the pipeline browser")):
+            assert words in told, (told, words)
+        simple.SetActiveSource(head)
+        simple.Delete(sphere)
+        shown = simple.GetDisplayProperties(head, simple.GetActiveView())
+        shown.SetRepresentationType("Outline")
+        self.press_button("HapticAttach")
+        self.feel()
+        felt, = self.main_window().findChildren(QtWidgets.QLabel, "HapticFelt")
+        words = "press Show as CT volume, or choose the representation Volume."
+        assert self.told() and words in felt.text(), felt.text()
+        self.press_button("HapticShowAsCT")
+        assert shown.Representation == "Volume" and words not in felt.text(), felt.text()
+        shown.SetRepresentationType("Outline")
+        assert self.told() and words in felt.text(), felt.text()
+        shown.SetRepresentationType("Volume")
+        assert self.told() and words not in felt.text(), felt.text()
+        told = self.call("savePreset", file)
+        assert told == "Saved: " + file and os.path.getsize(file) > 0, told
+        self.call("loadPreset", file)
+        assert self.touch().Preset == "Custom", self.touch().Preset
+        self.feel()
+        self.press_button("HapticAttach")
 
     def armed_at_exit(self):
         self.press()
