@@ -425,8 +425,7 @@ struct vtkHapticWidget::vtkInternals
     }
   }
 
-  vtkNew<vtkVolumeHapticsFilter> OwnFilter;
-  vtkSmartPointer<vtkVolumeHapticsFilter> Filter{ this->OwnFilter.Get() };
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter = vtkSmartPointer<vtkVolumeHapticsFilter>::New();
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkSmartPointer<vtkVolume> Volume;
   vtkNew<vtkHapticRepresentation> Hand;

@@ -30,15 +30,7 @@ class HapticWidget : public testing::Test
 protected:
   HapticWidget()
   {
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetSize(300, 300);
-    this->Window->AddRenderer(this->Renderer);
-    vtkCamera* const camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0.0, 0.0, 200.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetParallelProjection(1);
-    camera->SetParallelScale(30.0); // a pixel is 0.2 mm
-    camera->SetClippingRange(1.0, 400.0);
+    SetUpView(this->Window, this->Renderer);
     this->Interactor->SetRenderWindow(this->Window);
     this->Interactor->SetInteractorStyle(this->Style);
     this->AddBall(this->Volume, 0.0);

@@ -37,6 +37,20 @@ inline vtkSmartPointer<vtkImageData> MakeBall()
   return image;
 }
 
+/// A window off the screen that looks along -z at the origin; a pixel is 0.2 mm.
+inline void SetUpView(vtkRenderWindow* window, vtkRenderer* renderer)
+{
+  window->SetOffScreenRendering(1);
+  window->SetSize(300, 300);
+  window->AddRenderer(renderer);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 200.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetParallelProjection(1);
+  camera->SetParallelScale(30.0);
+  camera->SetClippingRange(1.0, 400.0);
+}
+
 class StyleTest : public testing::Test
 {
 protected:
@@ -48,15 +62,7 @@ protected:
     strength->AddPoint(0.0, 0.0);
     strength->AddPoint(0.1, 8.0);
     this->Device->SetVolumeHaptics(this->Filter);
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetSize(300, 300);
-    this->Window->AddRenderer(this->Renderer);
-    vtkCamera* const camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0.0, 0.0, 200.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetParallelProjection(1);
-    camera->SetParallelScale(30.0); // a pixel is 0.2 mm
-    camera->SetClippingRange(1.0, 400.0);
+    SetUpView(this->Window, this->Renderer);
     this->Interactor->SetRenderWindow(this->Window);
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
