@@ -25,7 +25,7 @@ constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
-/** What the background rarely exceeds where it is even. */
+/** The share of even background means that may be brighter than Quiet. */
 constexpr double Rare = 0.005;
 /** From the threshold to Full, of the way to the solid's median. */
 constexpr double FullShare = 0.15;
@@ -76,7 +76,7 @@ public:
     level.IsThere = true;
     level.Threshold = 0.5 * (this->All[split.Below - 1] + this->All[split.Below]);
     const double rise = solid - background;
-    // What is between the two may be their edge: only even places show a darker material.
+    // Values between the two may be those of an edge: only even blocks show a darker material.
     std::vector<double> even;
     for (const BlockMeans& block : this->Blocks)
     {

@@ -22,7 +22,7 @@ struct BackgroundLevel
   bool IsThere = false;
   double Threshold = 0.0; ///< between the two
   double Full = 0.0;      ///< a little above: what is at least as bright is solid
-  /** What is no brighter is background, also by its noise. */
+  /** Nearly all values of the background are at most this, noise included. */
   double Quiet = 0.0;
 
   /**

@@ -401,7 +401,7 @@ float FindEnd(float here, float before, float most, float mostBefore, float step
   return end <= 1.0F ? std::clamp(end, least, last) : std::max(2.0F - end, half);
 }
 
-/** By how much the radius of such a piece falls to the next slice at its edge; 0 if it does not. */
+/** How much smaller the radius of such a piece is in the next slice; 0 if it is not smaller. */
 float FindFall(float most, float mostBefore, float step)
 {
   const float fall = (mostBefore * mostBefore + step * step - most * most) / (2.0F * most);
@@ -630,7 +630,7 @@ struct Place
     }
   }
 
-  /** Of the other label, in parts: the boundary is half the difference away along the slice. */
+  /** The other label's share, in parts. The boundary is half the difference away in the slice. */
   std::uint8_t FindShare() const
   {
     const float rise = 0.5F * (this->Rise - this->NextRise);

@@ -74,7 +74,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
     : IsolateBody(volume.Image, result.Values.OuterThreshold, result.Values.Range[0]);
   if (scalars && result.Body != volume.Image)
   {
-    // What is removed from the one that is felt is to be seen.
+    // The picture loses what a burr removes from the felt image.
     result.Body->GetPointData()->GetScalars()->GetInformation()->Set(
       vtkHapticRemoval::TOUCHED_ARRAY(), scalars);
   }
