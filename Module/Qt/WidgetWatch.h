@@ -7,6 +7,7 @@
 #ifndef WidgetWatch_h
 #define WidgetWatch_h
 
+#include "vtkHapticDevice.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkWeakPointer.h"
 
@@ -76,10 +77,15 @@ private:
 
   void LetGo()
   {
-    if (this->Style)
+    if (!this->Style)
     {
-      this->Style->FadeOut();
+      return;
     }
+    if (vtkHapticDevice* const device = this->Style->GetDevice())
+    {
+      device->FadeOut();
+    }
+    this->Style->TouchModeOff();
   }
 
   vtkWeakPointer<vtkInteractorStyleHaptic> Style;

@@ -4,7 +4,6 @@
 
 #include "VTK/Scene/HapticInteraction.h"
 #include "VTK/Scene/HapticSceneSettings.h"
-#include "VTK/Scene/TimerWatch.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkObjectFactory.h"
@@ -39,7 +38,6 @@ struct vtkInteractorStyleHaptic::vtkInternals
     : Interaction(self,
         { [self](bool quickly) { self->DrawScene(quickly); },
           [self] { return self->ArmsAfterClutch(); } })
-    , Loop(self)
   {
     this->TimerObserver->SetClientData(this);
     this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void* id)
@@ -47,7 +45,6 @@ struct vtkInteractorStyleHaptic::vtkInternals
   }
 
   HapticInteraction Interaction;
-  TimerWatch Loop;
   int Timer = 0;      ///< 0 without a timer, because the application may have one of its own
   int FiredTimer = 0; ///< interactors pass the timer's id to observers, but not to styles
   vtkNew<vtkCallbackCommand> TimerObserver;
@@ -158,13 +155,6 @@ bool vtkInteractorStyleHaptic::GetTouchMode()
 }
 
 //------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::FadeOut()
-{
-  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete it
-  this->Internals->Interaction.FadeOut();
-}
-
-//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::RecenterWorkspace()
 {
   this->Internals->Interaction.Workspace.Recenter();
@@ -272,7 +262,6 @@ void vtkInteractorStyleHaptic::EndComparison()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
-  this->Internals->Loop.NoteUpdate();
   return this->Internals->Interaction.UpdateHaptics();
 }
 
@@ -333,7 +322,6 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   }
   this->Superclass::SetInteractor(interactor);
   d.Interaction.Window.SetInteractor(interactor);
-  d.Loop.SetInteractor(interactor);
   if (this->Interactor)
   {
     const double period = 1000.0 / this->DisplayRate;

@@ -80,6 +80,14 @@ std::optional<double> ValueAt(const PressedVolume& volume, const Vector3& world)
   return volume.Shape->Baked->Field.Gradient(index).Value;
 }
 
+/** Whether the volume, which goes on beyond its border as it is there, is solid at a place. */
+bool IsSolidBeyond(const PressedVolume& volume, const Vector3& world)
+{
+  const auto& field = volume.Shape->Baked->Field;
+  const Vector3 index = volume.Shape->DeviceToIndex(0.001 * volume.Scale * world);
+  return field.Gradient(field.Nearest(index)).Value >= volume.Level;
+}
+
 std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
 {
   const double step = RayStep * ray.Unit;
@@ -112,6 +120,13 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
   {
     const double between = 0.5 * (out + t);
     (isIn(between) ? t : out) = between;
+  }
+  for (double at = std::max(0.0, t - Far / volume.Scale); at < entry; at += step)
+  {
+    if (IsSolidBeyond(volume, ray.At(at)))
+    {
+      return {};
+    }
   }
   const auto inwards = FindInwards(volume, volume.Scale * ray.At(t));
   if (!inwards || Dot(*inwards, ray.Way) < LeastCosine)

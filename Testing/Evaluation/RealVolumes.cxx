@@ -17,6 +17,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageConnectivityFilter.h"
 #include "vtkImageData.h"
+#include "vtkImageShiftScale.h"
 #include "vtkImageThreshold.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -50,7 +51,7 @@ std::vector<KnownVolume> ListVolumes(const VolumePlaces& places)
   const std::vector<std::string> chest = { "CT contrast", "CT chest", "CT angiography",
     "CT physical" };
   const std::vector<std::string> mri = { "auto", "MRI" };
-  const std::vector<std::string> micro = { "auto", "Micro-CT" };
+  const std::vector<std::string> micro = { "auto", "histogram", "Micro-CT" };
   const std::vector<std::string> own = { "auto" };
   std::vector<KnownVolume> all;
   if (!places.Head.empty())
@@ -91,7 +92,7 @@ std::vector<KnownVolume> ListVolumes(const VolumePlaces& places)
   add("ch2", "ch2.nii.gz", mri);
   add("ch2better", "ch2better.nii.gz", mri);
   add("macaque T1", "inia19-t1-brain.nii.gz", own);
-  add("volpack MRI", "volpack.vti", { "auto", "MRI", "Micro-CT" });
+  add("volpack MRI", "volpack.vti", { "auto", "histogram", "MRI", "Micro-CT" });
   add("diffusion S0", "aniso_vox.nii.gz", own);
   add("AAL", "aal.nii.gz", own, true);
   add("Brodmann", "brodmann.nii.gz", own, true);
@@ -311,7 +312,8 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
   Explore::FitThresholds(filter->GetProperty(), values);
   vtkNew<vtkVolumeProperty> look;
   Explore::SetVolumeLook(values, look);
-  if (materials == "Micro-CT")
+  const bool isBelow = filter->GetProperty()->GetSurfaceSide() == vtkHapticProperty::LOWER;
+  if (materials == "Micro-CT" || isBelow)
   {
     values.OuterThreshold = FindOtsuThreshold(volume.Image);
   }
@@ -325,7 +327,16 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     filter->SetGeometryFromLabels();
     Explore::SetLabelLook(volume.LabelTable, look);
   }
-  const Outline outline = MakeOutline(volume, values);
+  Outline outline = MakeOutline(volume, values);
+  if (isBelow)
+  {
+    vtkNew<vtkImageShiftScale> negative;
+    negative->SetInputData(outline.Image);
+    negative->SetScale(-1.0);
+    negative->SetOutputScalarTypeToDouble();
+    negative->Update();
+    outline = { negative->GetOutput(), -outline.Level };
+  }
   PressedVolume pressed;
   pressed.Model = HapticBaker(filter).Bake(1000.0, {}, nullptr);
   pressed.Shape = BakeShape(outline.Image, values.MetersPerWorldUnit);

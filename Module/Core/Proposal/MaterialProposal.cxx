@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Proposal/MaterialProposal.h"
 
+#include "Core/Math/PolylineMask.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,8 @@ constexpr double Salient = 0.1;
 constexpr double MergeShare = 0.06;
 constexpr double StartShare = 0.2; // of the slope of the weakest boundary: distinctness 0
 constexpr double FullShare = 0.5;  // the same: distinctness 1
+/** From the end of a background with noise to the next material, over which its strength rises. */
+constexpr double EmptyShare = 0.15;
 /** Boundaries are felt if the noise lies below this share of their slope. */
 constexpr double NoiseShare = 0.4;
 /** Of the gap to the next material over which a material is constant. */
@@ -66,8 +70,12 @@ std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
   return kept;
 }
 
-/** The values of the materials: both ends of all boundaries, those that are close as one. */
-std::vector<double> MergeEnds(const std::vector<Boundary>& boundaries, const ValueAxis& axis)
+/**
+ * The values of the materials: both ends of all boundaries; those that are close are one material,
+ * and so are those in the background.
+ */
+std::vector<double> MergeEnds(
+  const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
 {
   struct End
   {
@@ -85,7 +93,12 @@ std::vector<double> MergeEnds(const std::vector<Boundary>& boundaries, const Val
   while (ends.size() > 1)
   {
     std::size_t closest = 0;
-    const auto gap = [&](std::size_t i) { return axis(ends[i + 1].Value) - axis(ends[i].Value); };
+    const auto gap = [&](std::size_t i)
+    {
+      const double below = ends[i].Value;
+      const double above = ends[i + 1].Value;
+      return facts.Covers(below) && facts.Covers(above) ? 0.0 : axis(above) - axis(below);
+    };
     for (std::size_t i = 1; i + 1 < ends.size(); ++i)
     {
       closest = gap(i) < gap(closest) ? i : closest;
@@ -201,6 +214,41 @@ std::vector<double> ChooseStrengths(
   return strength;
 }
 
+/** The same line of the negative argument. */
+Polyline Mirror(const Polyline& line)
+{
+  Polyline mirrored;
+  for (auto vertex = line.rbegin(); vertex != line.rend(); ++vertex)
+  {
+    mirrored.push_back({ -vertex->X, vertex->Y });
+  }
+  return mirrored;
+}
+
+/** Takes strength, friction and drag from a noisy background: what is blended there is felt. */
+void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
+{
+  const std::vector<double>& values = proposal.Materials;
+  const double outside = values[proposal.Background];
+  if (!facts.Covers(outside) || proposal.Side == ProposedSide::Both)
+  {
+    return;
+  }
+  const bool isDark = proposal.Side == ProposedSide::Higher;
+  const double end = *facts.BackgroundEnd;
+  const double next = isDark ? values[1] : values[values.size() - 2];
+  const double rise = EmptyShare * (next - end);
+  const double full = end + rise;
+  const double constant = next - ConstantShare * (next - outside); // where the next material is
+  const auto empty = [&](Polyline& line, double from, double to)
+  { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
+  empty(proposal.SurfaceStrength, end, full);
+  empty(proposal.Friction, end, full);
+  // What is small and dim holds little, but would drag as much as what is large.
+  empty(proposal.Viscosity, full,
+    isDark ? std::max(constant, full + rise) : std::min(constant, full + rise));
+}
+
 void FillFunctions(MaterialProposal& proposal, const std::vector<Sides>& sides)
 {
   const std::size_t count = proposal.Materials.size();
@@ -239,6 +287,17 @@ int ChooseRadius(const std::vector<Boundary>& boundaries, const ProposalFacts& f
 } // namespace
 
 //------------------------------------------------------------------------------
+bool ProposalFacts::Covers(double value) const noexcept
+{
+  if (!this->BackgroundEnd)
+  {
+    return false;
+  }
+  const double end = *this->BackgroundEnd;
+  return this->Outside <= end ? value <= end : value >= end;
+}
+
+//------------------------------------------------------------------------------
 MaterialProposal ProposeMaterials(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
 {
@@ -255,7 +314,7 @@ MaterialProposal ProposeMaterials(
   {
     return proposal;
   }
-  proposal.Materials = MergeEnds(salient, axis);
+  proposal.Materials = MergeEnds(salient, axis, facts);
   proposal.Background = FindNearest(proposal.Materials, axis, facts.Outside);
   std::vector<Sides> sides;
   double weakest = slope(salient.front());
@@ -277,6 +336,7 @@ MaterialProposal ProposeMaterials(
   }
   proposal.Side = ChooseSide(proposal, sides);
   FillFunctions(proposal, sides);
+  EmptyBackground(proposal, facts);
   proposal.Distinctness = { { std::max(noise, StartShare * weakest), 0.0 },
     { FullShare * weakest, 1.0 } };
   return proposal;

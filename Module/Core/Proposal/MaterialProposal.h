@@ -17,7 +17,8 @@
  *                the noise of its gradients
  *
  * Around each value the functions are constant, and between two of them there is a wide blend: a
- * steep function would turn noise and partial volumes into changes of the force.
+ * steep function would turn noise and partial volumes into changes of the force. The background has
+ * neither strength nor drag up to where its noise ends.
  */
 #ifndef MaterialProposal_h
 #define MaterialProposal_h
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace VolumeHaptics
@@ -43,11 +45,16 @@ enum class ProposedSide : std::uint8_t
 /** Facts about the volume that its edges do not tell. */
 struct ProposalFacts
 {
-  double Outside = 0.0;        ///< the value at the volume's border
+  double Outside = 0.0; ///< the value at the volume's border
+  /** Values on this side of it are one material, whatever noise and streaks it has. */
+  std::optional<double> BackgroundEnd;
   double SearchVariance = 1.0; ///< of the kernel that found the edges (voxels squared)
   int MostRadius = 2;          ///< of the kernel, as the volume allows it (voxels)
   /** 3.4 times the noise of a gradient (scalar units per world unit), with a kernel's radius. */
   std::function<double(int)> NoiseGradient;
+
+  /** Whether a value is that of a background with noise. */
+  bool Covers(double value) const noexcept;
 };
 
 struct MaterialProposal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Proposal/HapticProposal.h"
 
+#include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/NoiseEstimate.h"
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticNoise.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -37,6 +39,8 @@ constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
 constexpr double LeastSlopeShare = 0.003;
 constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
 constexpr double FlatNoise = 2.0;      // standard deviations
+/** The background has noise that edges are found in if they are so many of all edges. */
+constexpr double LeastNoise = 0.003;
 
 std::string NameOf(vtkDataArray* scalars)
 {
@@ -56,6 +60,29 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
     thresholds.Flat = FlatNoise * ramp.front().X / NoiseThreshold;
   }
   return thresholds;
+}
+
+/** Where the values of the background end, dark or bright, if the value outside is one of them. */
+std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outside)
+{
+  vtkDataArray* const scalars = input.Image->GetPointData()->GetScalars();
+  const HapticVolume& volume = input.Volume;
+  const BackgroundLevel dark = volume.Whole.IsThere
+    ? volume.Whole.Solid
+    : FindSolid(input.Image, scalars, volume.View, input.Component);
+  if (dark.IsThere && outside <= dark.Threshold)
+  {
+    return dark.Threshold;
+  }
+  if (volume.Whole.IsThere)
+  {
+    return {}; // a region tells no bright one
+  }
+  const BackgroundLevel bright = BackgroundLevel::Find([&](std::int64_t i)
+    { return -scalars->GetComponent(i, input.Component); },
+    volume.View.Dimensions);
+  return bright.IsThere && outside >= -bright.Threshold ? std::optional<double>(-bright.Threshold)
+                                                        : std::nullopt;
 }
 
 void Replace(vtkPiecewiseFunction* function, const Polyline& line)
@@ -172,14 +199,30 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     ProposalFacts facts;
     facts.SearchVariance = MeasureKernelVariance(kernel);
     const EdgeTracer tracer(field, volume.IndexToWorld, facts.SearchVariance, thresholds);
-    const std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds, part);
+    std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds, part);
     if (part.IsCancelled())
     {
       error = "The search for functions was cancelled.";
       return false;
     }
-    const ValueAxis axis(lines, noise);
     facts.Outside = view.BorderValue;
+    facts.BackgroundEnd = FindBackgroundEnd(input, facts.Outside);
+    if (facts.BackgroundEnd)
+    {
+      // Streaks and other noise that neighbours share, which the figure of the noise leaves.
+      const auto isNoise = [&](const EdgeLine& line)
+      { return facts.Covers(line.Low) && facts.Covers(line.High); };
+      const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
+      if (static_cast<double>(count) > LeastNoise * static_cast<double>(lines.size()))
+      {
+        lines.erase(std::remove_if(lines.begin(), lines.end(), isNoise), lines.end());
+      }
+      else
+      {
+        facts.BackgroundEnd.reset();
+      }
+    }
+    const ValueAxis axis(lines, noise);
     facts.MostRadius =
       static_cast<int>(std::min<std::int64_t>(GradientKernel::MaximumRadius, (fewest - 1) / 2));
     facts.NoiseGradient = [&](int radius)

@@ -20,7 +20,7 @@ struct Action
 constexpr Action Actions[] = {
   { "Touch", "t" },
   { "Arm", "a" },
-  { "LetGo", "Escape End" },
+  { "LetGo", "Escape" },
   { "NextMethod", "m" },
   { "Compare", "C" },
   { "NextMode", "M" },

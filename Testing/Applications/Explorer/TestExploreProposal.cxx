@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Volumes that no preset fits feel as their own edges suggest: the head phantom in 8 bits, and as
-// numbers from 0 to 1. Without edges, the histogram decides.
+// numbers from 0 to 1. Without edges, the histogram decides, but never in noise of the air.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
 #include "Expectations.h"
@@ -17,6 +17,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -92,6 +95,48 @@ Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
   return ball;
 }
 
+/// Air of 0 with noise that neighbours share, clipped at 0 and in 32 levels, as of a CT that shows
+/// contrast medium: the histogram begins in the noise. Between the ball of 20 and the air it says
+/// where the body ends, and no force holds in the noise.
+void ExpectNoiseIsNoBody()
+{
+  constexpr int size = 40;
+  std::mt19937_64 engine(7);
+  std::normal_distribution<double> random;
+  std::vector<double> white(std::size_t{ 2 } * size * size * size);
+  for (double& value : white)
+  {
+    value = random(engine);
+  }
+  std::size_t number = 0;
+  Explore::Volume ball = MakeSoftBall(
+    [&](double r)
+    {
+      double noise = 0.0; // of 4 samples along x, with a standard deviation of 1
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        noise += 0.5 * white[number + i];
+      }
+      ++number;
+      const double value = 20.0 * 0.5 * std::erfc((r - 40.0) / (3.0 * std::sqrt(2.0))) + noise;
+      return std::round(std::clamp(value, 0.0, 31.0));
+    });
+  Explore::Settings settings;
+  settings.Preset = "histogram";
+  const Explore::Exploration felt = Explore::ExploreVolume(ball, settings);
+  const double threshold = felt.Values.OuterThreshold;
+  Expect(threshold > 5.0 && threshold < 15.0,
+    "the body begins between air and ball, not at " + std::to_string(threshold));
+  vtkHapticProperty* const property = felt.Filter->GetProperty();
+  for (const double value : { 0.0, 1.0, 2.0, 3.0, 4.0 })
+  {
+    Expect(property->GetSurfaceStrength()->GetValue(value) == 0.0 &&
+        property->GetViscosity()->GetValue(value) == 0.0,
+      "nothing holds in noise of " + std::to_string(value));
+  }
+  Expect(LargestOutside(felt) > 0.5, "the ball is felt");
+}
+
 /// What a hand presses is what it feels, also if edges are several voxels wide, run into each other
 /// or are none. The hand presses 2.5 mm deep: 500 N/m give at most 1.25 N, and less since a kernel
 /// of scale s sees the edge of a ball of radius R about s^2/R (1.4 mm) inside.
@@ -126,6 +171,7 @@ int TestExploreProposal(int argc, char* argv[])
   Expect(ct.Materials == "CT contrast", "Hounsfield units have a preset");
 
   ExpectSoftSurfaces();
+  ExpectNoiseIsNoBody();
 
   // A ramp has no edges.
   vtkNew<vtkImageData> ramp;
@@ -135,7 +181,7 @@ int TestExploreProposal(int argc, char* argv[])
   {
     ramp->GetPointData()->GetScalars()->SetComponent(i, 0, 0.04 * (i % 24));
   }
-  const Explore::Analysis analysis = Explore::AnalyseVolume(ramp);
+  Explore::Analysis analysis = Explore::AnalyseVolume(ramp);
   vtkNew<vtkVolumeHapticsFilter> filter;
   Expect(Explore::ApplyMaterials("auto", analysis, ramp, filter) == "histogram",
     "without edges the histogram decides");

@@ -68,8 +68,9 @@ std::vector<double> MakeStreaks()
   return noise;
 }
 
-/// In `levels` of grey; a core of another value lies in the middle.
-vtkSmartPointer<vtkImageData> MakeBall(double levels = 256.0, double core = 0.0)
+/// In `levels` of grey; a core of another value lies in the middle, and streaks have a share.
+vtkSmartPointer<vtkImageData> MakeBall(
+  double levels = 256.0, double core = 0.0, double streak = 1.0)
 {
   const std::vector<double> streaks = MakeStreaks();
   std::mt19937_64 engine(12);
@@ -82,7 +83,7 @@ vtkSmartPointer<vtkImageData> MakeBall(double levels = 256.0, double core = 0.0)
       const double inside = 0.5 * std::erfc((r - Ball) / (0.8 * std::sqrt(2.0)));
       // Streaks of 1 on one side and 9 on the other.
       const double share = std::clamp((x[2] - 30.0) / 30.0, 0.0, 1.0);
-      const double noise = (1.0 + 8.0 * share) * streaks[number++] + 0.4 * random(engine);
+      const double noise = streak * (1.0 + 8.0 * share) * streaks[number++] + 0.4 * random(engine);
       const double middle = core * 0.5 * std::erfc(r - 0.4 * Ball);
       const double value = 2.0 + Bright * inside + middle + noise;
       const double scale = levels / 256.0;
@@ -234,4 +235,32 @@ TEST(UnevenNoise, ARegionHasTheLevelOfTheWhole)
   part->Modified();
   filter->SetInputData(0, part);
   EXPECT_GT(Feel(filter).Off, Rays / 4);
+}
+
+TEST(UnevenNoise, FunctionsAreProposedInStreaks)
+{
+  for (const double levels : { 256.0, 32.0 })
+  {
+    for (const bool isDark : { false, true })
+    {
+      SCOPED_TRACE(levels + isDark);
+      // A dark ball in bright air has the same noise, and is clipped at the brightest value.
+      const auto image = MakeBall(levels, 0.0, 0.3);
+      vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+      for (vtkIdType i = 0; isDark && i < scalars->GetNumberOfTuples(); ++i)
+      {
+        scalars->SetComponent(i, 0, levels - 1.0 - scalars->GetComponent(i, 0));
+      }
+      vtkNew<vtkVolumeHapticsFilter> filter;
+      filter->SetInputData(0, image);
+      ASSERT_TRUE(filter->GetProperty()->ProposeFromImage(image));
+      filter->SetKernelRadius(filter->GetProperty()->GetProposedKernelRadius());
+      EXPECT_EQ(filter->GetProperty()->GetSurfaceSide(),
+        isDark ? vtkHapticProperty::LOWER : vtkHapticProperty::HIGHER);
+      const FeltRays felt = Feel(filter);
+      EXPECT_LE(felt.Off, Rays / 50);
+      EXPECT_LT(felt.Air, 0.1);
+      EXPECT_LT(felt.Step, 0.5);
+    }
+  }
 }

@@ -6,8 +6,11 @@
 #include "Applications/Explorer/Errors/MessageCapture.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRegionFilter.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTable.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -22,10 +25,49 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
+/// Less noise, of the range, is rounding to 8 bits or the shape of what is smooth.
+constexpr double LEAST_NOISE = 0.002;
+
+/// Where there is nothing denser than the body, half of what is brightest is.
+void PutDeepInside(Analysis& analysis)
+{
+  if (analysis.DeepThreshold <= analysis.OuterThreshold)
+  {
+    analysis.DeepThreshold =
+      std::max(analysis.OuterThreshold, 0.5 * (analysis.OuterThreshold + analysis.High));
+  }
+}
+
+double EdgeOf(const Analysis& analysis)
+{
+  return 0.02 * (analysis.High - analysis.Low);
+}
+
+/// Noise of the background is no body, where the image tells how bright the background is.
+void LeaveBackground(Analysis& analysis, vtkImageData* image)
+{
+  vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
+  const int* const extent = image->GetExtent();
+  whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
+  whole->SetInputData(image);
+  whole->Update();
+  vtkFieldData* const facts = whole->GetOutput()->GetFieldData();
+  vtkDataArray* const noise = facts->GetArray(vtkHapticRegionFilter::GetNoiseName());
+  vtkDataArray* const solid = facts->GetArray(vtkHapticRegionFilter::GetSolidName());
+  if (!noise || !solid || !(solid->GetTuple1(0) < solid->GetTuple1(1)) ||
+    noise->GetTuple1(0) < LEAST_NOISE * (analysis.Range[1] - analysis.Range[0]))
+  {
+    return;
+  }
+  analysis.OuterThreshold =
+    std::max(analysis.OuterThreshold, solid->GetTuple1(0) + EdgeOf(analysis));
+  PutDeepInside(analysis);
+}
+
 /// Steps at the thresholds, a little smoothed, so that nothing jumps.
 void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const double values[3])
 {
-  const double edge = 0.02 * (analysis.High - analysis.Low);
+  const double edge = EdgeOf(analysis);
   function->RemoveAllPoints();
   function->AddPoint(analysis.OuterThreshold - edge, values[0]);
   function->AddPoint(analysis.OuterThreshold, values[1]);
@@ -44,7 +86,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   TwoSteps(property->GetFriction(), analysis, friction);
   TwoSteps(property->GetViscosity(), analysis, viscosity);
   TwoSteps(property->GetSurfaceStrength(), analysis, strength);
-  const double edge = 0.02 * (analysis.High - analysis.Low);
+  const double edge = EdgeOf(analysis);
   const double ends[2] = { std::min(analysis.Low, analysis.OuterThreshold - 2.0 * edge),
     std::max(analysis.High, analysis.DeepThreshold + edge) };
   property->RemoveAllTissues();
@@ -62,6 +104,24 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(gradient, 1.0);
   property->DistinctnessPerMillimeterOff();
   property->SolidFromImageOff();
+}
+
+/// The middle of a boundary, or what is nearest to it where the strength begins.
+double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
+{
+  const double middle = 0.5 * (low + high);
+  for (int i = 1; i < strength->GetSize(); ++i)
+  {
+    double from[4]; // value, strength, and the shape between nodes
+    double to[4];
+    strength->GetNodeValue(i - 1, from);
+    strength->GetNodeValue(i, to);
+    if (from[1] == 0.0 && to[1] > 0.0 && from[0] >= low && from[0] < high)
+    {
+      return std::clamp(middle, from[0], to[0]);
+    }
+  }
+  return middle;
 }
 
 /// Why nothing could be proposed; empty if it was.
@@ -110,7 +170,7 @@ std::size_t FindTissue(const std::vector<Tissue>& table, double value)
   return row;
 }
 
-std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, vtkImageData* image,
+std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkImageData* image,
   vtkVolumeHapticsFilter* filter)
 {
   const bool isAutomatic = preset == "auto";
@@ -138,6 +198,7 @@ std::string ApplyMaterials(const std::string& preset, const Analysis& analysis, 
   }
   if (name == "histogram")
   {
+    LeaveBackground(analysis, image);
     HistogramMaterials(analysis, filter->GetProperty());
     return name;
   }
@@ -171,13 +232,13 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
     if (isOutside && area->GetComponent(i, 0) > largest)
     {
       largest = area->GetComponent(i, 0);
-      analysis.OuterThreshold = 0.5 * (from + high->GetComponent(i, 0));
+      analysis.OuterThreshold =
+        FindFeltMiddle(property->GetSurfaceStrength(), from, high->GetComponent(i, 0));
     }
   }
-  const double dense = 0.5 * (analysis.OuterThreshold + analysis.High);
-  if (largest > 0.0 && analysis.DeepThreshold <= analysis.OuterThreshold)
+  if (largest > 0.0)
   {
-    analysis.DeepThreshold = std::max(analysis.OuterThreshold, dense);
+    PutDeepInside(analysis);
   }
 }
 } // namespace Explore
