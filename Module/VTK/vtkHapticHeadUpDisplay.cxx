@@ -370,12 +370,15 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     const int plot =
       self.PlotVisibility ? FindFreeCorner(viewport, panel[0], panel[1])[1] + panel[1] : 0;
     this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
-    // Draws the letters into the texture that is shown next.
-    this->Text->RenderOpaqueGeometry(viewport);
-    drawn += this->Text->RenderOverlay(viewport);
     this->Text->GetSize(viewport, size);
-    this->Covered.push_back({ 0.0, TextLeft * view[0] + size[0] + Gap,
-      TextTop * view[1] - size[1] - Gap, static_cast<double>(view[1]) });
+    const double left = TextLeft * view[0];
+    const double top = TextTop * view[1];
+    const ViewportBox at = MoveOff(viewport, { left, left + size[0], top - size[1], top }, 1, -1);
+    this->Text->GetPositionCoordinate()->SetValue(at[0] / view[0], at[3] / view[1]);
+    this->Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    drawn += this->Text->RenderOverlay(viewport);
+    this->Covered.push_back({ at[0] - left, at[1] + Gap, at[2] - Gap, at[3] + view[1] - top });
+    size[1] = top - at[2];
   }
   this->TextHeight = size[1];
   return drawn +
@@ -411,10 +414,14 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
       break;
     }
   }
-  const double top = this->FindTextEnd(self, viewport) - Gap;
-  this->Hint->SetPosition(view[0] / 2, static_cast<int>(top)); // in the viewport, as all of these
-  this->Covered.push_back(
-    { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, top - size[1], top });
+  const double end = this->FindTextEnd(self, viewport) - Gap;
+  const ViewportBox at = MoveOff(viewport,
+    { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, end - size[1] - Gap,
+      end + Gap },
+    0, -1);
+  // In the viewport, as all of these.
+  this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - Gap));
+  this->Covered.push_back(at);
   this->Hint->RenderOpaqueGeometry(viewport);
   return this->Hint->RenderOverlay(viewport);
 }

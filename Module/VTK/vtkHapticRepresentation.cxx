@@ -5,6 +5,7 @@
 #include "VTK/Baking/HapticTuples.h"
 #include "VTK/Charts/HapticDrawing.h"
 #include "VTK/Charts/HapticModeColors.h"
+#include "VTK/Charts/HapticOverlays.h"
 #include "VTK/Charts/HapticTextLook.h"
 #include "VTK/Scene/DrawnNeedle.h"
 #include "VTK/Scene/DrawnShell.h"
@@ -49,6 +50,13 @@
 vtkStandardNewMacro(vtkHapticRepresentation);
 
 using namespace VolumeHaptics;
+
+namespace
+{
+/// Of the scale's lower right corner, in lengths of the viewport.
+constexpr double ScaleRight = 0.98;
+constexpr double ScaleBottom = 0.02;
+} // namespace
 
 struct vtkHapticRepresentation::vtkInternals
 {
@@ -182,7 +190,7 @@ vtkHapticRepresentation::vtkHapticRepresentation()
   text->SetFontSize(13);
   text->SetJustificationToRight();
   d.ScaleText->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  d.ScaleText->GetPositionCoordinate()->SetValue(0.98, 0.02);
+  d.ScaleText->GetPositionCoordinate()->SetValue(ScaleRight, ScaleBottom);
   this->PickableOff();
 }
 
@@ -506,6 +514,14 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
   if (this->ScaleTextVisibility && d.HasState)
   {
     SetLook(d.ScaleText->GetTextProperty(), 0.93, 0.95, 0.98, viewport);
+    const int* const view = viewport->GetSize();
+    double size[2];
+    d.ScaleText->GetSize(viewport, size);
+    const double right = ScaleRight * view[0];
+    const double bottom = ScaleBottom * view[1];
+    const ViewportBox at =
+      MoveOff(viewport, { right - size[0], right, bottom, bottom + size[1] }, -1, 1);
+    d.ScaleText->GetPositionCoordinate()->SetValue(at[1] / view[0], at[2] / view[1]);
     d.ScaleText->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
     d.ScaleText->RenderOverlay(viewport);
   }

@@ -11,8 +11,23 @@ import numpy
 import pytest
 import volumehaptics
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume
+from vtkmodules.vtkInteractionWidgets import vtkSliderRepresentation2D, vtkSliderWidget
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor2D,
+    vtkPolyDataMapper2D,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkRenderWindowInteractor,
+    vtkTextActor,
+    vtkTextMapper,
+    vtkVolume,
+    vtkWindowToImageFilter,
+)
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  isort: skip
@@ -156,3 +171,112 @@ def test_a_preset_needs_a_volume_to_be_checked_against(program):
     with volumehaptics.add_haptics(program.window) as haptics:
         program.renderer.AddVolume(program.volume)
         assert program.press(haptics) > 0.3
+
+
+def make_text(x, y):
+    """An actor with a text, as VTK's documentation has it."""
+    actor = vtkTextActor()
+    actor.SetInput("a text of the program")
+    actor.GetTextProperty().SetFontSize(18)
+    actor.SetPosition(x, y)
+    return actor
+
+
+def make_mapped_text(x, y):
+    """As vedo's Text2D, centered."""
+    actor, mapper = vtkActor2D(), vtkTextMapper()
+    mapper.SetInput("two lines\nof vedo")
+    mapper.GetTextProperty().SetFontSize(18)
+    mapper.GetTextProperty().SetJustificationToCentered()
+    mapper.GetTextProperty().SetVerticalJustificationToTop()
+    actor.SetMapper(mapper)
+    actor.SetPosition(x + 45, y + 45)
+    return actor
+
+
+def make_bar(x, y):
+    """As vedo's scalar bar."""
+    actor, table = vtkScalarBarActor(), vtkLookupTable()
+    table.SetTableRange(0.0, 1.0)
+    actor.SetLookupTable(table)
+    actor.SetPosition(x / 300.0, y / 300.0)
+    actor.SetWidth(0.2)
+    actor.SetHeight(0.4)
+    return actor
+
+
+def make_rectangle(x, y):
+    """As the parts of FURY's user interface."""
+    actor, mapper, plane = vtkActor2D(), vtkPolyDataMapper2D(), vtkPlaneSource()
+    plane.SetOrigin(0.0, 0.0, 0.0)
+    plane.SetPoint1(90.0, 0.0, 0.0)
+    plane.SetPoint2(0.0, 40.0, 0.0)
+    mapper.SetInputConnection(plane.GetOutputPort())
+    actor.SetMapper(mapper)
+    actor.SetPosition(x, y)
+    return actor
+
+
+def make_slider(x, y):
+    """As PyVista's and vedo's."""
+    slider = vtkSliderRepresentation2D()
+    for coordinate, at in ((slider.GetPoint1Coordinate(), x), (slider.GetPoint2Coordinate(), x + 100)):
+        coordinate.SetCoordinateSystemToDisplay()
+        coordinate.SetValue(at, y + 20)
+    return slider
+
+
+def changed(program, switch):
+    """The box of the pixels that an object changes by being seen: left, right, bottom, top; None if there are none."""
+    pictures = []
+    for on in (True, False, True):
+        switch(on)
+        for _ in range(2):  # what was laid out by the first is seen by the second
+            program.window.Render()
+        shot = vtkWindowToImageFilter()
+        shot.SetInput(program.window)
+        shot.ReadFrontBufferOff()
+        shot.Update()
+        picture = shot.GetOutput()
+        width, height, _ = picture.GetDimensions()
+        pictures.append(vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, 3).astype(int))
+    rows, columns = numpy.nonzero((pictures[0] != pictures[1]).any(axis=2))
+    return (columns.min(), columns.max(), rows.min(), rows.max()) if rows.size else None
+
+
+@pytest.mark.parametrize("make", (make_text, make_mapped_text, make_bar, make_rectangle, make_slider))
+@pytest.mark.parametrize("corner", ("lower left", "lower right", "upper left", "top"))
+def test_the_display_keeps_off_what_the_program_draws(program, make, corner):
+    """Of both, the pixels are compared that they change."""
+    x, y = {"lower left": (10, 10), "lower right": (190, 5), "upper left": (5, 230), "top": (90, 240)}[corner]
+    with volumehaptics.add_haptics(program.window) as haptics:
+        end = time.monotonic() + 30.0
+        while not haptics.update() and time.monotonic() < end:  # the scale belongs to a state
+            time.sleep(0.001)
+        actor = make(x, y)
+        slider = None
+        if isinstance(actor, vtkSliderRepresentation2D):
+            slider = vtkSliderWidget()
+            slider.SetInteractor(program.interactor)
+            slider.SetRepresentation(actor)
+            slider.EnabledOn()
+        else:
+            program.renderer.AddViewProp(actor)
+        program.window.Render()
+        display, hand = haptics.head_up_display, haptics.representation
+        display.SetNotice("a notice")
+        program.volume.VisibilityOff()  # only to have still pictures
+        for prop in (display, hand):
+            prop.SetVisibility(False)
+        theirs = changed(program, actor.SetVisibility)
+        for prop in (display, hand):
+            prop.SetVisibility(True)
+        parts = {"plot": display.SetPlotVisibility, "text": display.SetTextVisibility, "hint": display.SetHintVisibility,
+                 "scale": hand.SetScaleTextVisibility}
+        for name, switch in parts.items():
+            for others in parts.values():
+                others(False)
+            ours = changed(program, switch)
+            assert ours is not None, name
+            assert ours[0] > theirs[1] or ours[1] < theirs[0] or ours[2] > theirs[3] or ours[3] < theirs[2], \
+                f"{name} {ours} over {theirs}"

@@ -8,6 +8,8 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
+import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401 (the plot of the display)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 (its texts)
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor, vtkRenderer, vtkVolume
 

@@ -4,10 +4,18 @@
 
 #include "VTK/Charts/HapticPixels.h"
 
+#include "vtkActor2D.h"
+#include "vtkCoordinate.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTextMapper.h"
+#include "vtkTextProperty.h"
 
 #include <algorithm>
 
@@ -16,7 +24,8 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int ScaleWidth = 100; // pixels at the lower right: "1 N = 10 mm"
+constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
+constexpr double ActorMargin = 3.0; // pixels around a 2D actor
 
 bool ShowsSomething(vtkRenderer* renderer)
 {
@@ -33,12 +42,94 @@ bool ShowsSomething(vtkRenderer* renderer)
   return false;
 }
 
+/** False for a kind of actor whose place VTK does not tell, and for one that draws nothing. */
+bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
+{
+  // Each call computes in the same array.
+  const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
+  const double position[2] = { static_cast<double>(at[0]), static_cast<double>(at[1]) };
+  if (auto* const text = vtkTextActor::SafeDownCast(actor))
+  {
+    text->GetBoundingBox(renderer, box.data());
+  }
+  else if (auto* const letters = vtkTextMapper::SafeDownCast(actor->GetMapper()))
+  {
+    int size[2] = { 0, 0 };
+    letters->GetSize(renderer, size);
+    vtkTextProperty* const look = letters->GetTextProperty();
+    const double left = 0.5 * look->GetJustification() * size[0];
+    const double below = 0.5 * look->GetVerticalJustification() * size[1];
+    box = { -left, size[0] - left, -below, size[1] - below };
+  }
+  else if (auto* const shape = vtkPolyDataMapper2D::SafeDownCast(actor->GetMapper()))
+  {
+    vtkPolyData* const polygons = shape->GetInput();
+    if (!polygons || polygons->GetNumberOfPoints() == 0)
+    {
+      return false;
+    }
+    const double* const bounds = polygons->GetBounds();
+    box = { bounds[0], bounds[1], bounds[2], bounds[3] };
+    if (vtkCoordinate* const system = shape->GetTransformCoordinate())
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        system->SetValue(bounds[side], bounds[2 + side], bounds[4 + side]);
+        const int* const corner = system->GetComputedViewportValue(renderer);
+        box[side] = corner[0];
+        box[2 + side] = corner[1];
+      }
+    }
+  }
+  else if (actor->IsA("vtkScalarBarActor") || actor->IsA("vtkLegendBoxActor") ||
+    actor->IsA("vtkXYPlotActor"))
+  {
+    const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
+    box = { 0.0, end[0] - position[0], 0.0, end[1] - position[1] };
+  }
+  else
+  {
+    return false;
+  }
+  box = { box[0] + position[0], box[1] + position[0], box[2] + position[1], box[3] + position[1] };
+  return box[1] > box[0] && box[3] > box[2];
+}
+
+} // namespace
+
 bool Overlaps(const ViewportBox& a, const ViewportBox& b)
 {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
-} // namespace
+std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
+{
+  std::vector<ViewportBox> boxes;
+  const int* const size = renderer->GetSize();
+  vtkNew<vtkPropCollection> actors;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* const prop = props->GetNextProp(at))
+  {
+    if (prop->GetVisibility())
+    {
+      prop->GetActors2D(actors);
+    }
+  }
+  actors->InitTraversal(at);
+  while (vtkProp* const prop = actors->GetNextProp(at))
+  {
+    auto* const actor = vtkActor2D::SafeDownCast(prop);
+    ViewportBox box;
+    if (actor && actor->GetVisibility() && FindBox(actor, renderer, box) &&
+      (2.0 * (box[1] - box[0]) <= size[0] || 2.0 * (box[3] - box[2]) <= size[1]))
+    {
+      boxes.push_back(box);
+    }
+  }
+  return boxes;
+}
 
 std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
 {
@@ -56,43 +147,60 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
   while (vtkRenderer* const other = window->GetRenderers()->GetNextRenderer(at))
   {
     const int* const theirs = other->GetSize();
+    const double left = other->GetOrigin()[0] - origin[0];
+    const double bottom = other->GetOrigin()[1] - origin[1];
     const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
     // The layer 0 has scenes and what stands beside them.
     if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
       ShowsSomething(other))
     {
-      const double left = other->GetOrigin()[0] - origin[0];
-      const double bottom = other->GetOrigin()[1] - origin[1];
       overlays.push_back({ left, left + theirs[0], bottom, bottom + theirs[1] });
+    }
+    else if (other->GetDraw())
+    {
+      for (const ViewportBox& box : FindActorBoxes(other))
+      {
+        overlays.push_back({ left + box[0] - ActorMargin, left + box[1] + ActorMargin,
+          bottom + box[2] - ActorMargin, bottom + box[3] + ActorMargin });
+      }
     }
   }
   return overlays;
 }
 
-std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
+ViewportBox MoveOff(
+  vtkViewport* viewport, const ViewportBox& wanted, int across, int up, double margin)
 {
-  double corner[2] = { 0.0, 0.0 };
-  const int scaleWidth = ScalePixels(PixelsPerPoint(viewport), ScaleWidth);
+  const int* const view = viewport->GetSize();
+  const double width = wanted[1] - wanted[0];
+  const double height = wanted[3] - wanted[2];
+  ViewportBox box = wanted;
   const std::vector<ViewportBox> overlays = FindOverlays(viewport);
   for (std::size_t tries = 0; tries <= overlays.size(); ++tries)
   {
-    const ViewportBox box{ corner[0], corner[0] + width, corner[1], corner[1] + height };
     const auto covering = std::find_if(overlays.begin(), overlays.end(),
       [&box](const ViewportBox& overlay) { return Overlaps(overlay, box); });
     if (covering == overlays.end())
     {
       break;
     }
-    const bool isRoom = (*covering)[1] + width + scaleWidth <= viewport->GetSize()[0];
-    corner[0] = isRoom ? (*covering)[1] : 0.0;
-    corner[1] = isRoom ? corner[1] : (*covering)[3];
+    const double beside = across > 0 ? (*covering)[1] : (*covering)[0] - width;
+    const bool isRoom =
+      across > 0 ? beside + width + margin <= view[0] : across < 0 && beside >= margin;
+    const double left = isRoom ? beside : wanted[0];
+    const double bottom = isRoom ? box[2] : up > 0 ? (*covering)[3] : (*covering)[2] - height;
+    box = { left, left + width, bottom, bottom + height };
   }
   // A box over something is better than none.
-  if (corner[1] + height > viewport->GetSize()[1])
-  {
-    return { 0, 0 };
-  }
-  return { static_cast<int>(corner[0]), static_cast<int>(corner[1]) };
+  return box[2] < 0.0 || box[3] > view[1] ? wanted : box;
+}
+
+std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
+{
+  const ViewportBox box{ 0.0, static_cast<double>(width), 0.0, static_cast<double>(height) };
+  const ViewportBox free =
+    MoveOff(viewport, box, 1, 1, ScalePixels(PixelsPerPoint(viewport), ScaleWidth));
+  return { static_cast<int>(free[0]), static_cast<int>(free[2]) };
 }
 
 double FindTextRight(vtkViewport* viewport)
