@@ -7,7 +7,6 @@
 #ifndef WidgetWatch_h
 #define WidgetWatch_h
 
-#include "vtkHapticDevice.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkWeakPointer.h"
 
@@ -77,15 +76,10 @@ private:
 
   void LetGo()
   {
-    if (!this->Style)
+    if (this->Style)
     {
-      return;
+      this->Style->FadeOut();
     }
-    if (vtkHapticDevice* const device = this->Style->GetDevice())
-    {
-      device->FadeOut();
-    }
-    this->Style->TouchModeOff();
   }
 
   vtkWeakPointer<vtkInteractorStyleHaptic> Style;

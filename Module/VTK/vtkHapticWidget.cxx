@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticWidget.h"
 
-#include "VTK/Baking/HapticSettingLists.h"
+#include "VTK/Charts/HostParts.h"
 #include "VTK/Scene/HapticInteraction.h"
+#include "VTK/Scene/KeptSettings.h"
 #include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkCallbackCommand.h"
@@ -102,7 +103,7 @@ public:
   }
   void OnLeftButtonDown() override
   {
-    const bool isUsed = this->HasMouse() && this->GetInteraction().PressLeftButton();
+    const bool isUsed = this->HasClick() && this->GetInteraction().PressLeftButton();
     this->Take(Left, isUsed);
   }
   void OnLeftButtonUp() override
@@ -114,14 +115,14 @@ public:
   }
   void OnLeftButtonDoubleClick() override
   {
-    if (this->HasMouse() && this->GetInteraction().DoubleClickLeftButton())
+    if (this->HasClick() && this->GetInteraction().DoubleClickLeftButton())
     {
       this->Abort();
     }
   }
   void OnRightButtonDown() override
   {
-    const bool isUsed = this->HasMouse() && this->GetInteraction().PressRightButton();
+    const bool isUsed = this->HasClick() && this->GetInteraction().PressRightButton();
     this->Take(Right, isUsed);
   }
   void OnRightButtonUp() override
@@ -199,6 +200,12 @@ private:
   bool HasMouse()
   {
     return this->GetTouchMode() && this->Buttons == 0 && this->Interactor->GetRenderWindow();
+  }
+  /// The same of a click: one on a slider, a handle or a text of the program is the program's.
+  bool HasClick()
+  {
+    const int* const at = this->Interactor->GetEventPosition();
+    return this->HasMouse() && !IsOverPartOfHost(this->Interactor->GetRenderWindow(), at[0], at[1]);
   }
   void Take(Button button, bool isUsed)
   {
@@ -330,26 +337,13 @@ struct vtkHapticWidget::vtkInternals
       }
       this->Touched.assign(volumes.begin(), volumes.end());
     }
+    KeptSettings settings(this->Filter);
     for (vtkVolumeHapticsFilter* const other : this->Others)
     {
-      this->CopySettings(other);
+      // Each volume's opacity says what is felt of it.
+      settings.Property->SetVisibilityFrom(other->GetProperty()->GetVisibilityFrom());
+      settings.Apply(other);
     }
-  }
-
-  void CopySettings(vtkVolumeHapticsFilter* other) const
-  {
-    for (const FilterSetting& setting : FilterSettings)
-    {
-      if (setting.Get(other) != setting.Get(this->Filter))
-      {
-        setting.Set(other, setting.Get(this->Filter));
-      }
-    }
-    // Each volume's opacity says what is felt of it.
-    vtkNew<vtkHapticProperty> property;
-    property->DeepCopy(this->Filter->GetProperty());
-    property->SetVisibilityFrom(other->GetProperty()->GetVisibilityFrom());
-    other->GetProperty()->DeepCopy(property);
   }
 
   /** The hand and the display, where the volumes are. */

@@ -4,6 +4,7 @@
 
 #include "VTK/Scene/HapticInteraction.h"
 #include "VTK/Scene/HapticSceneSettings.h"
+#include "VTK/Scene/TimerWatch.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkObjectFactory.h"
@@ -38,6 +39,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
     : Interaction(self,
         { [self](bool quickly) { self->DrawScene(quickly); },
           [self] { return self->ArmsAfterClutch(); } })
+    , Loop(self)
   {
     this->TimerObserver->SetClientData(this);
     this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void* id)
@@ -45,6 +47,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   }
 
   HapticInteraction Interaction;
+  TimerWatch Loop;
   int Timer = 0;      ///< 0 without a timer, because the application may have one of its own
   int FiredTimer = 0; ///< interactors pass the timer's id to observers, but not to styles
   vtkNew<vtkCallbackCommand> TimerObserver;
@@ -155,6 +158,13 @@ bool vtkInteractorStyleHaptic::GetTouchMode()
 }
 
 //------------------------------------------------------------------------------
+void vtkInteractorStyleHaptic::FadeOut()
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete it
+  this->Internals->Interaction.FadeOut();
+}
+
+//------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::RecenterWorkspace()
 {
   this->Internals->Interaction.Workspace.Recenter();
@@ -262,6 +272,7 @@ void vtkInteractorStyleHaptic::EndComparison()
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::UpdateHaptics()
 {
+  this->Internals->Loop.NoteUpdate();
   return this->Internals->Interaction.UpdateHaptics();
 }
 
@@ -322,6 +333,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   }
   this->Superclass::SetInteractor(interactor);
   d.Interaction.Window.SetInteractor(interactor);
+  d.Loop.SetInteractor(interactor);
   if (this->Interactor)
   {
     const double period = 1000.0 / this->DisplayRate;

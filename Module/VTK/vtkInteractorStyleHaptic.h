@@ -31,7 +31,7 @@
  *   t           touch mode on and off; it begins in front of the first surface under the pointer
  *   a           arm, so that force may flow, and disarm; touch mode on arms, too. Armed inside,
  *               the hand feels nothing until it moves
- *   Escape      disarm, and leave the touch mode and the clutch
+ *   Escape, End disarm, and leave the touch mode and the clutch
  *   c           put the device's workspace back around the camera's focal point
  *   k           clutch: while held, a real device moves without the tip and without force. The
  *               force comes back with its release, unless the device was disarmed meanwhile
@@ -114,10 +114,15 @@
  * Force ends with the window. The style leaves the touch mode and disarms when the interactor's
  * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
  * observer of ExitEvent is called; when the window is finalized; when the touched renderer is taken
- * out of it; and when the interactor is disabled, deleted or given another style. VTK does not
- * report that a toolkit's widget is hidden: for Qt, a program calls
- * VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once; with another toolkit, before it
- * hides a widget, the interactor's Disable(), or SetTouchMode(false) and the device's Disarm().
+ * out of it; and when the interactor is disabled, deleted or given another style. Force fades out
+ * when a window of X11, or a window around it, is minimised or hidden, which covers Tk and wx. Of
+ * QVTKOpenGLNativeWidget neither VTK nor X11 knows that: a program calls
+ * VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once. Elsewhere, a program that hides a
+ * view calls FadeOut().
+ *
+ * Timers belong to the loop of events. If a loop sends events of the mouse and keys, but for a
+ * second none of timers, the style warns once, and updates with these events and with each frame of
+ * the window, until the program calls UpdateHaptics() or DrawHaptics().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same
  * for the hand as for the eye. A SpaceMouse turns the volume about the focal point: the camera
@@ -225,9 +230,9 @@ public:
    *   style->SetKey("Touch", "Return"); // instead of t
    *   style->SetKey("NextMethod", ""); // none
    *
-   * Actions and default keys: Touch t, Arm a, LetGo Escape, NextMethod m, Compare C, NextMode M,
-   * Help question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path L,
-   * Area B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
+   * Actions and default keys: Touch t, Arm a, LetGo Escape End, NextMethod m, Compare C, NextMode
+   * M, Help question F1, Text h, Graph g, Details d, Slices s, Point P, Distance D, Angle A, Path
+   * L, Area B, Undo Z, Redo Y, RemoveLast Delete, Measurements I, FunctionEditor v, NextFunction n,
    * Propose p, DropProposal BackSpace, DockEditor V, ResetFunctions R, Labels l, Play space,
    * FrameBefore Left, FrameAfter Right, Slower comma, Faster period, AtTheEnd b, RecenterWorkspace
    * c, Clutch k, LargerWorkspace plus KP_Add, SmallerWorkspace minus KP_Subtract, Home Home.
@@ -252,6 +257,12 @@ public:
   virtual bool GetTouchMode();
   vtkBooleanMacro(TouchMode, bool);
   ///@}
+
+  /**
+   * Leave the touch mode and let the force fade, for a program that hides the view: without the
+   * jump of a force that is cut off.
+   */
+  void FadeOut();
 
   ///@{
   /**

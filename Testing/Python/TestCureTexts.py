@@ -55,6 +55,7 @@ TRIED = {
         "The widget is off. Cure: On()": "Cure: On()", "needs a device. Cure:": "needs a device",
         "needs a filter, which says how volumes feel": "needs a filter",
         "of a renderer of the window, and VisibilityOn()": "of a renderer of the window",
+        "DrawHaptics() of this style 60 times a second": "Cure: call DrawHaptics()",
     },
     "VTK/Scene/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
     "VTK/Session/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},

@@ -280,3 +280,28 @@ def test_the_display_keeps_off_what_the_program_draws(program, make, corner):
             assert ours is not None, name
             assert ours[0] > theirs[1] or ours[1] < theirs[0] or ours[2] > theirs[3] or ours[3] < theirs[2], \
                 f"{name} {ours} over {theirs}"
+
+
+def test_a_click_on_a_slider_of_the_program_is_the_sliders(program):
+    slider = vtkSliderWidget()
+    slider.SetInteractor(program.interactor)
+    slider.SetRepresentation(make_slider(10, 10))
+    slider.GetRepresentation().SetValue(0.0)
+    slider.SetAnimationModeToJump()
+    slider.EnabledOn()
+    moved = []
+    slider.AddObserver("InteractionEvent", lambda *_: moved.append(slider.GetRepresentation().GetValue()))
+    with volumehaptics.add_haptics(program.window) as haptics:
+        program.window.Render()
+        assert program.press(haptics) > 0.3
+        force = haptics.device.GetForce()
+        for event, x in (("LeftButtonPressEvent", 20), ("MouseMoveEvent", 60), ("MouseMoveEvent", 80),
+                         ("LeftButtonReleaseEvent", 80)):
+            program.interactor.SetEventInformation(x, 30)
+            program.interactor.InvokeEvent(event)
+        assert moved
+        assert haptics.widget.GetTouchMode()
+        assert haptics.device.GetForce() == force  # the tip has stayed
+        program.interactor.SetEventInformation(150, 150)
+        program.interactor.InvokeEvent("LeftButtonPressEvent")  # beside it, the hand's
+        assert program.style.GetState() == 0

@@ -2,75 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/ComparedSettings.h"
 
-#include "VTK/Baking/HapticSettingLists.h"
 #include "VTK/Scene/FilterPublisher.h"
+#include "VTK/Scene/KeptSettings.h"
 
-#include "vtkHapticLabelTable.h"
-#include "vtkHapticProperty.h"
 #include "vtkInteractorStyleHaptic.h"
-#include "vtkNew.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include <utility>
-#include <vector>
 
 namespace VolumeHaptics
 {
-
-/** What the filter's settings, its property and its label table are at a time. */
-struct ComparedSettings::Settings
-{
-  explicit Settings(vtkVolumeHapticsFilter* filter)
-  {
-    for (const FilterSetting& setting : FilterSettings)
-    {
-      this->Values.push_back(setting.Get(filter));
-    }
-    for (const FilterText& setting : FilterTexts)
-    {
-      this->Texts.push_back(setting.Get(filter));
-    }
-    this->Property->DeepCopy(filter->GetProperty());
-    if (vtkHapticLabelTable* const table = filter->GetLabelTable())
-    {
-      this->Labels = vtkSmartPointer<vtkHapticLabelTable>::New();
-      this->Labels->DeepCopy(table);
-    }
-  }
-
-  /** In place, so that an editor goes on with the same functions. */
-  void Apply(vtkVolumeHapticsFilter* filter) const
-  {
-    std::size_t at = 0;
-    for (const FilterSetting& setting : FilterSettings)
-    {
-      const double value = this->Values[at++];
-      if (setting.Get(filter) != value)
-      {
-        setting.Set(filter, value);
-      }
-    }
-    at = 0;
-    for (const FilterText& setting : FilterTexts)
-    {
-      const std::string& text = this->Texts[at++];
-      if (setting.Get(filter) != text)
-      {
-        setting.Set(filter, text);
-      }
-    }
-    filter->GetProperty()->DeepCopy(this->Property);
-    if (this->Labels && filter->GetLabelTable())
-    {
-      filter->GetLabelTable()->DeepCopy(this->Labels);
-    }
-  }
-
-  std::vector<double> Values;
-  std::vector<std::string> Texts;
-  vtkNew<vtkHapticProperty> Property;
-  vtkSmartPointer<vtkHapticLabelTable> Labels;
-};
 
 //------------------------------------------------------------------------------
 ComparedSettings::ComparedSettings(TouchedScene& scene, FilterPublisher& publisher)
@@ -79,9 +20,6 @@ ComparedSettings::ComparedSettings(TouchedScene& scene, FilterPublisher& publish
 {
 }
 
-ComparedSettings::~ComparedSettings() = default;
-
-//------------------------------------------------------------------------------
 vtkVolumeHapticsFilter* ComparedSettings::FindFilter() const
 {
   return this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
@@ -102,14 +40,14 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   if (!this->Other || this->Filter.GetPointer() != filter.GetPointer())
   {
     this->Filter = filter;
-    this->Other = std::make_shared<const Settings>(filter);
+    this->Other = std::make_shared<const KeptSettings>(filter);
     this->IsB = true;
     this->Tell();
     notify("These settings are A. Change the method or a material for B.");
     return true;
   }
-  const auto before = std::make_shared<const Settings>(filter);
-  const std::shared_ptr<const Settings> tried = this->Other;
+  const auto before = std::make_shared<const KeptSettings>(filter);
+  const std::shared_ptr<const KeptSettings> tried = this->Other;
   const bool wasB = this->IsB;
   // Also if it turns out later, when the other method was made ready in the background.
   const auto undo = [this, before, tried, wasB]

@@ -21,12 +21,13 @@ namespace VolumeHaptics
 {
 
 class FilterPublisher;
+class KeptSettings;
 
 class ComparedSettings
 {
 public:
   ComparedSettings(TouchedScene& scene, FilterPublisher& publisher);
-  ~ComparedSettings();
+  ~ComparedSettings() = default;
   ComparedSettings(const ComparedSettings&) = delete;
   ComparedSettings& operator=(const ComparedSettings&) = delete;
 
@@ -43,15 +44,13 @@ public:
   void Tell();
 
 private:
-  struct Settings; ///< of a filter, a copy
-
   /** The filter of the device; null without one. */
   vtkVolumeHapticsFilter* FindFilter() const;
 
   TouchedScene& Scene;
   FilterPublisher& Publisher;
   vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< whose settings are compared
-  std::shared_ptr<const Settings> Other;         ///< that is not felt
+  std::shared_ptr<const KeptSettings> Other;     ///< that is not felt
   bool IsB = false;                              ///< whether B is felt
   bool IsTold = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticInteraction.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "VTK/Scene/HapticViewRay.h"
 
 #include "vtkCallbackCommand.h"
@@ -12,7 +13,9 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeHapticsFilter.h"
 
+#include <chrono>
 #include <cstdint>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -142,12 +145,34 @@ bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
 //------------------------------------------------------------------------------
 void HapticInteraction::LetGo()
 {
+  constexpr double most = 0.1; // s; the servo takes a tick or two
   this->Measure.End();
   this->Touch.Set(false);
-  if (this->Scene.Device)
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (!device)
   {
-    this->Scene.Device->Disarm();
+    return;
   }
+  device->Disarm();
+  // Nobody may update the state later, and the last one would go on to tell of force.
+  const std::int64_t begin = ServoClock::Now();
+  while (this->Scene.Device == device && device->IsRunning() && this->Scene.IsArmed() &&
+    ServoClock::SecondsSince(begin) < most)
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+    device->UpdateState();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FadeOut()
+{
+  this->Measure.End();
+  if (const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device)
+  {
+    device->FadeOut();
+  }
+  this->Touch.Set(false);
 }
 
 //------------------------------------------------------------------------------
@@ -470,6 +495,14 @@ bool HapticInteraction::UpdateHaptics()
   {
     return false;
   }
+  if ((this->Touch.IsOn() || device->IsArmOrdered()) && this->Window.HasVanished())
+  {
+    this->FadeOut();
+  }
+  if (scene.Device != device)
+  {
+    return false;
+  }
   this->FollowVolumes();
   if (scene.Device != device)
   {
@@ -549,10 +582,7 @@ void HapticInteraction::FollowVolumes()
   if (this->Touch.IsOn() || device->IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    this->Measure.End();
-    // Let the force fade: a volume that is hidden is no emergency.
-    device->FadeOut();
-    this->Touch.Set(false);
+    this->FadeOut(); // a volume that is hidden is no emergency
     return;
   }
   // Feel another volume only after the fade, so that it does not push the hand.

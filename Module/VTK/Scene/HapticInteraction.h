@@ -79,6 +79,9 @@ public:
    */
   void LetGo();
 
+  /** Leaves the touch mode and lets the force fade. For a view that is no longer seen. */
+  void FadeOut();
+
   bool MoveMouse();
   bool PressLeftButton();
   bool ReleaseLeftButton();

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticWindowWatch.h"
 
+#include "Core/Servo/ServoClock.h"
 #include "VTK/Scene/HapticKeptDisplay.h"
+#include "VTK/Scene/PendingInput.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
@@ -143,6 +145,7 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   this->OnRender();
   this->WindowClosing->SetWindow(nullptr);
   this->Interactor = interactor;
+  this->WasViewable = false;
   if (interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
@@ -199,6 +202,19 @@ void HapticWindowWatch::LookAt(vtkRenderer* renderer)
   {
     this->End();
   }
+}
+
+bool HapticWindowWatch::HasVanished()
+{
+  constexpr double pause = 0.1; // s
+  vtkRenderWindow* const window = this->Interactor ? this->Interactor->GetRenderWindow() : nullptr;
+  if (!window || window->GetNeverRendered() || ServoClock::SecondsSince(this->ViewTime) < pause)
+  {
+    return false;
+  }
+  this->ViewTime = ServoClock::Now();
+  const bool wasViewable = std::exchange(this->WasViewable, MayBeSeen(window));
+  return wasViewable && !this->WasViewable;
 }
 
 bool HapticWindowWatch::IsClosed() const

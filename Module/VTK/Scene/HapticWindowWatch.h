@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <cstdint>
 #include <functional>
 
 class vtkObject;
@@ -51,6 +52,12 @@ public:
   /** Call it often with the renderer that is touched; nullptr for none. */
   void LookAt(vtkRenderer* renderer);
 
+  /**
+   * Whether the window could be seen at an earlier call and can't any more, as far as the window
+   * system tells: see PendingInput.h. Asks ten times a second at most.
+   */
+  bool HasVanished();
+
   /** Whether the end of its loop closed the window: drawing would open another one. */
   bool IsClosed() const;
 
@@ -71,8 +78,10 @@ private:
   vtkSmartPointer<Closing> WindowClosing;
   vtkWeakPointer<vtkRenderer> Seen; ///< in the window, at the last look
   bool HasSeen = false;
-  bool IsEnabled = false; ///< of the interactor, when last seen
-  bool IsDone = false;    ///< the loop was told to end, when last seen
+  bool WasViewable = false;
+  std::int64_t ViewTime = 0; ///< ServoClock, when the window system was last asked
+  bool IsEnabled = false;    ///< of the interactor, when last seen
+  bool IsDone = false;       ///< the loop was told to end, when last seen
   bool IsReleased =
     false; ///< the window has released its graphics resources and was not rendered since
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;

@@ -20,7 +20,7 @@ struct Action
 constexpr Action Actions[] = {
   { "Touch", "t" },
   { "Arm", "a" },
-  { "LetGo", "Escape" },
+  { "LetGo", "Escape End" },
   { "NextMethod", "m" },
   { "Compare", "C" },
   { "NextMode", "M" },

@@ -68,7 +68,30 @@ bool HasEvent(vtkRenderWindow* window)
   return search.Found;
 }
 
+/** The window may have been destroyed by the toolkit that it belongs to. */
+int IgnoreError(Display*, XErrorEvent*)
+{
+  return 0;
+}
+
 } // namespace
+
+bool VolumeHaptics::MayBeSeen(vtkRenderWindow* window)
+{
+  static const auto get = FindFunction<decltype(XGetWindowAttributes)>("XGetWindowAttributes");
+  static const auto handle = FindFunction<decltype(XSetErrorHandler)>("XSetErrorHandler");
+  const auto id = KnowsInput(window) ? reinterpret_cast<Window>(window->GetGenericWindowId()) : 0;
+  if (id == 0 || !get || !handle)
+  {
+    return true;
+  }
+  const XErrorHandler before = handle(IgnoreError);
+  XWindowAttributes attributes = {};
+  const bool isThere =
+    get(static_cast<Display*>(window->GetGenericDisplayId()), id, &attributes) != 0;
+  handle(before);
+  return isThere && attributes.map_state == IsViewable;
+}
 
 bool VolumeHaptics::KnowsInput(vtkRenderWindow* window)
 {
@@ -107,6 +130,11 @@ bool VolumeHaptics::KnowsInput(vtkRenderWindow*)
 }
 
 void VolumeHaptics::WakeEventLoop(vtkRenderWindow*) {}
+
+bool VolumeHaptics::MayBeSeen(vtkRenderWindow*)
+{
+  return true;
+}
 #endif
 
 namespace VolumeHaptics

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether somebody waits for the end of a frame.
+ * What the window system knows of a window: whether somebody waits for the end of a frame, and
+ * whether anybody sees it.
  */
 #ifndef PendingInput_h
 #define PendingInput_h
@@ -28,6 +29,13 @@ bool KnowsInput(vtkRenderWindow* window);
  * one that no program handles and that does not count as input.
  */
 void WakeEventLoop(vtkRenderWindow* window);
+
+/**
+ * Whether a window may be seen. False for one of X11 that is not mapped, or that lies in another
+ * window that is not: it was minimised, hidden, destroyed, or is behind a tab. This waits for the
+ * X server's answer. Nothing is known of other windows: true.
+ */
+bool MayBeSeen(vtkRenderWindow* window);
 
 } // namespace VolumeHaptics
 

@@ -364,6 +364,52 @@ TEST_F(HapticWidget, TakesKeysThatHaveCodesAndNoNames)
   this->ExpectLetGo();
 }
 
+TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
+{
+  // Mayavi's scene takes Escape before VTK.
+  this->SwitchOn();
+  this->PushIn();
+  EXPECT_EQ(this->Press("End"), 0);
+  this->ExpectLetGo();
+}
+
+TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
+{
+  MessageLog told(this->Widget->GetStyle());
+  this->SwitchOn();
+  this->Pointer(150, 150);
+  ASSERT_TRUE(Eventually(
+    [&]
+    {
+      this->Pointer(150, 150);
+      return !told.Warnings.empty();
+    }));
+  EXPECT_NE(told.Warnings[0].find("Cure: call DrawHaptics()"), std::string::npos);
+  this->Press("t", 't');
+  this->Release("t", 't');
+  ASSERT_TRUE(this->Widget->GetTouchMode());
+  int steps = 0;
+  EXPECT_TRUE(Eventually(
+    [&]
+    {
+      this->Window->Render(); // as the program does it
+      const bool isArmed = IsFullyArmed(this->Widget->GetDevice());
+      if (isArmed && steps < 5)
+      {
+        ++steps;
+        this->Pointer(150, 150, vtkCommand::MouseWheelForwardEvent);
+      }
+      return this->GetForce() > 0.3;
+    }));
+  EXPECT_EQ(told.Warnings.size(), 1U);
+  this->Widget->GetStyle()->DrawHaptics(); // the cure: from now on the program does it
+  const vtkIdType tick = this->Widget->GetDevice()->GetTick();
+  this->Window->Render();
+  EXPECT_EQ(this->Widget->GetDevice()->GetTick(), tick);
+  this->Press("Escape");
+  this->ExpectLetGo();
+}
+
 TEST_F(HapticWidget, HasAnotherKeyAndADeviceOfTheProgram)
 {
   vtkNew<vtkHapticDevice> device;

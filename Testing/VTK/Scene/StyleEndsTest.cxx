@@ -65,6 +65,20 @@ protected:
     EXPECT_NE(this->Device->GetStatus(), vtkHapticDevice::FAULT) << this->Device->GetStatusText();
     EXPECT_TRUE(this->Device->IsRunning());
   }
+  /// Of a view that nobody sees; then ends the loop.
+  void ExpectFadeOut()
+  {
+    this->Style->RemoveObservers(vtkInteractorStyleHaptic::StatesEvent);
+    EXPECT_TRUE(Eventually(
+      [this]
+      {
+        this->Style->UpdateHaptics();
+        return Length(this->Device->GetForce()) == 0.0;
+      }));
+    EXPECT_FALSE(this->Style->GetTouchMode());
+    EXPECT_FALSE(this->Device->IsArmOrdered());
+    this->Interactor->TerminateApp();
+  }
   void TypeQ()
   {
     this->Interactor->SetKeyCode('q');
@@ -122,6 +136,31 @@ TEST_F(StyleEnds, WithTheWindow)
       this->Interactor->SetDone(true); // VTK 9.1's TerminateApp() would write to the window
     });
   this->ExpectNoForce();
+}
+
+TEST_F(StyleEnds, WithAWindowThatIsHidden)
+{
+  this->PushUntilHeld(
+    [this]
+    {
+      this->Window->SetShowWindow(false); // as if it were minimised, which needs a window manager
+      this->ExpectFadeOut();
+    });
+}
+
+TEST_F(StyleEnds, WithAWindowAroundItThatIsHidden)
+{
+  // A view of Tk or wx, which lies in a window of its own.
+  vtkNew<vtkRenderWindow> outer;
+  outer->SetSize(320, 320);
+  outer->Render();
+  this->Window->SetParentId(outer->GetGenericWindowId());
+  this->PushUntilHeld(
+    [&]
+    {
+      outer->SetShowWindow(false);
+      this->ExpectFadeOut();
+    });
 }
 
 TEST_F(StyleEnds, WithTheRenderer)

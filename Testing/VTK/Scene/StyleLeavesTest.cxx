@@ -11,6 +11,7 @@
 #include "Rigs/EventCounter.h"
 
 #include <vtkGenericRenderWindowInteractor.h>
+#include <vtkHapticHeadUpDisplay.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 
 using namespace scenetest;
@@ -35,6 +36,22 @@ TEST_F(StyleLeaves, DisarmsForAnotherStyle)
   this->Interactor->SetInteractorStyle(this->Style);
   this->Run(5);
   EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED) << "only the user may";
+}
+
+TEST_F(StyleLeaves, TellsOfNoForceAtOnce)
+{
+  vtkNew<vtkHapticHeadUpDisplay> display;
+  display->SetDevice(this->Device);
+  this->PushIn();
+  this->Run(5);
+  ASSERT_GT(Length(this->Device->GetForce()), 0.3) << "N";
+  EXPECT_NE(display->GetText().find(" N"), std::string::npos) << display->GetText();
+  vtkNew<vtkInteractorStyleTrackballCamera> other;
+  this->Interactor->SetInteractorStyle(other);
+  // Nobody updates the device any more.
+  EXPECT_EQ(Length(this->Device->GetForce()), 0.0);
+  EXPECT_LT(this->Device->GetStatus(), vtkHapticDevice::ARMED);
+  EXPECT_EQ(display->GetText().find(" N"), std::string::npos) << display->GetText();
 }
 
 TEST_F(StyleLeaves, LeavesNoObserverWithoutTimers)

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a program has put over its scene for the mouse.
+ */
+#ifndef HostParts_h
+#define HostParts_h
+
+class vtkRenderWindow;
+
+namespace VolumeHaptics
+{
+
+/**
+ * Whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a window
+ * (pixels). It takes the bodies and handles of representations as far as they tell their actors.
+ */
+bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y);
+
+} // namespace VolumeHaptics
+
+#endif

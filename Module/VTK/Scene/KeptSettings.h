@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A copy of what the settings of a filter are at a time.
+ */
+#ifndef KeptSettings_h
+#define KeptSettings_h
+
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+class KeptSettings
+{
+public:
+  /** Copies the filter's settings, its property and its label table. */
+  explicit KeptSettings(vtkVolumeHapticsFilter* filter);
+
+  /**
+   * Gives the settings to a filter that has the same parts. Its property and its label table remain
+   * the same objects, so that an editor goes on with the same functions.
+   */
+  void Apply(vtkVolumeHapticsFilter* filter) const;
+
+  vtkNew<vtkHapticProperty> Property;
+
+private:
+  std::vector<double> Values;
+  std::vector<std::string> Texts;
+  vtkSmartPointer<vtkHapticLabelTable> Labels; ///< null without a table
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Notices that a program's loop of events sends no timer events, and updates the haptics without.
+ */
+#ifndef TimerWatch_h
+#define TimerWatch_h
+
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+#include <cstdint>
+
+class vtkCallbackCommand;
+class vtkInteractorStyleHaptic;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace VolumeHaptics
+{
+
+/**
+ * A server, or a toolkit whose interactor was not initialised, passes events of mouse and keys to
+ * VTK but none of timers. If a second of such events passes without an update, this warns once, and
+ * from then on updates the haptics with each of these events and each frame of the window, until an
+ * update comes from elsewhere.
+ */
+class TimerWatch
+{
+public:
+  explicit TimerWatch(vtkInteractorStyleHaptic* style);
+  ~TimerWatch();
+  TimerWatch(const TimerWatch&) = delete;
+  TimerWatch& operator=(const TimerWatch&) = delete;
+
+  /** The interactor whose events are watched, from the beginning; nullptr for none. */
+  void SetInteractor(vtkRenderWindowInteractor* interactor);
+
+  /** Notes an update of the haptics, by a timer or by the program. */
+  void NoteUpdate();
+
+private:
+  void OnInput();
+  void Update();
+  void Leave();
+
+  vtkInteractorStyleHaptic* const Style;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
+  vtkWeakPointer<vtkRenderWindow> Window; ///< whose frames update the haptics
+  vtkNew<vtkCallbackCommand> InputObserver;
+  vtkNew<vtkCallbackCommand> FrameObserver;
+  std::int64_t LastInput = 0; ///< ServoClock; 0 without any
+  double Waited = 0.0;        ///< s with input and without an update
+  bool IsUpdating = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif
