@@ -309,7 +309,7 @@ std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDispl
   const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
   // Modes have no surface with a value.
   const bool isByValue = label.empty() && !FindModes(device);
-  const std::string tissue = isByValue ? self.GetTissueName(device->GetSurfaceValue()) : label;
+  const std::string tissue = isByValue ? self.GetTissueName(FindFeltValue(device)) : label;
   std::string text;
   for (const std::string& line :
     { DescribeStatus(device), DescribeTouch(device, tissue, this->Slide.Is()), DescribeCut(device),

@@ -138,7 +138,8 @@ public:
 
   ///@{
   /**
-   * Names of ranges of values, from (inclusive) to (exclusive). The first range that fits counts.
+   * Names of ranges of values, from (inclusive) to (exclusive), as vtkHapticProperty's functions
+   * have them (ScalarShift). The first range that fits counts.
    * A label in the filter's label table comes before them.
    */
   void AddTissue(const char* name, double from, double to);

@@ -171,6 +171,59 @@ public:
   vtkBooleanMacro(SolidFromImage, bool);
   ///@}
 
+  /**
+   * What is added to a scalar for the value that the functions and tissues are of: -1024 for
+   * Hounsfield units that are stored 1024 higher. Default 0. The value is (scalar + ScalarShift)
+   * ScalarScale, as vtkImageShiftScale has it; the functions of a needle and of a burr are of it,
+   * too. What filters, tools and modes call a scalar value, such as an IsoValue, and the opacities
+   * of VisibilityFrom stay in scalar units.
+   */
+  vtkSetClampMacro(ScalarShift, double, -1e30, 1e30);
+  vtkGetMacro(ScalarShift, double);
+
+  /**
+   * What that sum is multiplied by, 1e-12 to 1e12, for data of another unit than the functions.
+   * Default 1. The gradient magnitudes of Distinctness are scaled, too.
+   */
+  vtkSetClampMacro(ScalarScale, double, 1e-12, 1e12);
+  vtkGetMacro(ScalarScale, double);
+
+  ///@{
+  /**
+   * Whether the functions are in Hounsfield units and the image tells how they are stored: as they
+   * are, or as whole numbers from 0 on, 1000, 1024 or 32768 higher, which is told. On, as
+   * ApplyPreset() sets it for CT: if there is no value below -200, air and soft tissue are looked
+   * for at these places, and the shift that is found (FoundShift) is used; values that can't be
+   * Hounsfield units are warned of. Nothing is looked for if ScalarShift or ScalarScale is set. Off
+   * (default): the scalars are as these say. FoundShift is set when a filter with this property
+   * last ran or was published; 0 if nothing was found.
+   */
+  vtkSetMacro(ShiftFromImage, bool);
+  vtkGetMacro(ShiftFromImage, bool);
+  vtkBooleanMacro(ShiftFromImage, bool);
+  vtkGetMacro(FoundShift, double);
+  ///@}
+
+  ///@{
+  /** The value of the functions for a scalar of the image, and back. */
+  double ScalarToValue(double scalar)
+  {
+    return (scalar + this->ScalarShift + this->FoundShift) * this->ScalarScale;
+  }
+  double ValueToScalar(double value)
+  {
+    return value / this->ScalarScale - this->ScalarShift - this->FoundShift;
+  }
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** Sets FoundShift; called by the baker. Does not change MTime. */
+  void NoteShift(double shift)
+  {
+    this->FoundShift = shift;
+  }
+#endif
+
   ///@{
   /**
    * The component of the array that is touched, 0 or more. Default 0.
@@ -237,11 +290,12 @@ public:
   /**
    * A preset of one's own as a file (JSON, readable), to keep and to share: the five functions to
    * the bit, the tissues, the surface side, DistinctnessFromNoise, DistinctnessPerMillimeter,
-   * ScalarsAreLabels and SolidFromImage, but neither the component nor the visibility. WritePreset
-   * replaces an existing file only after the whole new one is on the disk. ReadPreset fills the
-   * functions in place; what the file lacks gets its default. Both return false, with an error that
-   * names the file and the cure, if that fails; nothing has changed then. Give the file a name that
-   * ends in ".json", so that ApplyPreset() takes it.
+   * ScalarsAreLabels, SolidFromImage and ShiftFromImage, but neither the component, the visibility
+   * nor ScalarShift and ScalarScale, which belong to the data. WritePreset replaces an existing
+   * file only after the whole new one is on the disk. ReadPreset fills the functions in place; what
+   * the file lacks gets its default. Both return false, with an error that names the file and the
+   * cure, if that fails; nothing has changed then. Give the file a name that ends in ".json", so
+   * that ApplyPreset() takes it.
    */
   bool WritePreset(const char* file);
   bool ReadPreset(const char* file);
@@ -249,7 +303,7 @@ public:
 
   ///@{
   /**
-   * Names for ranges of values, from low to high (scalar units, both included). They are for
+   * Names for ranges of the functions' values, from low to high (both included). They are for
    * people: vtkHapticFunctionEditor draws them as bands and edits their materials by sliders, but
    * forces do not depend on them. Tissues are numbered from 0, in rising order of their values.
    * AddTissue returns the number of the new one; -1, with an error, if the name is empty or
@@ -291,6 +345,9 @@ public:
    * Distinctness keeps the weakest of these edges, and neither noise nor shading. Take the result
    * as a beginning, and edit it.
    *
+   * The functions are of the values that ScalarShift and ScalarScale say; a FoundShift becomes the
+   * ScalarShift, and ShiftFromImage is off.
+   *
    * Returns false, with an error and no change, if there is no edge to propose from: no or constant
    * scalars, an image of less than 5 points along an axis, or nothing but noise.
    */
@@ -305,10 +362,10 @@ public:
 
   /**
    * The boundaries that ProposeFromImage found, the most important one first; nullptr before the
-   * first proposal. Columns: Low and High, the values on both sides; Width, the standard deviation
-   * s of the blurred step (world units), V = Low + (High - Low) Phi(x / s); Slope, the largest
-   * gradient magnitude that a kernel of ProposedKernelRadius finds (scalar units per world unit);
-   * Share, of the area of all edges.
+   * first proposal. Columns: Low and High, the functions' values on both sides; Width, the standard
+   * deviation s of the blurred step (world units), V = Low + (High - Low) Phi(x / s); Slope, the
+   * largest gradient magnitude that a kernel of ProposedKernelRadius finds, per world unit; Share,
+   * of the area of all edges.
    */
   vtkTable* GetProposedBoundaries();
 
@@ -354,6 +411,10 @@ protected:
   bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
   bool SolidFromImage = false;
+  bool ShiftFromImage = false;
+  double ScalarShift = 0.0;
+  double ScalarScale = 1.0;
+  double FoundShift = 0.0;
   double NoiseRamp[2] = { 0.0, 0.0 };
   vtkSmartPointer<vtkTable> ProposedBoundaries;
   int ProposedKernelRadius = 0;

@@ -187,6 +187,7 @@ void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
   facts.Noise = this->Noise;
   facts.BorderValues = this->BorderValues;
   facts.Solids = this->Solids;
+  facts.Shifts = this->Shifts;
   facts.Time = static_cast<double>(this->GatheredTime);
   VolumeHaptics::WriteWholeFacts(facts, output);
 }
@@ -226,6 +227,7 @@ int vtkHapticRegionFilter::RequestData(
     this->Noise.clear();
     this->BorderValues.clear();
     this->Solids.clear();
+    this->Shifts.clear();
     this->Outside.clear();
     for (VolumeHaptics::NoiseSamples& component : samples)
     {
@@ -237,6 +239,7 @@ int vtkHapticRegionFilter::RequestData(
       this->Noise.push_back(VolumeHaptics::EstimateNoise(component));
       this->BorderValues.push_back(VolumeHaptics::FindBorderValue(component));
       this->Solids.push_back(VolumeHaptics::BackgroundLevel::Find(component));
+      this->Shifts.push_back(VolumeHaptics::StoredShift::Find(component));
     }
     this->GatheredTime = time;
     this->WarnOfOutside(array);

@@ -24,6 +24,9 @@
  *                       the value at which the background of the whole ends, the one from which on
  *                       it is solid, equal to the first if there is none, and the one that noise of
  *                       the background rarely exceeds
+ *   HapticShift         optional, a tuple of five numbers a component for vtkHapticProperty's
+ *                       ShiftFromImage: what to add to the values for Hounsfield units, the value
+ *                       of air, 1 if they can't be Hounsfield units, and the range looked at
  *   HapticWholeTime     optional, a number that changes whenever the whole changes. If regions of
  *                       the same whole have the same number, one replaces the other under a
  *                       pressing hand without the hand noticing it
@@ -65,6 +68,7 @@ namespace VolumeHaptics
 struct NoiseSamples;
 struct OutsideSamples;
 struct BackgroundLevel;
+struct StoredShift;
 } // namespace VolumeHaptics
 #endif
 
@@ -93,6 +97,7 @@ public:
   static const char* GetBorderValueName() { return "HapticBorderValue"; }
   static const char* GetWholeTimeName() { return "HapticWholeTime"; }
   static const char* GetSolidName() { return "HapticSolid"; }
+  static const char* GetShiftName() { return "HapticShift"; }
   static const char* GetShareName() { return "HapticShare"; }
   static const char* GetOutsideName() { return "HapticOutside"; }
   ///@}
@@ -152,6 +157,7 @@ private:
   std::vector<double> BorderValues;
   std::vector<VolumeHaptics::OutsideSamples> Outside;
   std::vector<VolumeHaptics::BackgroundLevel> Solids;
+  std::vector<VolumeHaptics::StoredShift> Shifts;
 #endif
 
   int Region[6] = { 0, -1, 0, -1, 0, -1 };

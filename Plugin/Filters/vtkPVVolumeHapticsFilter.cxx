@@ -142,6 +142,12 @@ void vtkPVVolumeHapticsFilter::SetSolidFromImage(bool fromImage)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetShiftFromImage(bool fromImage)
+{
+  this->Choose(this->ShiftFromImage, fromImage);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVVolumeHapticsFilter::SetSurfaceSide(int side)
 {
   this->Choose(this->SurfaceSide, side);
@@ -151,6 +157,18 @@ void vtkPVVolumeHapticsFilter::SetSurfaceSide(int side)
 void vtkPVVolumeHapticsFilter::SetComponent(int component)
 {
   this->GetProperty()->SetComponent(component);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetScalarShift(double shift)
+{
+  this->GetProperty()->SetScalarShift(shift);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::SetScalarScale(double scale)
+{
+  this->GetProperty()->SetScalarScale(scale);
 }
 
 //------------------------------------------------------------------------------
@@ -214,6 +232,7 @@ void vtkPVVolumeHapticsFilter::FillProperty()
   property->SetDistinctnessPerMillimeter(this->DistinctnessPerMillimeter);
   property->SetScalarsAreLabels(this->ScalarsAreLabels);
   property->SetSolidFromImage(this->SolidFromImage);
+  property->SetShiftFromImage(this->ShiftFromImage);
   property->SetSurfaceSide(this->SurfaceSide);
 }
 
@@ -498,6 +517,7 @@ void vtkPVVolumeHapticsFilter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "ScalarsAreLabels: " << (this->ScalarsAreLabels ? "On" : "Off") << "\n";
   os << indent << "SolidFromImage: " << (this->SolidFromImage ? "On" : "Off") << "\n";
+  os << indent << "ShiftFromImage: " << (this->ShiftFromImage ? "On" : "Off") << "\n";
   os << indent << "SurfaceSide: " << this->SurfaceSide << "\n";
   for (const std::string& file : this->LabelFiles)
   {

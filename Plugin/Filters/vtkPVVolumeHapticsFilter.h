@@ -33,9 +33,9 @@ public:
 
   /**
    * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
-   * the functions, DistinctnessFromNoise, ScalarsAreLabels, SolidFromImage and SurfaceSide are then
-   * unused until it is "Custom" again. Any other name is an error that lists these, and the output
-   * is empty.
+   * the functions, DistinctnessFromNoise, ScalarsAreLabels, SolidFromImage, ShiftFromImage and
+   * SurfaceSide are then unused until it is "Custom" again. Any other name is an error that lists
+   * these, and the output is empty.
    */
   void SetPreset(const char* preset);
 
@@ -69,15 +69,21 @@ public:
   ///@}
 
   ///@{
-  /** Whether the scalars are labels, and whether the image tells what is solid, as the property. */
+  /**
+   * Whether the scalars are labels, and whether the image tells what is solid and how Hounsfield
+   * units are stored, as the property.
+   */
   void SetScalarsAreLabels(bool areLabels);
   void SetSolidFromImage(bool fromImage);
+  void SetShiftFromImage(bool fromImage);
   ///@}
 
   ///@{
-  /** The surface side of the property. */
+  /** The side, component, shift and scale of the property, and its ramp. */
   void SetSurfaceSide(int side);
   void SetComponent(int component);
+  void SetScalarShift(double shift);
+  void SetScalarScale(double scale);
   double* GetNoiseRamp() VTK_SIZEHINT(2);
   ///@}
 
@@ -203,6 +209,7 @@ private:
   bool DistinctnessPerMillimeter = false;
   bool ScalarsAreLabels = false;
   bool SolidFromImage = false;
+  bool ShiftFromImage = false;
   int SurfaceSide = 0;
   vtkTimeStamp Chosen; // when a setting of the material was last made
   vtkTimeStamp Filled; // when the property last got them

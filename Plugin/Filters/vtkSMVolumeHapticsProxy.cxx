@@ -86,6 +86,7 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
     .Set(property->GetDistinctnessPerMillimeter());
   vtkSMPropertyHelper(this, "ScalarsAreLabels").Set(property->GetScalarsAreLabels());
   vtkSMPropertyHelper(this, "SolidFromImage").Set(property->GetSolidFromImage());
+  vtkSMPropertyHelper(this, "ShiftFromImage").Set(property->GetShiftFromImage());
   vtkSMPropertyHelper(this, "SurfaceSide").Set(property->GetSurfaceSide());
   vtkSMPropertyHelper(this, "Preset").Set("Custom");
   this->UpdateVTKObjects();

@@ -22,6 +22,7 @@ TRIED = {
         "Give it values for all components, for example with SetArray": "Give it values for all components",
     },
     "VTK/Filter/LabelsTest.cxx": {"keep fewer labels, or resample it to cubic voxels": "walls between labels are stairs"},
+    "VTK/Filter/FilterShiftTest.cxx": {"of the input image can't be a CT in Hounsfield units": "can't be a CT"},
     "VTK/Baking/PresetsTest.cxx": {"those of vtkHapticProperty that begin with": "GetCuttingForce()"},
     "VTK/Filter/MemoryTest.cxx": {
         "Use a smaller image, or a region of it": "SURFACE_PROXY",

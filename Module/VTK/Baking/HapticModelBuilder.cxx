@@ -37,6 +37,59 @@ std::string DescribeRange(const PropertyFunction& function)
   return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
 }
 
+/** Makes a function of the property's values one of scalars. */
+void ToScalars(vtkHapticProperty* property, Polyline& line)
+{
+  for (Vertex& vertex : line)
+  {
+    vertex.X = property->ValueToScalar(vertex.X);
+  }
+}
+
+/** The same of gradient magnitudes. */
+void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
+{
+  for (Vertex& vertex : line)
+  {
+    vertex.X /= property->GetScalarScale();
+  }
+}
+
+/** Notes what has to be added to the scalars, if the image tells it, and tells that. */
+void FindShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  const HapticVolume& volume, int component, std::string& notice)
+{
+  property->NoteShift(0.0);
+  if (!property->GetShiftFromImage() || property->GetScalarShift() != 0.0 ||
+    property->GetScalarScale() != 1.0)
+  {
+    return;
+  }
+  const StoredShift found = volume.Whole.IsThere
+    ? volume.Whole.Shift
+    : FindStoredShift(image, scalars, volume.View, component);
+  property->NoteShift(found.Shift);
+  std::ostringstream text;
+  if (found.Shift != 0.0)
+  {
+    text << "The " << DescribeArray(scalars)
+         << " of the input image is taken for Hounsfield units + " << -found.Shift
+         << ": its air is at " << found.Air << ". vtkHapticProperty::SetScalarShift(" << found.Shift
+         << ") says so without a search; ShiftFromImageOff() takes the values as they are.";
+  }
+  else if (found.IsStrange || scalars->GetDataTypeSize() == 1)
+  {
+    text << "The " << DescribeArray(scalars)
+         << " of the input image can't be a CT in Hounsfield units, of which the preset is: its "
+            "values go from "
+         << found.Range[0] << " to " << found.Range[1]
+         << ". Choose a preset for other data or propose one from the image, or say with "
+            "vtkHapticProperty's SetScalarShift() and SetScalarScale() how (scalar + shift) scale "
+            "becomes Hounsfield units.";
+  }
+  notice = text.str();
+}
+
 bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::string& error)
 {
   for (const PropertyFunction& rule : PropertyFunctions)
@@ -50,6 +103,8 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
     {
       return false;
     }
+    rule.Baked == &HapticMaterial::Distinctness ? ScaleSlopes(property, line)
+                                                : ToScalars(property, line);
   }
   return true;
 }
@@ -338,14 +393,19 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
 }
 
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
-  vtkHapticProperty* property, const HapticModelOptions& options, std::string& error)
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& notice,
+  std::string& error)
 {
   HapticModelDescription d = options.Description;
   HapticVolume volume;
   const int component =
     options.Frames.empty() ? property->GetComponent() : options.Frames.front().Component;
-  if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error) ||
-    !BakeFunctions(property, d.Material, error))
+  if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error))
+  {
+    return nullptr;
+  }
+  FindShift(property, image, scalars, volume, component, notice);
+  if (!BakeFunctions(property, d.Material, error))
   {
     return nullptr;
   }
@@ -396,6 +456,11 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   if (!DescribeTool(options.Tool, d, error))
   {
     return nullptr;
+  }
+  for (Polyline* const line :
+    { &d.Tool.Needle.ShaftFriction, &d.Tool.Needle.CuttingForce, &d.Tool.Burr.SpecificEnergy })
+  {
+    ToScalars(property, *line);
   }
   if (options.Removal)
   {

@@ -80,10 +80,12 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& volume,
 
 /**
  * Bakes a model that keeps the scalar array alive. If the input can't be touched, returns null, and
- * `error` names the input and the cure.
+ * `error` names the input and the cure. `notice` says what was guessed about the values; empty if
+ * nothing was.
  */
 std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
-  vtkHapticProperty* property, const HapticModelOptions& options, std::string& error);
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& notice,
+  std::string& error);
 
 } // namespace VolumeHaptics
 

@@ -136,4 +136,17 @@ BackgroundLevel FindSolid(
   return Recall<BackgroundLevel>(image, scalars, view, component, find);
 }
 
+StoredShift FindStoredShift(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  return Recall<StoredShift>(image, scalars, view, component,
+    [&] { return FindStoredShift(scalars, view.Dimensions, component); });
+}
+
+StoredShift FindStoredShift(vtkDataArray* scalars, const std::int64_t dimensions[3], int component)
+{
+  return StoredShift::Find(
+    [=](std::int64_t i) { return scalars->GetComponent(i, component); }, dimensions);
+}
+
 } // namespace VolumeHaptics

@@ -9,7 +9,10 @@
 
 #include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/NoiseEstimate.h"
+#include "Core/Field/StoredShift.h"
 #include "Core/Field/VolumeView.h"
+
+#include "vtkVolumeHapticsModule.h" // for export macro
 
 class vtkDataArray;
 class vtkImageData;
@@ -42,6 +45,14 @@ FoundNoise FindNoise(
 /** Where its background ends, remembered as the noise is. */
 BackgroundLevel FindSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
+
+///@{
+/** How its Hounsfield units are stored; with a view, remembered as the noise is. */
+StoredShift FindStoredShift(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
+VTKVOLUMEHAPTICS_EXPORT StoredShift FindStoredShift(
+  vtkDataArray* scalars, const std::int64_t dimensions[3], int component);
+///@}
 
 } // namespace VolumeHaptics
 

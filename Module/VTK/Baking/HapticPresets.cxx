@@ -139,6 +139,12 @@ const std::vector<Preset>& Presets()
   return presets;
 }
 
+/** Whether a preset is in Hounsfield units. */
+bool IsOfCT(const std::string& name)
+{
+  return name.compare(0, 3, "CT ") == 0;
+}
+
 void Empty(vtkPiecewiseFunction* function)
 {
   function->RemoveAllPoints();
@@ -188,6 +194,7 @@ bool FillFromPreset(const char* name, vtkHapticProperty* property)
       property->SetSurfaceSide(preset.Side);
       property->SetScalarsAreLabels(preset.IsOfLabels);
       property->SetSolidFromImage(preset.IsOfImage);
+      property->SetShiftFromImage(IsOfCT(preset.Name));
       return true;
     }
   }
@@ -199,7 +206,7 @@ bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
   const std::string wanted = name ? name : "";
   const bool isKnown = std::any_of(Presets().begin(), Presets().end(),
     [&](const Preset& preset) { return wanted == preset.Name; });
-  if (!isKnown || wanted.compare(0, 3, "CT ") != 0)
+  if (!isKnown || !IsOfCT(wanted))
   {
     return false;
   }

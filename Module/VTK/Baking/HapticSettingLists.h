@@ -205,6 +205,15 @@ inline constexpr PropertySetting All[] = {
     "Whether the image tells what is solid: the background, darker than Otsu's threshold between "
     "the darkest two materials that are apart, then has no surface strength, however steep its "
     "noise and its streaks are."),
+  HapticFlagMacro(ShiftFromImage, false, NotBaked,
+    "Whether the functions are in Hounsfield units and the image tells how they are stored: as "
+    "they are, or as whole numbers from 0 on, 1000, 1024 or 32768 higher, which is told."),
+  HapticNumberMacro(ScalarShift, -1e30, 1e30, 0.0, "", NotBaked,
+    "What is added to a scalar for the value that the functions and tissues are of: -1024 for "
+    "Hounsfield units that are stored 1024 higher. Default 0."),
+  HapticNumberMacro(ScalarScale, 1e-12, 1e12, 1.0, "", NotBaked,
+    "What that sum is multiplied by, 1e-12 to 1e12, for data of another unit than the functions. "
+    "Default 1."),
 };
 } // namespace PropertySettingRows
 

@@ -25,7 +25,8 @@ double FindScalarMaterial(vtkHapticProperty* property, const char* name, double 
     if (std::string(rule.Name) == name)
     {
       vtkPiecewiseFunction* const function = (property->*rule.Get)();
-      return function->GetSize() > 0 ? function->GetValue(label) : rule.Default;
+      return function->GetSize() > 0 ? function->GetValue(property->ScalarToValue(label))
+                                     : rule.Default;
     }
   }
   return 0.0;

@@ -26,6 +26,9 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
 /** Threshold, Full and Quiet of a component; the first two are equal if it is not there. */
 constexpr vtkIdType NumbersOfSolid = 3;
 
+/** The shift, the value of air, whether it is strange, and the range. */
+constexpr int NumbersOfShift = 5;
+
 /** One number of an array, counted through its tuples. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
 {
@@ -125,6 +128,13 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
     facts.Solid = { NumberOf(solid, first) < NumberOf(solid, first + 1), NumberOf(solid, first),
       NumberOf(solid, first + 1), NumberOf(solid, first + 2) };
   }
+  vtkDataArray* const shift = fields->GetArray(Names::GetShiftName());
+  if (shift && shift->GetNumberOfComponents() == NumbersOfShift &&
+    shift->GetNumberOfTuples() > component)
+  {
+    const auto at = [&](int i) { return shift->GetComponent(component, i); };
+    facts.Shift = { at(0), at(1), at(2) != 0.0, { at(3), at(4) } };
+  }
   int extent[6];
   image->GetExtent(extent);
   std::ostringstream message;
@@ -175,6 +185,16 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
     solids.insert(solids.end(), { solid.Threshold, solid.Full, solid.Quiet });
   }
   AddField<vtkDoubleArray>(region, Names::GetSolidName(), solids);
+  const vtkNew<vtkDoubleArray> shifts;
+  shifts->SetName(Names::GetShiftName());
+  shifts->SetNumberOfComponents(NumbersOfShift);
+  for (const StoredShift& shift : facts.Shifts)
+  {
+    const double numbers[NumbersOfShift] = { shift.Shift, shift.Air, shift.IsStrange ? 1.0 : 0.0,
+      shift.Range[0], shift.Range[1] };
+    shifts->InsertNextTuple(numbers);
+  }
+  region->GetFieldData()->AddArray(shifts);
   const double share[] = { facts.Share };
   if (facts.Share < 1.0)
   {

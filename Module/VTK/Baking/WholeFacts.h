@@ -9,6 +9,7 @@
 
 #include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/OutsideSamples.h"
+#include "Core/Field/StoredShift.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct WholeFacts
   double Noise = 0.0;   ///< scalar units, of the component
   double BorderValue = 0.0;
   BackgroundLevel Solid;  ///< not there if the image does not carry it
+  StoredShift Shift;      ///< 0 if the image does not carry it
   double Time = 0.0;      ///< changes when the whole changes
   double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
   OutsideSamples Outside; ///< which samples are yet to be filled
@@ -41,6 +43,7 @@ struct WholeFields
   std::vector<double> Noise;
   std::vector<double> BorderValues;
   std::vector<BackgroundLevel> Solids;
+  std::vector<StoredShift> Shifts;
   double Time = 0.0;
   double Share = 1.0;
   std::vector<OutsideSamples> Outside; ///< empty if the samples are filled

@@ -159,6 +159,17 @@ std::string EditorPages::FindWarning() const
   return {};
 }
 
+//------------------------------------------------------------------------------
+void EditorPages::ScaleValues()
+{
+  // Opacities are of scalars.
+  vtkHapticProperty* const property =
+    this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
+  this->Chart.ScaleValues(property ? property->GetScalarShift() + property->GetFoundShift() : 0.0,
+    property ? property->GetScalarScale() : 1.0);
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType EditorPages::GetEditTime() const
 {
   const EditedObjects objects = this->GetEdited();
@@ -241,6 +252,7 @@ void EditorPages::Show(const int rectangle[4], bool isDragged, double scale)
   const int place[4] = { rectangle[0], rectangle[1], rectangle[2] - sheetWidth, rectangle[3] };
   vtkPiecewiseFunction* const function = this->GetFunction();
   this->Chart.Place(place, scale);
+  this->ScaleValues();
   this->Proposed.ShowFunction(Pages[this->Page].Get);
   this->Chart.NoteWarning(this->FindWarning());
   this->Chart.ShowFunction(function, Pages[this->Page].Quantity, isDragged);

@@ -49,6 +49,8 @@ public:
   EditedObjects GetEditable() const;
   /** What is wrong with the stiffness and the viscosity, on their pages; empty if nothing is. */
   std::string FindWarning() const;
+  /** Makes the axis of values that of the page's functions. */
+  void ScaleValues();
   /** When something was last edited. */
   vtkMTimeType GetEditTime() const;
 

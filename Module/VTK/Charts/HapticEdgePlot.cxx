@@ -4,6 +4,7 @@
 
 #include "vtkContext2D.h"
 #include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPen.h"
@@ -34,8 +35,9 @@ HapticEdgePlot::HapticEdgePlot()
 HapticEdgePlot::~HapticEdgePlot() = default;
 
 //------------------------------------------------------------------------------
-void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkTable* boundaries)
+void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty* proposed)
 {
+  vtkTable* const boundaries = proposed ? proposed->GetProposedBoundaries() : nullptr;
   this->Values[0] = histogram.Values[0];
   this->Values[1] = histogram.Values[1];
   this->MostSlope = histogram.MostSlope;
@@ -60,9 +62,9 @@ void HapticEdgePlot::ShowEdges(const EdgeHistogram& histogram, vtkTable* boundar
   {
     const auto get = [&](const char* name)
     { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name))->GetComponent(i, 0); };
-    const double low = get("Low");
-    const double high = get("High");
-    const double height = get("Slope") / this->MostSlope;
+    const double low = proposed->ValueToScalar(get("Low"));
+    const double high = proposed->ValueToScalar(get("High"));
+    const double height = get("Slope") / proposed->GetScalarScale() / this->MostSlope;
     constexpr int steps = 48;
     constexpr double reach = 3.0;
     std::vector<ArcPoint> arc;
@@ -85,10 +87,24 @@ void HapticEdgePlot::ShowDistinctness(double start, double full)
 }
 
 //------------------------------------------------------------------------------
-float HapticEdgePlot::Scaled(double value)
+void HapticEdgePlot::ScaleValues(double shift, double scale)
+{
+  this->ValueScale[0] = shift;
+  this->ValueScale[1] = scale;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double HapticEdgePlot::ToValue(double scalar) const
+{
+  return (scalar + this->ValueScale[0]) * this->ValueScale[1];
+}
+
+//------------------------------------------------------------------------------
+float HapticEdgePlot::Scaled(double scalar)
 {
   const vtkRectd scale = this->GetShiftScale();
-  return static_cast<float>((value + scale[0]) * scale[2]);
+  return static_cast<float>((this->ToValue(scalar) + scale[0]) * scale[2]);
 }
 
 //------------------------------------------------------------------------------
@@ -142,8 +158,8 @@ bool HapticEdgePlot::Paint(vtkContext2D* painter)
 //------------------------------------------------------------------------------
 void HapticEdgePlot::GetBounds(double bounds[4])
 {
-  bounds[0] = this->Values[0];
-  bounds[1] = this->Values[1];
+  bounds[0] = this->ToValue(this->Values[0]);
+  bounds[1] = this->ToValue(this->Values[1]);
   bounds[2] = 0.0;
   bounds[3] = 1.0;
 }

@@ -19,8 +19,8 @@
 #include <vector>
 
 class vtkContext2D;
+class vtkHapticProperty;
 class vtkImageData;
-class vtkTable;
 
 class HapticEdgePlot : public vtkPlot
 {
@@ -28,10 +28,16 @@ public:
   static HapticEdgePlot* New();
   vtkTypeMacro(HapticEdgePlot, vtkPlot);
 
-  /** Shows a histogram, with the boundaries of vtkHapticProperty::GetProposedBoundaries. */
-  void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkTable* boundaries);
+  /** Shows a histogram, with the boundaries that a property has proposed; it may be null. */
+  void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
-  /** The gradient magnitudes at which distinctness begins, and from which on it is full. */
+  /** What the axis of values has for a scalar: (scalar + shift) scale. */
+  void ScaleValues(double shift, double scale);
+
+  /**
+   * The gradient magnitudes at which distinctness begins, and from which on it is full (scalar
+   * units per world unit).
+   */
   void ShowDistinctness(double start, double full);
 
   ///@{
@@ -53,13 +59,15 @@ private:
     double Value;
     double Share; // of the largest gradient magnitude that is shown
   };
-  /** A value as VTK scales it for single precision. */
-  float Scaled(double value);
+  double ToValue(double scalar) const;
+  /** Its value as VTK scales it for single precision. */
+  float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 
   vtkNew<vtkImageData> Picture;
   std::vector<std::vector<ArcPoint>> Arcs;
-  double Values[2] = { 0.0, 1.0 };
+  double Values[2] = { 0.0, 1.0 }; // scalars
+  double ValueScale[2] = { 0.0, 1.0 };
   double MostSlope = 1.0;
   double Distinctness[2] = { 0.0, 0.0 };
 };

@@ -131,7 +131,7 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   this->DataTime.Modified();
   this->Counting.Forget();
   this->Counted = image ? image->GetPointData()->GetScalars() : nullptr;
-  ValueCounts counts;
+  this->Data = {};
   if (this->Counted && this->Counted->GetNumberOfTuples() == 0)
   {
     this->Counted = nullptr;
@@ -139,20 +139,39 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(NameValues(this->Counted));
   if (this->Counted && IsQuicklySwept(this->Counted))
   {
-    counts = *CountAllValues(this->Counted, component, [](double) { return true; });
+    this->Data = *CountAllValues(this->Counted, component, [](double) { return true; });
     this->Counted = nullptr;
   }
   else if (this->Counted)
   {
-    counts = CountSpreadValues(this->Counted, component);
+    this->Data = CountSpreadValues(this->Counted, component);
   }
-  this->ShowCounts(counts);
+  this->ShowCounts();
   this->FollowCount();
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::ShowCounts(const ValueCounts& counts)
+void HapticFunctionChart::ScaleValues(double shift, double scale)
 {
+  if (shift != this->ValueScale[0] || scale != this->ValueScale[1])
+  {
+    this->ValueScale[0] = shift;
+    this->ValueScale[1] = scale;
+    this->Edges->ScaleValues(shift, scale);
+    this->HasChosenValues = false;
+    this->ShowCounts();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticFunctionChart::ShowCounts()
+{
+  const auto toValue = [this](double scalar)
+  { return (scalar + this->ValueScale[0]) * this->ValueScale[1]; };
+  ValueCounts counts = this->Data;
+  counts.Origin = toValue(counts.Origin);
+  counts.Width *= this->ValueScale[1];
+  std::transform(counts.Range, counts.Range + 2, counts.Range, toValue);
   FillHistogram(counts, this->BarTable);
   std::copy(counts.Range, counts.Range + 2, this->DataRange);
   this->HasData = !counts.Counts.empty();
@@ -180,7 +199,8 @@ void HapticFunctionChart::FollowCount()
     });
   if (counts)
   {
-    this->ShowCounts(*counts);
+    this->Data = *counts;
+    this->ShowCounts();
   }
   if (!this->Counting.IsUnderWay())
   {
@@ -206,9 +226,9 @@ double HapticFunctionChart::GetCountedShare() const
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::ShowEdges(const EdgeHistogram& histogram, vtkTable* boundaries)
+void HapticFunctionChart::ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty* proposed)
 {
-  this->Edges->ShowEdges(histogram, boundaries);
+  this->Edges->ShowEdges(histogram, proposed);
   this->HasEdges = true;
   this->Edges->SetVisible(true);
   this->Bars->SetVisible(false);
@@ -328,7 +348,7 @@ void HapticFunctionChart::SetAxes(double from, double to, double scale)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ShowTissues(vtkHapticProperty* property)
 {
-  this->Bands->Show(property, this->Range, std::max(8, this->Letters - 1));
+  this->Bands->Show(property, this->ValueScale, this->Range, std::max(8, this->Letters - 1));
 }
 
 //------------------------------------------------------------------------------

@@ -84,10 +84,10 @@ public:
 
   ///@{
   /**
-   * Shows edges behind the function instead of the histogram of values, and which gradient
-   * magnitudes are felt.
+   * Shows edges behind the function instead of the histogram of values, with the boundaries of a
+   * proposed property, and which gradient magnitudes are felt (scalar units per world unit).
    */
-  void ShowEdges(const EdgeHistogram& histogram, vtkTable* boundaries);
+  void ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty* proposed);
   void HideEdges();
   bool ShowsEdges() const { return this->HasEdges; }
   void ShowDistinctness(double start, double full);
@@ -103,7 +103,10 @@ public:
   void NoteWarning(const std::string& warning) { this->Warning = warning; }
 
   /** The range of the data (scalar units). */
-  const double* GetDataRange() const { return this->DataRange; }
+  const double* GetDataRange() const { return this->Data.Range; }
+
+  /** What the axis of values has for a scalar: (scalar + shift) scale. */
+  void ScaleValues(double shift, double scale);
 
   /** Shows a function, or none; while it is dragged the axes stay unchanged. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
@@ -127,7 +130,7 @@ public:
   void GetPosition(double x, double y, double position[2]);
 
 private:
-  void ShowCounts(const ValueCounts& counts);
+  void ShowCounts();
   void FitAxes(vtkPiecewiseFunction* function, const EditedQuantity& quantity);
 
   /** The axis under the mouse, beside the area of the curves. */
@@ -171,7 +174,9 @@ private:
   double SearchedShare = 1.0;
   std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
-  double DataRange[2] = { 0.0, 1.0 };
+  ValueCounts Data;                    // of scalars
+  double DataRange[2] = { 0.0, 1.0 };  // on the axis of values
+  double ValueScale[2] = { 0.0, 1.0 }; // shift and scale
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
   int Letters = 8;              ///< points

@@ -28,6 +28,8 @@ SearchedData HapticProposalView::GetSearched()
   data.Image = this->Image;
   data.Component = this->GetComponent();
   std::copy_n(this->Chart.GetDataRange(), 2, data.Values);
+  vtkHapticProperty* const proposed = this->GetProposed();
+  data.SlopeScale = proposed ? proposed->GetScalarScale() : 1.0;
   return data;
 }
 
@@ -36,6 +38,12 @@ void HapticProposalView::Show(const FoundFunctions& found)
   if (found.Proposal)
   {
     this->Proposal = vtkSmartPointer<vtkHapticProperty>::New();
+    if (this->Property)
+    {
+      this->Proposal->SetScalarShift(this->Property->GetScalarShift());
+      this->Proposal->SetScalarScale(this->Property->GetScalarScale());
+      this->Proposal->NoteShift(this->Property->GetFoundShift());
+    }
     FillFromProposal(*found.Proposal, this->Proposal);
     this->Show(found.Edges);
   }
@@ -45,7 +53,7 @@ void HapticProposalView::Show(const EdgeHistogram& edges)
 {
   this->Boundaries = this->GetProposed()->GetProposedBoundaries();
   this->EdgeTime.Modified();
-  this->Chart.ShowEdges(edges, this->Boundaries);
+  this->Chart.ShowEdges(edges, this->GetProposed());
 }
 
 FoundFunctions HapticProposalView::FindNow()
@@ -130,7 +138,8 @@ void HapticProposalView::ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::
   if (vtkHapticProperty* const felt = this->GetProposed())
   {
     const double* const range = felt->GetDistinctness()->GetRange();
-    this->Chart.ShowDistinctness(range[0], range[1]);
+    const double scale = felt->GetScalarScale();
+    this->Chart.ShowDistinctness(range[0] / scale, range[1] / scale);
   }
 }
 

@@ -27,8 +27,12 @@ public:
   static HapticTissueBands* New();
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
-  /** The tissues of a property, or none; the ends of the axis of values; the size of letters. */
-  void Show(vtkHapticProperty* property, const double range[2], int letters);
+  /**
+   * The tissues of a property, or none; what the axis of values has for a scalar, as shift and
+   * scale; the ends of the axis; the size of letters.
+   */
+  void Show(
+    vtkHapticProperty* property, const double valueScale[2], const double range[2], int letters);
 
   ///@{
   /** For the chart. */

@@ -12,6 +12,9 @@
 #include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/ShellPoints.h"
 
+#include <string>
+#include <utility>
+
 class vtkVolumeHapticsFilter;
 
 namespace VolumeHaptics
@@ -45,6 +48,12 @@ public:
   vtkSmartPointer<vtkDataArray> FillOutside(
     vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames);
 
+  /** Whether a text on what was guessed about the values is there, and is not that told last. */
+  bool IsNewGuess(const std::string& guess)
+  {
+    return std::exchange(this->Guess, guess) != guess && !guess.empty();
+  }
+
   /** See HapticBaker::Prepare(). */
   const char* Prepare(bool isMoving);
   /** See HapticBaker::EndPreparing(). */
@@ -67,6 +76,7 @@ private:
   HapticLabels Labels;
   OutsideFiller Outside;
   ShellPreparation Shells;
+  std::string Guess;
 };
 
 } // namespace VolumeHaptics

@@ -237,7 +237,13 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   {
     vtkWarningWithObjectMacro(this->Filter, << Printable(notice));
   }
-  return BuildHapticModel(image, filled, this->Filter->GetProperty(), options, error);
+  std::string guess;
+  auto model = BuildHapticModel(image, filled, this->Filter->GetProperty(), options, guess, error);
+  if (this->Filter->Preparation->IsNewGuess(guess))
+  {
+    vtkWarningWithObjectMacro(this->Filter, << Printable(guess));
+  }
+  return model;
 }
 
 //------------------------------------------------------------------------------

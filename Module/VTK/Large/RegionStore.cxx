@@ -141,6 +141,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
   fields.Noise = { facts.Noise };
   fields.BorderValues = { facts.BorderValue };
   fields.Solids = { facts.Solid };
+  fields.Shifts = { facts.Shift };
   fields.Time = this->Facts ? static_cast<double>(this->WholeTime) : 0.0;
   fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
     ? StandInShare

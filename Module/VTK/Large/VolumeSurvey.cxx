@@ -111,7 +111,8 @@ VolumeFacts VolumeSurvey::GetFacts() const
   NoiseSamples filled = this->Samples;
   const OutsideSamples outside = FindOutside(filled);
   FillOutside(outside, filled);
-  return { EstimateNoise(filled), FindBorderValue(filled), outside, BackgroundLevel::Find(filled) };
+  return { EstimateNoise(filled), FindBorderValue(filled), outside, BackgroundLevel::Find(filled),
+    StoredShift::Find(filled) };
 }
 
 } // namespace VolumeHaptics

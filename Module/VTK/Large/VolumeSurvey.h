@@ -10,6 +10,7 @@
 #include "Core/Field/BackgroundLevel.h"
 #include "Core/Field/NoiseSamples.h"
 #include "Core/Field/OutsideSamples.h"
+#include "Core/Field/StoredShift.h"
 #include "VTK/Large/LargeVolume.h"
 
 #include <cstddef>
@@ -26,6 +27,7 @@ struct VolumeFacts
   double BorderValue = 0.0;
   OutsideSamples Outside; ///< with which each region is filled
   BackgroundLevel Solid;
+  StoredShift Shift;
 };
 
 /**

@@ -131,7 +131,7 @@ const EdgeHistogram* FunctionSearch::FollowEdges(
   }
   double slopes[2];
   vtkDataArray::SafeDownCast(boundaries->GetColumnByName("Slope"))->GetRange(slopes);
-  const EdgeHistogram frame = MakeFrame(data, slopes[1]);
+  const EdgeHistogram frame = MakeFrame(data, slopes[1] / data.SlopeScale);
   const auto input = std::make_shared<ProposalInput>();
   std::string error;
   const bool isThere = ReadProposalInput(data.Image, data.Component, *input, error);

@@ -30,6 +30,7 @@ struct SearchedData
   vtkImageData* Image = nullptr;
   int Component = 0;
   double Values[2] = { 0.0, 1.0 };
+  double SlopeScale = 1.0; ///< of boundaries, from scalar units
 };
 
 struct FoundFunctions

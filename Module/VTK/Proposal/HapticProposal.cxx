@@ -85,19 +85,22 @@ std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outsi
                                                         : std::nullopt;
 }
 
-void Replace(vtkPiecewiseFunction* function, const Polyline& line)
+/** @param toValue from scalars, or their slopes, to the values of the property */
+template <typename ToValue>
+void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue& toValue)
 {
   function->RemoveAllPoints();
   function->ClampingOn();
   function->UseLogScaleOff();
   for (const Vertex& vertex : line)
   {
-    function->AddPoint(vertex.X, vertex.Y);
+    function->AddPoint(toValue(vertex.X), vertex.Y);
   }
 }
 
 /** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
-vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
+vtkSmartPointer<vtkTable> MakeBoundaryTable(
+  const MaterialProposal& proposal, vtkHapticProperty* property)
 {
   auto table = vtkSmartPointer<vtkTable>::New();
   const auto add = [&](const char* name, const auto& get)
@@ -111,10 +114,10 @@ vtkSmartPointer<vtkTable> MakeBoundaryTable(const MaterialProposal& proposal)
     table->AddColumn(column);
   };
   const std::vector<Boundary>& all = proposal.Boundaries;
-  add("Low", [&](std::size_t i) { return all[i].Low; });
-  add("High", [&](std::size_t i) { return all[i].High; });
+  add("Low", [&](std::size_t i) { return property->ScalarToValue(all[i].Low); });
+  add("High", [&](std::size_t i) { return property->ScalarToValue(all[i].High); });
   add("Width", [&](std::size_t i) { return all[i].Width; });
-  add("Slope", [&](std::size_t i) { return proposal.Slopes[i]; });
+  add("Slope", [&](std::size_t i) { return proposal.Slopes[i] * property->GetScalarScale(); });
   add("Share", [&](std::size_t i) { return all[i].Share; });
   return table;
 }
@@ -262,12 +265,19 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
 {
   const double k = MaterialProposal::Stiffness;
+  // Its axes stay what they are.
+  property->SetScalarShift(property->GetScalarShift() + property->GetFoundShift());
+  property->NoteShift(0.0);
+  property->ShiftFromImageOff();
+  const auto toValue = [property](double scalar) { return property->ScalarToValue(scalar); };
   Replace(property->GetStiffness(),
-    { { proposal.SurfaceStrength.front().X, k }, { proposal.SurfaceStrength.back().X, k } });
-  Replace(property->GetFriction(), proposal.Friction);
-  Replace(property->GetViscosity(), proposal.Viscosity);
-  Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength);
-  Replace(property->GetDistinctness(), proposal.Distinctness);
+    { { proposal.SurfaceStrength.front().X, k }, { proposal.SurfaceStrength.back().X, k } },
+    toValue);
+  Replace(property->GetFriction(), proposal.Friction, toValue);
+  Replace(property->GetViscosity(), proposal.Viscosity, toValue);
+  Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength, toValue);
+  Replace(property->GetDistinctness(), proposal.Distinctness,
+    [property](double slope) { return slope * property->GetScalarScale(); });
   property->DistinctnessPerMillimeterOff();
   property->SolidFromImageOff();
   property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
@@ -280,10 +290,10 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
       ? "outside"
       : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
     // Where the functions are constant.
-    property->AddTissue(
-      name.c_str(), proposal.SurfaceStrength[2 * i].X, proposal.SurfaceStrength[2 * i + 1].X);
+    property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
+      toValue(proposal.SurfaceStrength[2 * i + 1].X));
   }
-  property->NoteProposal(MakeBoundaryTable(proposal), proposal.KernelRadius);
+  property->NoteProposal(MakeBoundaryTable(proposal, property), proposal.KernelRadius);
 }
 
 //------------------------------------------------------------------------------
@@ -295,6 +305,10 @@ void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
   }
   property->SetDistinctnessPerMillimeter(proposed->GetDistinctnessPerMillimeter());
   property->SetSolidFromImage(proposed->GetSolidFromImage());
+  property->SetShiftFromImage(proposed->GetShiftFromImage());
+  property->SetScalarShift(proposed->GetScalarShift());
+  property->NoteShift(0.0);
+  property->SetScalarScale(proposed->GetScalarScale());
   property->SetSurfaceSide(proposed->GetSurfaceSide());
   SetTissues(property, GetTissues(proposed));
   property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());

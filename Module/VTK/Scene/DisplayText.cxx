@@ -7,6 +7,7 @@
 #include "vtkHapticDevice.h"
 #include "vtkHapticMode.h"
 #include "vtkHapticPointShell.h"
+#include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
 #include "vtkHapticSurfaceMode.h"
 #include "vtkMath.h"
@@ -93,6 +94,16 @@ std::string DescribeTorque(vtkHapticDevice* device)
   return text.str();
 }
 
+/** What was found of how values are stored. */
+std::string DescribeShift(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double shift = filter ? filter->GetProperty()->GetFoundShift() : 0.0;
+  std::ostringstream text;
+  text << " HU (stored as HU + " << -shift << ")";
+  return shift == 0.0 ? std::string() : text.str();
+}
+
 } // namespace
 
 std::string DescribeStatus(vtkHapticDevice* device)
@@ -170,13 +181,20 @@ std::string DescribeCut(vtkHapticDevice* device)
   return filter->GetFeelCutFaces() ? "Cut open, its faces are felt" : "Cut open";
 }
 
+double FindFeltValue(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double scalar = device->GetSurfaceValue();
+  return filter ? filter->GetProperty()->ScalarToValue(scalar) : scalar;
+}
+
 std::string DescribeDetails(vtkHapticDevice* device)
 {
   std::ostringstream text;
   text << std::fixed << std::setprecision(0);
   if (!AreModesFelt(device->GetVolumeHaptics()))
   {
-    text << "Value " << device->GetSurfaceValue() << ", ";
+    text << "Value " << FindFeltValue(device) << DescribeShift(device) << ", ";
   }
   text << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
   return text.str();

@@ -55,6 +55,9 @@ std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bo
 /** Whether the faces of a cut hold; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
 
+/** The value in the surface, as the functions of the touched property have it. */
+double FindFeltValue(vtkHapticDevice* device);
+
 /** The value in the surface, if there is one, and how the servo keeps time. */
 std::string DescribeDetails(vtkHapticDevice* device);
 

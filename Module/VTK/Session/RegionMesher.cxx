@@ -103,6 +103,7 @@ std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHa
   facts.Noise[component] = FindNoise(image, scalars.Array, volume.View, component).Noise;
   facts.BorderValues.assign(component + 1, volume.View.BorderValue);
   facts.Solids.assign(component + 1, FindSolid(image, scalars.Array, volume.View, component));
+  facts.Shifts.assign(component + 1, FindStoredShift(image, scalars.Array, volume.View, component));
   facts.Time = static_cast<double>(scalars.Time);
   WriteWholeFacts(facts, region.Image);
   return region;

@@ -23,8 +23,16 @@ constexpr SetupFileKind PresetKind{ "VTK Volume Haptics preset", 1, "preset",
   "that vtkHapticProperty::WritePreset() wrote", "write the preset again" };
 constexpr std::size_t LargestPreset = 1 << 20; // bytes; usually thousands
 
-/** A preset is for any component. */
-constexpr const char* ComponentKey = "Component";
+/** A preset is for any component, and for data that is stored in any way. */
+constexpr const char* DataKeys[] = { "Component", "ScalarShift", "ScalarScale" };
+
+void RemoveDataKeys(Json::Value& root)
+{
+  for (const char* const key : DataKeys)
+  {
+    root.removeMember(key);
+  }
+}
 
 /** False, with the fault and the cure, if a text is no preset. */
 bool ParsePreset(const std::string& text, Json::Value& root, std::string& error)
@@ -63,7 +71,7 @@ bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::
   SetupPass writing;
   writing.Writing = true;
   PassMaterials(SetupNode(writing, &root, {}), [property] { return property; });
-  root.removeMember(ComponentKey);
+  RemoveDataKeys(root);
   // A preset that could not be read again must not replace one that can.
   SetupPass reading;
   PassMaterials(SetupNode(reading, &root, {}), [property] { return property; });
@@ -111,7 +119,7 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
     error = "The preset " + name + " can't be read: " + Printable(fault);
     return false;
   }
-  root.removeMember(ComponentKey);
+  RemoveDataKeys(root);
   SetupPass pass;
   // A new property, so that what the file lacks gets its default.
   const vtkNew<vtkHapticProperty> read;
@@ -127,6 +135,8 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
     change();
   }
   read->SetComponent(property->GetComponent());
+  read->SetScalarShift(property->GetScalarShift());
+  read->SetScalarScale(property->GetScalarScale());
   read->SetVisibilityFrom(property->GetVisibilityFrom());
   read->NoteProposal(property->GetProposedBoundaries(), property->GetProposedKernelRadius());
   property->DeepCopy(read);

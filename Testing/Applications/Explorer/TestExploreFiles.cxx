@@ -159,9 +159,9 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
 }
 
 /// A CT of which some values are none: it is still taken for CT, what is outside is air, and what
-/// stood there is told. Of the head phantom, whose air is -1000 HU.
-void ExpectCT(
-  vtkImageData* head, const std::string& name, double bad, bool isAround, const std::string& told)
+/// stood there is told. Of the head phantom, whose air is -1000 HU; so much is added to it.
+void ExpectCT(vtkImageData* head, const std::string& name, double bad, bool isAround,
+  const std::string& told, double added = 0.0)
 {
   vtkNew<vtkImageData> image;
   image->CopyStructure(head);
@@ -173,7 +173,7 @@ void ExpectCT(
     const double r = std::hypot(i - 0.5 * (size[0] - 1), j - 0.5 * (size[1] - 1));
     const bool isBad = isAround ? r > 0.5 * size[0] : p == head->GetNumberOfPoints() / 2;
     image->GetPointData()->GetScalars()->SetComponent(
-      p, 0, isBad ? bad : head->GetPointData()->GetScalars()->GetComponent(p, 0));
+      p, 0, isBad ? bad : added + head->GetPointData()->GetScalars()->GetComponent(p, 0));
   }
   vtkNew<vtkXMLImageDataWriter> writer;
   const std::string path = folder + "/" + name;
@@ -184,7 +184,7 @@ void ExpectCT(
     Explore::ExploreVolume(Explore::LoadVolume(path), Explore::Settings());
   Expect(explored.Values.Kind == Explore::VolumeKind::CT, name + " is no CT");
   vtkImageData* const read = explored.Input.Image;
-  Expect(!isAround || read->GetScalarComponentAsDouble(0, 0, 0, 0) == -1000.0,
+  Expect(!(isAround || added > 0.0) || read->GetScalarComponentAsDouble(0, 0, 0, 0) == -1000.0,
     name + " has a corner that is not air");
   Expect(explored.Trace->GetPointData()->GetArray("NormalForce")->GetMaxNorm() > 0.5,
     name + " is not felt");
@@ -259,6 +259,11 @@ int TestExploreFiles(int argc, char* argv[])
   for (const double missing : { -9999.0, -32768.0, 1e37 })
   {
     ExpectCT(head, "missing.vti", missing, true, "is taken for \"missing\"");
+  }
+  for (const double added : { 1024.0, 1000.0, 32768.0 })
+  {
+    ExpectCT(head, "stored.vti", added, false,
+      "Hounsfield units + " + std::to_string(static_cast<int>(added)), added);
   }
 
   // What the picture leaves out is felt, and told.

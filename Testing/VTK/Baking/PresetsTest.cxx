@@ -243,6 +243,7 @@ TEST_F(Presets, EveryPresetMakesSense)
     const bool isBoth = name == "MRI" || name == "Labels";
     EXPECT_EQ(used->GetScalarsAreLabels(), name == "Labels");
     EXPECT_EQ(used->GetSolidFromImage(), name == "Micro-CT");
+    EXPECT_EQ(used->GetShiftFromImage(), name.compare(0, 3, "CT ") == 0);
     EXPECT_EQ(used->GetSurfaceSide(), isBoth ? vtkHapticProperty::BOTH : vtkHapticProperty::HIGHER);
     for (double value = -1100.0; value < 3200.0; value += 7.0)
     {

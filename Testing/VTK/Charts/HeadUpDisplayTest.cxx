@@ -168,6 +168,16 @@ TEST_F(HeadUpDisplay, SaysWhatTheDeviceDoes)
       << words << " in\n"
       << this->Display->GetText();
   }
+  // As the functions name them.
+  this->Filter->GetProperty()->SetScalarShift(400.0);
+  EXPECT_TRUE(this->Wait([&] { return this->Display->GetText().find("Resting on hard") == 0; }))
+    << this->Display->GetText();
+  this->Filter->GetProperty()->SetScalarShift(0.0);
+  this->Filter->GetProperty()->NoteShift(400.0);
+  EXPECT_TRUE(this->Wait([&]
+    { return this->Display->GetText().find(" HU (stored as HU + -400)") != std::string::npos; }))
+    << this->Display->GetText();
+  this->Filter->GetProperty()->NoteShift(0.0);
   this->Display->RemoveAllTissues();
   EXPECT_EQ(this->Display->GetTissueName(10.0), "");
 }

@@ -5,10 +5,14 @@
 #include "Factories.h"
 #include "Rigs/EventCounter.h"
 
+#include "vtkDataArray.h"
 #include "vtkHapticFunctionEditor.h"
 #include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkImageShiftScale.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -100,5 +104,28 @@ int TestFunctionEditorProposal(int argc, char* argv[])
   passed &=
     Check(editor->Undo() && strength->GetValue(3000.0) == dragged, "the proposal is undone");
   passed &= Check(editor->Undo() && strength->GetValue(3000.0) == before, "then the drag");
-  return passed && picture == vtkTesting::PASSED ? EXIT_SUCCESS : EXIT_FAILURE;
+
+  // Of a head that is stored 1024 higher, the picture is the same: its axis is in Hounsfield units.
+  vtkNew<vtkImageShiftScale> stored;
+  stored->SetInputConnection(head->GetOutputPort());
+  stored->SetShift(1024.0);
+  stored->SetOutputScalarTypeToUnsignedShort();
+  stored->Update();
+  stored->GetOutput()->GetPointData()->GetScalars()->SetName(
+    head->GetOutput()->GetPointData()->GetScalars()->GetName());
+  vtkNew<vtkHapticProperty> shifted;
+  shifted->ApplyPreset("CT contrast");
+  shifted->SetScalarShift(-1024.0);
+  editor->SetProperty(shifted);
+  editor->SetInputData(stored->GetOutput());
+  passed &= Check(editor->Propose(), "one of a head that is stored higher");
+  window->Render();
+  // But for the phase of the dashes.
+  const int same = vtkRegressionTestImageThreshold(window, 25.0);
+  passed &= Check(editor->TakeProposal() && shifted->GetScalarShift() == -1024.0 &&
+      shifted->GetSurfaceStrength()->GetValue(-1000.0) == 0.0 &&
+      shifted->GetSurfaceStrength()->GetValue(1500.0) == 12.0,
+    "is of Hounsfield units, too");
+  return passed && picture == vtkTesting::PASSED && same == vtkTesting::PASSED ? EXIT_SUCCESS
+                                                                               : EXIT_FAILURE;
 }

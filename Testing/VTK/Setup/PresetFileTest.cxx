@@ -56,6 +56,7 @@ protected:
     EXPECT_EQ(a->GetDistinctnessPerMillimeter(), b->GetDistinctnessPerMillimeter());
     EXPECT_EQ(a->GetScalarsAreLabels(), b->GetScalarsAreLabels());
     EXPECT_EQ(a->GetSolidFromImage(), b->GetSolidFromImage());
+    EXPECT_EQ(a->GetShiftFromImage(), b->GetShiftFromImage());
     ASSERT_EQ(a->GetNumberOfTissues(), b->GetNumberOfTissues());
     for (int i = 0; i < a->GetNumberOfTissues(); ++i)
     {
@@ -120,11 +121,15 @@ TEST_F(PresetFile, BringsBackWhatWasEdited)
   this->Property->GetViscosity()->UseLogScaleOn();
   this->Property->AddTissue("Gef\xC3\xA4\xC3\x9F \"A\"", 300.0, 400.0);
   this->Property->SetComponent(2);
+  this->Property->SetScalarShift(-1024.0);
+  this->Property->SetScalarScale(0.5);
   const std::string file = File("edited.json");
   ASSERT_TRUE(this->Property->WritePreset(file.c_str()));
   vtkNew<vtkHapticProperty> read;
   vtkNew<vtkVolumeProperty> visible;
   read->SetComponent(1);
+  read->SetScalarShift(7.0);
+  read->SetScalarScale(2.0);
   read->SetVisibilityFrom(visible);
   vtkPiecewiseFunction* const stiffness = read->GetStiffness();
   ASSERT_TRUE(read->ReadPreset(file.c_str()));
@@ -133,6 +138,8 @@ TEST_F(PresetFile, BringsBackWhatWasEdited)
   EXPECT_EQ(read->GetComponent(), 1) << "a preset is for any component";
   EXPECT_EQ(read->GetVisibilityFrom(), visible.Get());
   EXPECT_EQ(Read(file).find("Component"), std::string::npos);
+  EXPECT_EQ(read->GetScalarShift(), 7.0) << "nor of data that is stored in one way";
+  EXPECT_EQ(read->GetScalarScale(), 2.0);
 }
 
 TEST_F(PresetFile, ThatAHandWroteNeedsNoMoreThanAFunction)

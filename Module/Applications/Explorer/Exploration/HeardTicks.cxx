@@ -93,8 +93,9 @@ std::vector<SoundTick> HeardTicks::Read(const Columns& columns, std::int64_t lab
 void HeardTicks::SetMaterial(SoundTick& tick, double value, std::int64_t label) const
 {
   vtkHapticProperty* const property = this->Filter->GetProperty();
-  tick.Stiffness = property->GetStiffness()->GetValue(value);
-  tick.Strength = property->GetSurfaceStrength()->GetValue(value);
+  const double felt = property->ScalarToValue(value);
+  tick.Stiffness = property->GetStiffness()->GetValue(felt);
+  tick.Strength = property->GetSurfaceStrength()->GetValue(felt);
   vtkHapticLabelTable* const table = this->Filter->GetLabelTable();
   if (table && label > 0 && label <= std::numeric_limits<int>::max())
   {

@@ -104,6 +104,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->GetDistinctness()->AddPoint(gradient, 1.0);
   property->DistinctnessPerMillimeterOff();
   property->SolidFromImageOff();
+  property->ShiftFromImageOff();
 }
 
 /// The middle of a boundary, or what is nearest to it where the strength begins.

@@ -5,18 +5,21 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeLoader.h"
 
+#include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/OutsideFiller.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkDataArray.h"
 #include "vtkImageExtractComponents.h"
+#include "vtkImageShiftScale.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace
@@ -180,6 +183,35 @@ void UseOutside(Volume& volume)
   image->GetPointData()->SetScalars(VolumeHaptics::CopyFilled(outside, scalars, 0));
   volume.Image = image; // the scalars may end with the image before
 }
+
+/// Hounsfield units that are stored higher, as scanners do, become what they are: for the picture,
+/// the thresholds and the kind of the volume, too.
+void UseHounsfieldUnits(Volume& volume)
+{
+  vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
+  const int* const size = volume.Image->GetDimensions();
+  const std::int64_t dimensions[3] = { size[0], size[1], size[2] };
+  const VolumeHaptics::StoredShift found = VolumeHaptics::FindStoredShift(scalars, dimensions, 0);
+  if (volume.IsField || found.Shift == 0.0)
+  {
+    return;
+  }
+  const bool isWhole = scalars->GetDataType() != VTK_FLOAT && scalars->GetDataType() != VTK_DOUBLE;
+  vtkNew<vtkImageShiftScale> shift;
+  shift->SetInputData(volume.Image);
+  shift->SetShift(found.Shift);
+  shift->SetOutputScalarType(isWhole ? VTK_INT : scalars->GetDataType());
+  shift->Update();
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(shift->GetOutput());
+  image->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
+  image->GetPointData()->GetScalars()->SetName(scalars->GetName());
+  volume.Image = image;
+  std::ostringstream note;
+  note << "air is at " << found.Air << ": taken for Hounsfield units + " << -found.Shift
+       << ", which is subtracted";
+  volume.Notes.push_back(note.str());
+}
 } // namespace
 
 namespace Explore
@@ -190,6 +222,7 @@ void CheckVolume(const std::string& path, Volume& volume)
   FindScalars(path, volume);
   UseFirstComponent(volume);
   UseOutside(volume);
+  UseHounsfieldUnits(volume);
   CheckRange(path, volume.Image);
 }
 } // namespace Explore
