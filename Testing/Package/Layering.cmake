@@ -113,8 +113,8 @@ allow(Qt)
 # The programs see what any other project sees: the public classes. Only the explorer draws and writes traces with
 # private classes of the library, of which it gets the objects, hands ticks on through a ring of headers alone, asks
 # headers whether OpenGL runs on the processor and for the aspect of its renderers, sizes letters, shows a CT as the
-# plugin does, and reads the heads of files, places grids and finds samples that are outside as the library does. All
-# read numbers in any locale.
+# plugin does, and reads the heads of files, places grids and finds samples that are outside, and how Hounsfield units
+# are stored, as the library does. All read numbers in any locale.
 allow(Applications/DeviceTool ${numbers})
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
@@ -126,7 +126,7 @@ set(look VTK/Scene/CTLook.h)
 set(aspect VTK/Docks/RendererAspect.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
-set(outside VTK/Baking/OutsideFiller.h)
+set(outside VTK/Baking/OutsideFiller.h VTK/Baking/HapticNoise.h)
 allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts} ${outside}
   ${numbers})
 allow(${explorer}/Errors)
