@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -44,13 +45,46 @@ struct vtkInteractorStyleHaptic::vtkInternals
     this->TimerObserver->SetClientData(this);
     this->TimerObserver->SetCallback([](vtkObject*, unsigned long, void* internals, void* id)
       { static_cast<vtkInternals*>(internals)->FiredTimer = id ? *static_cast<int*>(id) : 0; });
+    this->EnableObserver->SetClientData(self);
+    this->EnableObserver->SetCallback(
+      [](vtkObject*, unsigned long, void* style, void*)
+      {
+        auto* const self = static_cast<vtkInteractorStyleHaptic*>(style);
+        auto& d = *self->Internals;
+        const bool wasEnabled = std::exchange(d.IsEnabled, self->Interactor->GetEnabled() != 0);
+        if (d.IsEnabled && !wasEnabled)
+        {
+          d.StopTimer(self->Interactor);
+          d.StartTimer(self->Interactor, self->DisplayRate);
+        }
+      });
+  }
+
+  void StartTimer(vtkRenderWindowInteractor* interactor, double rate)
+  {
+    this->Timer = interactor->CreateRepeatingTimer(static_cast<unsigned long>(1000.0 / rate));
+    this->IsEnabled = interactor->GetEnabled() != 0;
+    // Whose timer has fired, this one does not know: it names the timer that was made last.
+    this->SharesTimers =
+      std::strcmp(interactor->GetClassName(), "vtkGenericRenderWindowInteractor") == 0;
+  }
+  void StopTimer(vtkRenderWindowInteractor* interactor)
+  {
+    if (this->Timer != 0)
+    {
+      interactor->DestroyTimer(this->Timer);
+    }
+    this->Timer = 0;
   }
 
   HapticInteraction Interaction;
   TimerWatch Loop;
-  int Timer = 0;      ///< 0 without a timer, because the application may have one of its own
-  int FiredTimer = 0; ///< interactors pass the timer's id to observers, but not to styles
+  int Timer = 0;             ///< 0 without a timer, because the application may have one of its own
+  int FiredTimer = 0;        ///< interactors pass the timer's id to observers, but not to styles
+  bool SharesTimers = false; ///< a timer event may be of any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
+  bool IsEnabled = false; ///< the interactor; a timer event before that is dropped, wx's only one
+  vtkNew<vtkCallbackCommand> EnableObserver;
 };
 
 //------------------------------------------------------------------------------
@@ -323,12 +357,9 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   if (this->Interactor)
   {
     d.Interaction.LetGo();
-    if (d.Timer != 0)
-    {
-      this->Interactor->DestroyTimer(d.Timer);
-    }
+    d.StopTimer(this->Interactor);
     this->Interactor->RemoveObserver(d.TimerObserver);
-    d.Timer = 0;
+    this->Interactor->RemoveObserver(d.EnableObserver);
     d.Interaction.Frames.SetWindow(nullptr);
   }
   this->Superclass::SetInteractor(interactor);
@@ -336,8 +367,8 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   d.Loop.SetInteractor(interactor);
   if (this->Interactor)
   {
-    const double period = 1000.0 / this->DisplayRate;
-    d.Timer = this->Interactor->CreateRepeatingTimer(static_cast<unsigned long>(period));
+    d.StartTimer(this->Interactor, this->DisplayRate);
+    this->Interactor->AddObserver(vtkCommand::ModifiedEvent, d.EnableObserver);
     // Before the style itself gets the event.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
@@ -347,7 +378,8 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
 //------------------------------------------------------------------------------
 bool vtkInteractorStyleHaptic::IsOwnTimer() const
 {
-  return this->Internals->Timer != 0 && this->Internals->FiredTimer == this->Internals->Timer;
+  const auto& d = *this->Internals;
+  return d.Timer != 0 && d.FiredTimer == d.Timer && !d.SharesTimers;
 }
 
 //------------------------------------------------------------------------------
@@ -358,7 +390,7 @@ void vtkInteractorStyleHaptic::OnTimer()
   {
     return;
   }
-  if (d.FiredTimer != d.Timer)
+  if (d.FiredTimer != d.Timer && !d.SharesTimers)
   {
     this->Superclass::OnTimer();
     return;
