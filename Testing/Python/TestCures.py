@@ -177,7 +177,7 @@ ELSEWHERE = {
     "open_large(": "TestLarge.py", "dask's": "TestLarge.py", "copy it, or open another level": "TestLarge.py",
     "its array with zarr": "TestLarge.py", "open one of its arrays": "TestLarge.py",
     "grids of cells in space": "TestErrors.py", "give that volume, or none": "TestHosts.py",
-    "give the vtkRenderWindowInteractor": "TestHosts.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
+    "give the vtkRenderWindowInteractor": "TestHosts.py", "volume.slicer[..., 0]": "TestTouch.py", "add_haptics() after the volume": "TestHosts.py", "what touch() or a filter": "TestIdentify.py", "the wheel": "installation",
 }
 # Those of plotters and pages: a part of the text, and a test of Testing/PyVista that does it, or what is to be installed.
 WINDOWS = {

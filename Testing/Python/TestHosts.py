@@ -28,6 +28,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkVolume,
     vtkWindowToImageFilter,
 )
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  isort: skip
@@ -97,8 +98,9 @@ TARGETS = {
     "renderer": lambda p: p.renderer,
     "vedo.Plotter": lambda p: types.SimpleNamespace(interactor=p.interactor, window=p.window, renderer=p.renderer),
     "fury.window.ShowManager": lambda p: types.SimpleNamespace(iren=p.interactor, scene=p.renderer),
+    # Objects of Traits have None under each name with an underscore.
     "mayavi figure": lambda p: types.SimpleNamespace(scene=types.SimpleNamespace(
-        interactor=types.SimpleNamespace(_vtk_obj=p.interactor))),
+        _vtk_obj=None, interactor=types.SimpleNamespace(_vtk_obj=p.interactor))),
     "widget of Qt, Tk or wx": lambda p: types.SimpleNamespace(GetRenderWindow=lambda: p.window),
 }
 
@@ -149,6 +151,8 @@ def test_a_device_of_the_program_stays_open(program):
 def test_what_leads_to_no_window_is_told_with_the_cure(program):
     with pytest.raises(TypeError, match=r"builtins\.dict leads to none.*Cure: give the vtkRenderWindowInteractor"):
         volumehaptics.add_haptics({})
+    with pytest.raises(TypeError, match=r"What draws without VTK, as FURY 2 does, can't be touched"):
+        volumehaptics.add_haptics({})
     lonely = vtkRenderWindowInteractor()
     with pytest.raises(TypeError, match=r"SetRenderWindow\(\)"):
         volumehaptics.add_haptics(lonely)
@@ -162,6 +166,58 @@ def test_what_leads_to_no_window_is_told_with_the_cure(program):
         volumehaptics.add_haptics(program.window, device="nonsense")
     with pytest.raises(ValueError, match="no preset"):
         volumehaptics.add_haptics(program.window, preset="CT nonsense")
+
+
+class Toolkit:
+    """A loop of events as of VTK's wx widget: one timer that fires once, and tells the interactor that it has."""
+
+    def __init__(self, program):
+        self.interactor = program.interactor = vtkGenericRenderWindowInteractor()
+        self.interactor.SetRenderWindow(program.window)
+        self.interactor.SetInteractorStyle(program.style)
+        self.interactor.AddObserver("CreateTimerEvent", self.start)
+        self.is_started = False
+
+    def start(self, *_):
+        self.is_started = True
+
+    def fire(self):
+        if self.is_started:
+            self.is_started = False
+            self.interactor.TimerEvent()
+
+
+class Loop:
+    """What Program.press() updates."""
+
+    def __init__(self, haptics, toolkit):
+        self.widget, self.device, self.update = haptics.widget, haptics.device, toolkit.fire
+
+
+def test_a_timer_that_fires_before_the_window_is_drawn_goes_on_afterwards(program):
+    """wx's timers fire once, and an interactor that its first frame has not yet enabled drops what it is told."""
+    toolkit = Toolkit(program)
+    with volumehaptics.add_haptics(program.interactor) as haptics:
+        toolkit.fire()  # dropped: VTK's GenericRenderWindowInteractor returns unless Enabled
+        assert not toolkit.is_started
+        program.interactor.Enable()  # as Render() of the window does
+        assert toolkit.is_started
+        assert program.press(Loop(haptics, toolkit)) > 0.3
+
+
+def test_timers_of_the_program_go_on_where_vtk_does_not_tell_whose_has_fired(program):
+    """vtkGenericRenderWindowInteractor (VTK's widgets for Qt, Tk and wx in Python) names the timer that was made last."""
+    toolkit = Toolkit(program)
+    program.interactor.Enable()
+    ticks = []
+    program.interactor.AddObserver("TimerEvent", lambda *_: ticks.append(1))
+    with volumehaptics.add_haptics(program.interactor) as haptics:
+        toolkit.fire()
+        assert len(ticks) == 1
+        program.interactor.CreateRepeatingTimer(10)  # the program's, which is named from now on
+        toolkit.fire()
+        assert len(ticks) == 2
+        assert program.press(Loop(haptics, toolkit)) > 0.3
 
 
 def test_a_preset_needs_a_volume_to_be_checked_against(program):

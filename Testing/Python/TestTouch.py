@@ -4,13 +4,14 @@
 
 import contextlib
 import gc
+import types
 import weakref
 
 import compare_traces
 import numpy as np
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from volumehaptics import examples, path, touch, vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics import examples, image, path, touch, vtkHapticProperty, vtkVolumeHapticsFilter
 from volumehaptics.arrays import arrays
 
 
@@ -62,6 +63,36 @@ def test_takes_arrays():
     points = np.linspace((8, 8, 10), (8, 8, 12), 21)
     for given in (points, points.tolist(), path(points)):
         assert abs(arrays(touch(volume, given))["Force"][-1] - [0, 0, -1]).max() < 1e-9
+
+
+@pytest.mark.parametrize("kind", ("_vtk_obj", "dataset"))
+def test_takes_what_wraps_a_data_set(head, tip, kind):
+    """As tvtk (Mayavi) and vedo do."""
+    trace = touch(types.SimpleNamespace(**{kind: head}), tip, "CT contrast")
+    assert not compare_traces.compare(trace, touch(head, tip, "CT contrast"))
+
+
+def test_takes_volumes_of_nibabel():
+    """[x, y, z] of any byte order, and an affine: here V = 100 world z, with x mirrored. 500 N/m: 1 N at 2 mm."""
+    values = np.broadcast_to(200.0 * np.arange(16), (17, 17, 16)).astype(">i2")
+    affine = np.array([[-1.0, 0, 0, 16], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]])
+    points = np.linspace((8, 8, 10), (8, 8, 12), 21)
+    scan = types.SimpleNamespace(dataobj=values, affine=affine)
+    assert abs(arrays(touch(scan, points))["Force"][-1] - [0, 0, -1]).max() < 1e-9
+    moving = types.SimpleNamespace(dataobj=np.stack((values, values), axis=3), affine=affine)
+    with pytest.raises(ValueError, match=r"Cure: one of its times, volume\.slicer\[\.\.\., 0\]"):
+        touch(moving, points)
+    moving.dataobj = moving.dataobj[..., 0]  # as slicer does
+    assert abs(arrays(touch(moving, points))["Force"][-1] - [0, 0, -1]).max() < 1e-9
+
+
+def test_a_volume_that_fills_its_image_has_no_outer_wall():
+    """And a voxel of air gives it one, as Documentation/window.md says."""
+    full = np.full((24, 24, 24), 1000.0)
+    points = np.linspace((12, 12, -5), (12, 12, 12), 400)
+    assert not arrays(touch(full, points))["Force"].any()
+    walled = image(np.pad(full, 1, constant_values=-1000), origin=(-1, -1, -1))
+    assert np.linalg.norm(arrays(touch(walled, points))["Force"], axis=1).max() > 0.5
 
 
 def test_a_tuple_is_several_arguments(head, tip):

@@ -18,6 +18,27 @@ def is_grid(volume: Any) -> bool:
     return isinstance(volume, (vtkDataSet, vtkCompositeDataSet)) and not isinstance(volume, (vtkImageData, vtkPolyData))
 
 
+def unwrap(volume: Any) -> Any:
+    """The data set of VTK in what other libraries have: vedo, tvtk (Mayavi); a volume of nibabel (MNE, nilearn) as an image
+    where its affine says, in right-anterior-superior. All else as it is."""
+    for inner in (getattr(volume, name, None) for name in ("_vtk_obj", "dataset")):
+        if isinstance(inner, (vtkDataSet, vtkCompositeDataSet)):
+            return inner
+    if not (hasattr(volume, "affine") and hasattr(volume, "dataobj")):
+        return volume
+    import numpy as np
+
+    from . import arrays
+
+    values = np.asanyarray(volume.dataobj)
+    if values.ndim > 3 and max(values.shape[3:]) > 1:
+        raise ValueError(f"a volume has three dimensions, and this one's shape is {values.shape}. Cure: one of its times, "
+                         "volume.slicer[..., 0]")
+    values = np.ascontiguousarray(values.reshape(values.shape[:3]).T, values.dtype.newbyteorder("="))
+    axes = np.asarray(volume.affine)[:3, :3]
+    return arrays.image(values, np.linalg.norm(axes, axis=0), volume.affine[:3, 3], direction=axes)
+
+
 def _leaves(grid: vtkDataSet | vtkCompositeDataSet) -> list[vtkDataSet]:
     if isinstance(grid, vtkDataSet):
         return [grid]

@@ -78,8 +78,9 @@ class Haptics:
 
 
 def _plain_vtk(wrapped: Any) -> Any:
-    """The object of VTK in one of tvtk's (Mayavi)."""
-    return getattr(wrapped, "_vtk_obj", wrapped)
+    """The object of VTK in one of tvtk's (Mayavi), whose other objects have None of that name."""
+    inner = getattr(wrapped, "_vtk_obj", None)
+    return wrapped if inner is None else inner
 
 
 def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
@@ -111,9 +112,12 @@ def _describe(thing: Any) -> str:
     return f"{type(thing).__module__}.{type(thing).__qualname__}"
 
 
-def _is_of_pyvista(target: Any) -> bool:
-    return hasattr(target, "iren") and any(
-        kind.__module__.split(".")[0] == "pyvista" for kind in type(target).__mro__)
+def _find_plotter(target: Any) -> Any:
+    """A plotter of PyVista, or that of what has one (a figure of MNE); None for what is none."""
+    for one in (target, getattr(target, "plotter", None)):
+        if hasattr(one, "iren") and any(kind.__module__.split(".")[0] == "pyvista" for kind in type(one).__mro__):
+            return one
+    return None
 
 
 def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -> vtkImageData | None:
@@ -131,8 +135,8 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     """Makes the volumes in a window touchable, beside the style, the widgets and the keys of its program.
 
     target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
-        plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi; or anything else that leads to a
-        window by an attribute that one of these has.
+        plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi, a figure of MNE; or anything
+        else that leads to a window by an attribute that one of these has.
     volume: what is touched, a vtkVolume or what has one. Default: what the window shows under the pointer.
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": what the volume's own edges suggest, or a file ".json": both as in touch().
@@ -146,14 +150,16 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     TypeError: target leads to no window, or volume is none. ValueError: the window has no interactor, or settings can't
     be felt; the text says why, and what helps. RuntimeError: the device does not open.
     """
-    if _is_of_pyvista(target):
+    plotter = _find_plotter(target)
+    if plotter is not None:
         from .pyvista import add_haptics as add_to_plotter
 
-        return add_to_plotter(target, volume, preset, device="virtual" if device is None else device, **settings)
+        return add_to_plotter(plotter, volume, preset, device="virtual" if device is None else device, **settings)
     interactor = _find_interactor(target)
     if interactor is None or interactor.GetRenderWindow() is None:
         raise TypeError(f"haptics are added to a window, and {_describe(target)} leads to none that has an interactor. "
-                        "Cure: give the vtkRenderWindowInteractor, after SetRenderWindow() of it")
+                        "Cure: give the vtkRenderWindowInteractor, after SetRenderWindow() of it. What draws without VTK, "
+                        "as FURY 2 does, can't be touched: show its volume in a window of VTK")
     widget = vtkHapticWidget()
     haptics = Haptics(widget)
     touched = None if volume is None else _find_volume(volume)

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
 
 from . import vtkVolumeHaptics
-from ._grids import is_grid, overview, suggest_mode
+from ._grids import is_grid, overview, suggest_mode, unwrap
 from ._labels import Labels, Materials, set_labels
 from ._tools import make_tool
 from .vtkVolumeHaptics import vtkHapticProperty, vtkHapticRegionSource, vtkVolumeHapticsFilter
@@ -310,7 +310,8 @@ def touch(
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
         (0, 0, 0) on: see image() for others. It is not copied. Or one that is larger than memory: see open_large().
         Or a rectilinear, structured or unstructured grid, or a composite data set of these, as vtkOpenFOAMReader
-        has it: its point and cell arrays are felt, resampled along the path.
+        has it: its point and cell arrays are felt, resampled along the path. Or a volume
+        of vedo, of tvtk (Mayavi) or of nibabel (MNE, nilearn).
     tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a vtkPolyData, with a point array
         "Time" (s) if ticks are something else, or an array of shape (N, 3). A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
@@ -353,6 +354,7 @@ def touch(
     >>> trace.GetPointData().GetArray("Force").GetNumberOfComponents()
     3
     """
+    volume = unwrap(volume)
     source = volume if isinstance(volume, vtkHapticRegionSource) else None
     if source is not None:
         image = frame_of(source)
