@@ -41,8 +41,9 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   libgl1-mesa-dri libgtest-dev libbenchmark-dev pkg-config libusb-1.0-0-dev libhidapi-dev ccache libboost-dev nlohmann-json3-dev \
   libpulse-dev pulseaudio libumockdev-dev umockdev python3-pytest python3-zarr hdf5-tools openbox xdotool wmctrl x11-utils \
   tesseract-ocr imagemagick libgdcm-dev libvtk9-qt-dev chromium chromium-driver \
-  python3-venv python3-dev doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
+  python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
 
+[ $full = no ] || require_packages python3-tk invesalius # programs of Testing/Hosts
 jobs=$(nproc)
 left_out='device|full' # labels of tests that ran before, or do not run
 left_out_of_device=full
@@ -67,7 +68,7 @@ wheel_dir=$(dirname "$build_dir")/wheel
 run_tests()
 {
   local live='^[0-9]+:(VolumeHaptics[.](Applications|Core[.]ServoLoop|Devices[.](Emulated|Haply|Hfab|Vendor)|ParaView|'
-  live+='VTK[.](Charts|Emulated|Endings|Headset|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
+  live+='Hosts|VTK[.](Charts|Emulated|Endings|Headset|Recording|Scene|Session|Setup)|Wheel)[.]|VTK::VolumeHapticsCxx-TestTouch)'
   local on=(--test-dir "$1" --output-on-failure --no-tests=error)
   with_own_screen ctest "${on[@]}" -j "$2" "${@:3}" && return
   if grep -vqE "$live" "$1/Testing/Temporary/LastTestsFailed.log"; then

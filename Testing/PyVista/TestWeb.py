@@ -22,6 +22,7 @@ from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.by import By  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin  # noqa: E402
+from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
 
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 pytestmark = pytest.mark.skipif(not (CHROMIUM and DRIVER), reason="needs chromium and chromium-driver")
@@ -213,6 +214,50 @@ def test_the_program_serves_the_demo(browser):
                 f"const p = document.querySelector('{SCENE} img'); return p && p.naturalWidth > 300"):
             assert time.monotonic() < end, "no picture"
             time.sleep(0.1)
+        browser.get("about:blank")
+        server.send_signal(signal.SIGINT)
+        assert server.wait(PATIENCE) in (0, -signal.SIGINT)
+    finally:
+        server.kill()
+
+
+PROGRAM = """
+import pyvista as pv
+import volumehaptics
+from volumehaptics import examples
+
+add = volumehaptics.add_haptics
+
+
+def add_and_tell(*words):
+    haptics = add(*words)
+    haptics.style.AddObserver(haptics.style.ContactBeginEvent, lambda *_: print("felt", flush=True))
+    return haptics
+
+
+volumehaptics.add_haptics = add_and_tell
+plotter = pv.Plotter(off_screen=True, window_size=(400, 300))
+plotter.add_volume(pv.wrap(examples.phantom()), clim=(-600, 1000), opacity=[0, 0.35, 0.6, 1], show_scalar_bar=False)
+plotter.view_vector((1, -0.8, 0.35), (0, 0, 1))
+"""
+
+
+def test_the_lines_on_programs_of_others_serve(browser, root):
+    """Those of trame on that page, as pasted after a program's plotter: what is seen in the browser is felt."""
+    page = (root / "Documentation" / "hosts.md").read_text(encoding="utf-8")
+    lines = re.search(r"```python\n(.*?)```", page.split("\n## trame\n")[1], re.DOTALL)[1]
+    server = subprocess.Popen([sys.executable, "-u", "-c", PROGRAM + lines], stdout=subprocess.PIPE, text=True,
+                              env=os.environ | {"BROWSER": "true"})
+    try:
+        address = next(line.split()[3] for line in server.stdout if line.startswith("Touch it at "))
+        browser.get(address)
+        area = WebDriverWait(browser, PATIENCE).until(lambda _: browser.find_element(By.CSS_SELECTOR, f"{SCENE} img"))
+        browser.find_element(By.CSS_SELECTOR, "[data-id=touch]").click()
+        time.sleep(1.0)
+        for _ in range(8):
+            ActionChains(browser, duration=0).scroll_from_origin(ScrollOrigin.from_element(area), 0, -100).perform()
+            time.sleep(0.25)
+        assert next(line for line in server.stdout if line == "felt\n")
         browser.get("about:blank")
         server.send_signal(signal.SIGINT)
         assert server.wait(PATIENCE) in (0, -signal.SIGINT)

@@ -3,7 +3,7 @@
 """The Python of the documents runs as printed, and the commands that they name have the options that they are given.
 
 The blocks of python.md and measuring.md are in TestExamples.py and TestLarge.py, those on PyVista and notebooks in
-Testing/PyVista/TestSnippets.py, those on ParaView in TestReadme.py and TestServer.py of Testing/ParaView, those of C++ are
+Testing/PyVista/TestSnippets.py, those of hosts.md in Testing/Hosts, those on ParaView in TestReadme.py and TestServer.py of Testing/ParaView, those of C++ are
 compiled by Testing/Package/snippets.py, and that of CMake is configured and built by Testing/Package/install.sh.
 """
 
@@ -20,7 +20,7 @@ DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "Documentation").glob("*.md"))]
 PAGES = [*DOCUMENTS, ROOT / "CONTRIBUTING.md", ROOT / "Data" / "README.md", ROOT / "Examples" / "PyVista" / "README.md"]
 # Files whose blocks of Python a test runs, and how many there are.
 RUN = {
-    "README.md": 1, "first-touch.md": 1, "devices.md": 1, "materials.md": 8, "measuring.md": 1, "notebook.md": 1,
+    "README.md": 1, "first-touch.md": 1, "devices.md": 1, "hosts.md": 11, "materials.md": 8, "measuring.md": 1, "notebook.md": 1,
     "paraview.md": 6, "python.md": 9, "window.md": 1,
 }
 

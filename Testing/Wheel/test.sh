@@ -10,6 +10,7 @@
 #   install    makes a new ENVIRONMENT in FOLDER with the wheel, and the packages that ARGUMENT names
 #   pytest     runs pytest there, with the arguments
 #   close      opens a plotter of PyVista and closes it: Testing/Window/close.sh, with the arguments
+#   host       touches a volume in a program of others: Testing/Hosts/host.sh, whose PROGRAM ARGUMENT names
 #   uninstall  removes the wheel, which has to leave and to take nothing else
 #
 # FOLDER is what CMake/wheel/build.sh made. REFERENCE_BUILD is a build with the system's VTK, whose traces the wheel's
@@ -18,7 +19,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,19s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 folder=$(realpath -m "$1")
 reference=$(realpath "$2")
@@ -68,6 +69,9 @@ case $step in
     ;;
   close)
     exec "$root/Testing/Window/close.sh" "$@" "Touch in PyVista" "$environment/bin/python" "$root/Testing/Window/plotter.py"
+    ;;
+  host)
+    exec "$root/Testing/Hosts/host.sh" "$environment/bin/python" "$@"
     ;;
   uninstall)
     list_packages > "$folder/installed.txt"

@@ -1,0 +1,254 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Lives with a program of others as its user does, with real keys and a real mouse, while a volume is touched in it.
+
+usage: drive.py PYTHON PROGRAM FOLDER [VOLUME PICTURE]
+
+It runs program.py with PYTHON, which writes to FOLDER what is felt. The expectations: a spring of 500 N/m, which is what a
+filter feels like that was told nothing, on a ball whose radius is known; and of what the program gets, that it is what it
+would get without the touch, but for the keys and wheel turns that the touch has used.
+
+With the file VOLUME it takes a PICTURE of its window instead, while that is touched.
+
+Needs a screen and a window manager, which host.sh brings along.
+"""
+
+import json
+import math
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+STIFFNESS = 0.5  # N/mm
+RADIUS = 30.0  # mm, of program.py
+# With the default kernel a surface is met up to two voxels ahead.
+AHEAD = 2.5  # mm
+PATIENCE = 20.0  # s
+
+
+def norm(vector):
+    return math.sqrt(sum(one * one for one in vector))
+
+
+def xdotool(*words):
+    return subprocess.run(["xdotool", *map(str, words)], stdout=subprocess.PIPE, text=True, check=False).stdout
+
+
+class Program:
+    """A running program of programs/."""
+
+    def __init__(self, python, name, folder, *volume):
+        self.folder = Path(folder)
+        self.log = open(self.folder / "program.log", "w+", encoding="utf-8")
+        self.process = subprocess.Popen(
+            [python, "-B", str(HERE / "program.py"), name, folder, *volume], stdout=self.log, stderr=subprocess.STDOUT)
+        self.window = self.wait("a window", lambda: xdotool("search", "--onlyvisible", "--name", "^host").split()[:1])[0]
+        self.wait("a first look", (self.folder / "state.json").exists)
+        self.place = self.state()["middle"]
+
+    def state(self):
+        return json.loads((self.folder / "state.json").read_text())
+
+    def wait(self, what, condition, patience=PATIENCE):
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            if self.process.poll() is not None:
+                break
+            if found := condition():
+                return found
+            time.sleep(0.05)
+        self.fail(f"waited in vain for {what}")
+
+    def wait_state(self, what, condition, patience=PATIENCE):
+        self.wait(what, lambda: condition(self.state()), patience)
+
+    def fail(self, why):
+        subprocess.run(["import", "-window", "root", str(self.folder / "failed.png")], check=False)
+        self.log.flush()
+        print((self.folder / "program.log").read_text()[-4000:])
+        if (self.folder / "state.json").exists():
+            print(self.state())
+        sys.exit(f"FAILED: {why}; ended: {self.process.poll()}")
+
+    def check(self, what, holds):
+        if not holds:
+            self.fail(what)
+
+    def run(self, statement):
+        """In the program, between two events."""
+        before = self.state()["runs"]
+        new = self.folder / "command.new"
+        new.write_text(statement)
+        new.rename(self.folder / "command")
+        self.wait_state(f"the end of {statement}", lambda state: state["runs"] > before)
+        self.check(f"{statement}: {self.state()['answer']}", self.state()["answer"] == "done")
+
+    def point(self, place=None):
+        window, x, y = place or self.place
+        xdotool("mousemove", *(["--window", window] if window else []), x, y)
+        time.sleep(0.1)
+
+    def focus(self):
+        xdotool("windowactivate", "--sync", self.window)
+        self.point()
+
+    def touch(self, radius=RADIUS):
+        """Presses the ball, until the force is that of a spring; its radius is where the hand is held."""
+        self.point()
+        keys = self.state()["keys"]
+        xdotool("key", "t")
+        self.wait_state("the touch mode", lambda state: state["touch"])
+        time.sleep(0.8)  # what is pressed before all of the force may flow feels soft
+        for _ in range(12):
+            if norm(self.state()["force"]) > 0.8:
+                break
+            xdotool("click", 4)
+            time.sleep(0.15)
+
+        self.is_felt()
+        state = self.state()
+        out = [proxy - center for proxy, center in zip(state["proxy"], state["center"])]
+        self.check(f"the proxy is at the ball: {norm(out)} mm", radius - 0.5 < norm(out) < radius + AHEAD)
+        self.check("the force points outwards", sum(a * b for a, b in zip(state["force"], out)) > 0.0)
+        self.check("the program did not get t", self.state()["keys"] == keys)
+
+    def is_felt(self):
+        def is_spring(state):
+            lag = [proxy - tip for proxy, tip in zip(state["proxy"], state["tip"])]
+            return norm(lag) > 0.5 and all(
+                abs(force - STIFFNESS * part) < 0.02 * norm(state["force"]) for force, part in zip(state["force"], lag))
+
+        self.wait_state("the force of a spring", is_spring)
+
+    def drag(self, back=False):
+        """The program's slider, if it has one, to another place, and back."""
+        if "drag" not in self.state():
+            return
+        said = len(self.state()["said"])
+        (window, x0, y0), (_, x1, y1) = reversed(self.state()["drag"]) if back else self.state()["drag"]
+        self.point((window, x0, y0))
+        xdotool("mousedown", 1)
+        for i in range(1, 6):
+            self.point((window, x0 + (x1 - x0) * i // 5, y0 + (y1 - y0) * i // 5))
+        xdotool("mouseup", 1)
+        self.wait_state("its slider", lambda state: len(state["said"]) > said)
+
+    def feels_nothing(self, why):
+        self.wait_state(f"no force: {why}", lambda state: norm(state["force"]) == 0.0)
+
+    def let_go(self):
+        keys = self.state()["keys"]
+        xdotool("key", self.state()["lets_go"])
+        self.wait_state("the end of the touch mode", lambda state: not state["touch"] and norm(state["force"]) == 0.0)
+        time.sleep(0.2)
+        self.check("the program goes on after Escape", self.process.poll() is None)
+        self.check("the program did not get Escape", self.state()["keys"] == keys)
+
+    def hears(self, key):
+        """The program's own key does what it does."""
+        before = len(self.state()["keys"])
+        xdotool("key", key)
+        self.wait_state(f"the program's key {key}", lambda state: state["keys"][before:] == [key])
+
+    def close(self):
+        subprocess.run(["wmctrl", "-i", "-c", self.window], check=True)
+        end = time.monotonic() + PATIENCE
+        while self.process.poll() is None and time.monotonic() < end:
+            time.sleep(0.1)
+        self.check("the program ended by itself", self.process.poll() == 0)
+        text = (self.folder / "program.log").read_text()
+        self.check("nothing complains", "Traceback" not in text and not re.search(r"Haptic.*ERR", text))
+
+
+def step(text, since=[time.monotonic()]):
+    print(f"{time.monotonic() - since[0]:5.1f} s  {text}", flush=True)
+
+
+def take_picture(python, name, folder, volume, picture):
+    program = Program(python, name, folder, volume)
+    program.focus()
+    xdotool("click", 1)
+    program.run("agent.turn()")
+    time.sleep(3.0)
+    program.point()
+    xdotool("key", "t")
+    program.wait_state("the touch mode", lambda state: state["touch"])
+    time.sleep(2.0)
+    for _ in range(5):
+        xdotool("click", 4)
+        time.sleep(0.5)
+    for _ in range(8):
+        xdotool("mousemove_relative", 2, 0)
+        time.sleep(0.3)
+
+    def is_drawn():
+        views = []
+        for _ in range(2):
+            views.append(subprocess.run(["import", "-window", program.window, "ppm:-"], stdout=subprocess.PIPE, check=True).stdout)
+            time.sleep(4.0)
+        return views[0] == views[1]
+
+    program.wait("a frame at rest", is_drawn)
+    print(program.state())
+    subprocess.run(["import", "-window", program.window, picture], check=True)
+    program.close()
+
+
+def main(python, name, folder):
+    program = Program(python, name, folder)
+    program.focus()
+    xdotool("click", 1)
+    step("its window is there")
+    program.hears("u")
+    step("it has its keys")
+    program.touch()
+    step("a ball is felt with 500 N/m where it is")
+    program.hears("u")
+    program.drag()
+    step("it has its keys and its slider while that is touched")
+    program.let_go()
+    program.hears("u")
+    program.drag(back=True)
+    step("Escape lets go, and the program has all of them again")
+
+    program.touch()
+    program.run("exec(change_style)")
+    time.sleep(0.3)
+    program.is_felt()
+    step("the touch goes on with another style of the program")
+    program.run("renderer, volume = agent.volume(); volume.VisibilityOff(); agent.draw()")
+    program.feels_nothing("hidden")
+    program.run("volume.VisibilityOn(); agent.draw()")
+    time.sleep(0.3)
+    program.feels_nothing("shown again, but not yet touched")
+    if program.state()["touch"]:
+        program.let_go()
+    program.touch()
+    step("hidden, nothing is felt; shown, it is touched again")
+    program.run("renderer.RemoveVolume(volume); agent.draw()")
+    program.feels_nothing("removed")
+    program.run("volume = make_volume(make_ball(20.0, agent.center)); renderer.AddVolume(volume); agent.draw()")
+    if program.state()["touch"]:
+        program.let_go()
+    program.touch(20.0)
+    step("removed, nothing is felt; another one in its place is touched")
+
+    xdotool("windowminimize", program.window)
+    program.feels_nothing("minimised")
+    program.focus()  # the window manager shows it again
+    time.sleep(1.0)
+    if program.state()["touch"]:
+        program.let_go()
+    program.touch(20.0)
+    step("minimised, nothing is felt; then it is touched again")
+    program.close()
+    step("closed while it is touched, the program ends")
+    print("1 passed, 0 failed")
+
+
+if __name__ == "__main__":
+    (take_picture if len(sys.argv) > 4 else main)(*sys.argv[1:])

@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+import pyvista
+import pyvistaqt
+
+plotter = pyvistaqt.BackgroundPlotter(title="host", window_size=(600, 600), auto_update=False)
+plotter.add_volume(pyvista.wrap(image), clim=(-10, 10), opacity="linear", show_scalar_bar=False)
+said = []
+plotter.add_slider_widget(said.append, (0.0, 1.0), pointa=(0.3, 0.1), pointb=(0.7, 0.1))
+plotter.add_key_event("u", lambda: hear("u"))
+drag = ((0.32, 0.1), (0.5, 0.1))
+# the lines of the page
