@@ -142,8 +142,9 @@ public:
     auto& interaction = this->GetInteraction();
     const bool begins = !this->GetTouchMode();
     // A key that has let go and is still held is not the program's either.
-    const bool isHeld =
-      interaction.IsRepeat(name) || (!this->HeldKey.empty() && this->HeldKey == name);
+    // If something else has ended or begun the touch since, the release was lost.
+    const bool isHeld = interaction.IsRepeat(name) ||
+      (!this->HeldKey.empty() && this->HeldKey == name && begins != this->HeldInTouch);
     if (!isHeld && begins && (!this->HasActivationKey || interaction.Keys.Find(name) != "t"))
     {
       return;
@@ -151,6 +152,7 @@ public:
     if (isHeld || (begins && !this->Prepare()) || interaction.PressKey(name))
     {
       this->HeldKey = name;
+      this->HeldInTouch = this->GetTouchMode();
       this->Abort();
     }
   }
@@ -196,10 +198,15 @@ private:
   };
 
   void Abort() { this->EventCallbackCommand->SetAbortFlag(1); }
-  /// Whether the hand has the mouse: a drag that the program has begun goes on.
+  /// Whether the hand has the mouse: a drag that the program has begun goes on. Slices beside the
+  /// scene are the hand's at any time.
   bool HasMouse()
   {
-    return this->GetTouchMode() && this->Buttons == 0 && this->Interactor->GetRenderWindow();
+    const int* const at = this->Interactor->GetEventPosition();
+    vtkHapticSliceView* const slices = this->GetSliceView();
+    const bool isOurs = this->GetTouchMode() || this->UsedButtons != 0 ||
+      (slices && slices->FindSlice(at[0], at[1]) >= 0);
+    return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
   }
   /// The same of a click: one on a slider, a handle or a text of the program is the program's.
   bool HasClick()
@@ -238,6 +245,7 @@ private:
   unsigned int Buttons = 0;     ///< pressed, by the program
   unsigned int UsedButtons = 0; ///< pressed, by the hand
   std::string HeldKey;          ///< that was used; repeats are not the program's either
+  bool HeldInTouch = false;     ///< the touch mode after it was used
 };
 
 vtkStandardNewMacro(StyleBeside);
@@ -274,6 +282,12 @@ struct vtkHapticWidget::vtkInternals
     this->Style->SetDevice(device);
     this->Hand->SetDevice(device);
     this->Display->SetDevice(device);
+  }
+
+  /** Whether the program has connected what its filter feels. */
+  bool HasOwnInput() const
+  {
+    return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;
   }
 
   /** All volumes that can be touched in a renderer; only `Volume`, if there is one. */
@@ -327,6 +341,7 @@ struct vtkHapticWidget::vtkInternals
         [](vtkVolume* a, const vtkSmartPointer<vtkVolume>& b) { return a == b; });
     if (!isSame)
     {
+      this->IsInputOurs = true;
       this->Others.clear();
       this->Device->SetVolumeHaptics(this->Filter);
       this->Style->TouchVolume(volumes.front());
@@ -346,20 +361,20 @@ struct vtkHapticWidget::vtkInternals
     }
   }
 
-  /** The hand and the display, where the volumes are. */
-  void Show(vtkRenderer* renderer)
+  /** The hand and the display, for what is so long (world units). */
+  void Show(vtkRenderer* renderer, double length)
   {
     if (this->Renderer != renderer)
     {
       this->Hide();
       this->Renderer = renderer;
-      renderer->AddViewProp(this->Hand);
-      renderer->AddViewProp(this->Display);
       this->Style->SetDefaultRenderer(renderer);
       this->Style->SetCurrentRenderer(renderer);
     }
+    // Again, too: the program may have cleared its scene.
+    renderer->AddViewProp(this->Hand);
+    renderer->AddViewProp(this->Display);
     // As long as the application has not chosen other sizes.
-    const double length = this->Touched.front()->GetLength();
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
       this->Radius = ProxyShare * length;
@@ -430,6 +445,7 @@ struct vtkHapticWidget::vtkInternals
   std::vector<vtkSmartPointer<vtkVolumeHapticsFilter>> Others; ///< of all but the first volume
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
+  bool IsInputOurs = false; ///< that of the filter is what a volume shows
   bool HasOpened = false;
   bool HasStarted = false;
 };
@@ -488,11 +504,22 @@ void vtkHapticWidget::SetEnabled(int enabling)
 bool vtkHapticWidget::Prepare(bool isNeeded)
 {
   auto& d = *this->Internals;
-  vtkRenderer* const renderer = d.FindRenderer(this->Interactor);
-  if (renderer)
+  if (d.HasOwnInput())
+  {
+    vtkRenderWindow* const window = this->Interactor->GetRenderWindow();
+    vtkRenderer* const first = window ? window->GetRenderers()->GetFirstRenderer() : nullptr;
+    vtkRenderer* const shown = this->DefaultRenderer ? this->DefaultRenderer : first;
+    vtkImageData* const image = d.Filter->GetTouchedImage();
+    if (shown)
+    {
+      d.Show(shown, image ? image->GetLength() : 0.0);
+    }
+    return d.Start();
+  }
+  if (vtkRenderer* const renderer = d.FindRenderer(this->Interactor))
   {
     d.Touch(d.FindVolumes(renderer));
-    d.Show(renderer);
+    d.Show(renderer, d.Touched.front()->GetLength());
     return d.Start();
   }
   if (isNeeded)
@@ -587,6 +614,7 @@ void vtkHapticWidget::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
     const bool wasOn = this->Enabled != 0;
     this->Off();
     d.Filter = filter;
+    d.IsInputOurs = false;
     d.Device->SetVolumeHaptics(filter);
     this->SetEnabled(wasOn);
     this->Modified();

@@ -94,7 +94,9 @@ public:
   ///@{
   /**
    * The filter that says how volumes feel, and its property. If several volumes can be touched, the
-   * first one is felt by this filter, and each of the others by a copy with the same settings.
+   * first one is felt by this filter, and each of the others by a copy with the same settings. A
+   * filter that has an input feels that, whatever the window shows; the hand is then in the
+   * DefaultRenderer, or else in the window's first one.
    * Default: one of its own. nullptr is an error.
    */
   void SetVolumeHaptics(vtkVolumeHapticsFilter* filter);

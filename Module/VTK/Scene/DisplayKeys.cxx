@@ -116,7 +116,7 @@ std::string DisplayKeys::FindHint()
   {
     const std::string begin = this->Scene.IsVirtual()
       ? this->Tell("Put the pointer on the volume and press ", "t", " to touch it")
-      : this->Tell("Press ", "a", " to feel the volume");
+      : this->Tell("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
     // Beside another style all other keys are those of the host until the touch mode begins.
     return Join(
       begin, this->Scene.TurnsView ? this->Tell("", "question", " shows all keys") : std::string());

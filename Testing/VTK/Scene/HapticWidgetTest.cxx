@@ -12,6 +12,7 @@
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticRepresentation.h>
+#include <vtkHapticSliceView.h>
 #include <vtkHapticWidget.h>
 #include <vtkInteractorStyleImage.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -373,6 +374,17 @@ TEST_F(HapticWidget, LetsGoByASecondKeyWhereAToolkitKeepsEscape)
   this->ExpectLetGo();
 }
 
+TEST_F(HapticWidget, BeginsAgainIfTheReleaseOfItsKeyWasLost)
+{
+  this->SwitchOn();
+  this->Pointer(150, 150);
+  EXPECT_EQ(this->Press("t", 't'), 0);
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+  this->Widget->GetStyle()->FadeOut(); // the view was hidden, and got no release
+  EXPECT_EQ(this->Press("t", 't'), 0);
+  EXPECT_TRUE(this->Widget->GetTouchMode());
+}
+
 TEST_F(HapticWidget, TellsThatTimersAreMissingAndGoesOnWithoutThem)
 {
   MessageLog told(this->Widget->GetStyle());
@@ -425,6 +437,51 @@ TEST_F(HapticWidget, HasAnotherKeyAndADeviceOfTheProgram)
   this->Widget->Off();
   EXPECT_TRUE(device->IsOpen()) << "the program has opened it";
   EXPECT_FALSE(device->IsRunning());
+}
+
+TEST_F(HapticWidget, HasTheSlicesBesideTheScene)
+{
+  this->SwitchOn();
+  vtkNew<vtkHapticSliceView> slices;
+  slices->SetDevice(this->Widget->GetDevice());
+  slices->SetRenderWindow(this->Window);
+  this->Widget->GetStyle()->SetSliceView(slices);
+  this->Window->Render();
+  ASSERT_GE(slices->FindSlice(270, 250), 0);
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 100, 150), 1) << "the scene's";
+  this->Count(vtkCommand::LeftButtonReleaseEvent, 100, 150);
+  EXPECT_EQ(this->Count(vtkCommand::MouseWheelForwardEvent, 270, 250), 0);
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonPressEvent, 270, 250), 0);
+  EXPECT_EQ(this->Count(vtkCommand::LeftButtonReleaseEvent, 270, 250), 0);
+  EXPECT_TRUE(this->Widget->GetTouchMode()) << "a click goes there";
+}
+
+TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
+{
+  // As an isosurface of it: the window shows no volume.
+  this->Renderer->RemoveVolume(this->Volume);
+  this->Widget->GetVolumeHaptics()->SetInputData(0, MakeBall());
+  this->Widget->SetDefaultRenderer(this->Renderer);
+  this->SwitchOn();
+  EXPECT_TRUE(this->Renderer->HasViewProp(this->Widget->GetRepresentation()));
+  this->PushIn();
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+  this->Press("Escape");
+  this->ExpectLetGo();
+  EXPECT_TRUE(this->Log.Errors.empty());
+  // What the widget has chosen itself is chosen anew.
+  this->Renderer->AddVolume(this->Volume);
+  vtkNew<vtkVolumeHapticsFilter> other;
+  other->GetProperty()->DeepCopy(this->Widget->GetProperty());
+  this->Widget->SetVolumeHaptics(other);
+  this->PushIn();
+  EXPECT_EQ(this->Widget->GetStyle()->GetTouchedVolume(), this->Volume.Get());
+  this->Widget->Off();
+  this->Volume->SetPosition(0.0, 0.0, -10.0);
+  this->Widget->On();
+  this->Press("Escape");
+  this->PushIn();
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 20.0 + 2.0, 1.5);
 }
 
 TEST_F(HapticWidget, TellsWhatIsMissingWithTheCure)
