@@ -18,6 +18,7 @@
 #include "vtkTextProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace VolumeHaptics
 {
@@ -26,6 +27,7 @@ namespace
 
 constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
 constexpr double ActorMargin = 3.0; // pixels around a 2D actor
+constexpr double LabelSpill = 15.0; // pixels by which labels may leave the box of a scalar bar
 
 bool ShowsSomething(vtkRenderer* renderer)
 {
@@ -85,7 +87,8 @@ bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
     actor->IsA("vtkXYPlotActor"))
   {
     const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
-    box = { 0.0, end[0] - position[0], 0.0, end[1] - position[1] };
+    const double spill = actor->IsA("vtkScalarBarActor") ? LabelSpill : 0.0;
+    box = { -spill, end[0] - position[0] + spill, -spill, end[1] - position[1] + spill };
   }
   else
   {
@@ -93,6 +96,30 @@ bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
   }
   box = { box[0] + position[0], box[1] + position[0], box[2] + position[1], box[3] + position[1] };
   return box[1] > box[0] && box[3] > box[2];
+}
+
+/** Moves a box past one overlay after the other; see MoveOff. */
+ViewportBox Avoid(const std::vector<ViewportBox>& overlays, double width, const ViewportBox& wanted,
+  int across, int up, double margin)
+{
+  const double size[2] = { wanted[1] - wanted[0], wanted[3] - wanted[2] };
+  ViewportBox box = wanted;
+  for (std::size_t tries = 0; tries <= overlays.size(); ++tries)
+  {
+    const auto covering = std::find_if(overlays.begin(), overlays.end(),
+      [&box](const ViewportBox& overlay) { return Overlaps(overlay, box); });
+    if (covering == overlays.end())
+    {
+      break;
+    }
+    const double beside = across > 0 ? (*covering)[1] : (*covering)[0] - size[0];
+    const bool isRoom =
+      across > 0 ? beside + size[0] + margin <= width : across < 0 && beside >= margin;
+    const double left = isRoom ? beside : wanted[0];
+    const double bottom = isRoom ? box[2] : up > 0 ? (*covering)[3] : (*covering)[2] - size[1];
+    box = { left, left + size[0], bottom, bottom + size[1] };
+  }
+  return box;
 }
 
 } // namespace
@@ -171,28 +198,19 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
 ViewportBox MoveOff(
   vtkViewport* viewport, const ViewportBox& wanted, int across, int up, double margin)
 {
-  const int* const view = viewport->GetSize();
-  const double width = wanted[1] - wanted[0];
-  const double height = wanted[3] - wanted[2];
-  ViewportBox box = wanted;
   const std::vector<ViewportBox> overlays = FindOverlays(viewport);
-  for (std::size_t tries = 0; tries <= overlays.size(); ++tries)
+  const int* const view = viewport->GetSize();
+  const ViewportBox beside = Avoid(overlays, view[0], wanted, across, up, margin);
+  if (beside[2] == wanted[2])
   {
-    const auto covering = std::find_if(overlays.begin(), overlays.end(),
-      [&box](const ViewportBox& overlay) { return Overlaps(overlay, box); });
-    if (covering == overlays.end())
-    {
-      break;
-    }
-    const double beside = across > 0 ? (*covering)[1] : (*covering)[0] - width;
-    const bool isRoom =
-      across > 0 ? beside + width + margin <= view[0] : across < 0 && beside >= margin;
-    const double left = isRoom ? beside : wanted[0];
-    const double bottom = isRoom ? box[2] : up > 0 ? (*covering)[3] : (*covering)[2] - height;
-    box = { left, left + width, bottom, bottom + height };
+    return beside;
   }
+  const ViewportBox above = Avoid(overlays, view[0], wanted, 0, up, margin);
+  const auto way = [&wanted](const ViewportBox& box)
+  { return std::abs(box[0] - wanted[0]) + std::abs(box[2] - wanted[2]); };
+  const ViewportBox& nearest = way(above) < way(beside) ? above : beside;
   // A box over something is better than none.
-  return box[2] < 0.0 || box[3] > view[1] ? wanted : box;
+  return nearest[2] < 0.0 || nearest[3] > view[1] ? wanted : nearest;
 }
 
 std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
