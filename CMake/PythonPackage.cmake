@@ -46,6 +46,7 @@ foreach (file IN ITEMS
     _qt.py
     _tools.py
     _touch.py
+    _trame.py
     _webdoor.py
     _webview.py
     arrays.py

@@ -118,7 +118,7 @@ if [ "$python" = ON ]; then
   site=$(dirname "$(dirname "$package")")
   installed=$(cd "$site/volumehaptics" && find . -type f -not -name 'vtkVolumeHaptics*' | sort)
   expected=$(printf './%s\n' __init__.py __main__.py _grids.py _hosts.py _identify.py _labels.py _large.py _paths.py \
-    _plotting.py _qt.py _tools.py _touch.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti \
+    _plotting.py _qt.py _tools.py _touch.py _trame.py _version.py _webdoor.py _webview.py arrays.py data/HeadPhantom.vti \
     data/README.txt \
     examples.py py.typed pyvista.py web.py | sort)
   if [ "$installed" != "$expected" ]; then

@@ -13,6 +13,7 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401 (its texts)
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor, vtkRenderer, vtkVolume
 
+from . import _trame
 from ._qt import watch_widget
 from ._touch import Errors, configure
 from .vtkVolumeHaptics import (
@@ -29,7 +30,47 @@ _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "re
 _DEPTH = 4  # of these, such as figure.scene.interactor
 
 
-class Haptics:
+class Touchable:
+    """What both kinds of add_haptics() return: a device and a style, until close() is called or this object goes."""
+
+    device: vtkHapticDevice
+    style: vtkInteractorStyleHaptic
+    closed = True  # until they are there
+    _leave_widget: Callable[[], None] | None = None
+
+    def update(self) -> bool:
+        """One step of the window's timer, for programs whose loop has none. True: there is something new to draw."""
+        return not self.closed and self.style.UpdateHaptics()
+
+    def close(self) -> None:
+        """Ends all force. May be called twice."""
+        self.closed = True
+        if self._leave_widget is not None:
+            self._leave_widget()
+            self._leave_widget = None
+
+    def __del__(self) -> None:
+        self.close()
+
+    def __enter__(self) -> Any:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _watch_widget(self, target: Any) -> None:
+        """Ends the touch when the view is no longer seen, if it is one of Qt."""
+        itself = weakref.ref(self)
+
+        def let_go() -> None:
+            haptics = itself()
+            if haptics is not None and not haptics.closed:
+                haptics.style.FadeOut()
+
+        self._leave_widget = watch_widget(target, let_go)
+
+
+class Haptics(Touchable):
     """What add_haptics() has added to a window, until close() is called, the window ends, or this object goes.
 
     widget: the vtkHapticWidget that observes the window's interactor.
@@ -42,39 +83,18 @@ class Haptics:
 
     def __init__(self, widget: vtkHapticWidget) -> None:
         self.widget = widget
-        self.device: vtkHapticDevice = widget.GetDevice()
+        self.device = widget.GetDevice()
         self.filter: vtkVolumeHapticsFilter = widget.GetVolumeHaptics()
-        self.style: vtkInteractorStyleHaptic = widget.GetStyle()
+        self.style = widget.GetStyle()
         self.representation: vtkHapticRepresentation = widget.GetRepresentation()
         self.head_up_display: vtkHapticHeadUpDisplay = widget.GetHeadUpDisplay()
         self.closed = False
-        self._leave_widget: Callable[[], None] | None = None
-
-    def update(self) -> bool:
-        """One step of the window's timer, for programs whose loop has none. True: there is something new to draw."""
-        return not self.closed and self.widget.UpdateHaptics()
 
     def close(self) -> None:
         """Ends all force, and gives the window back as it was. May be called twice."""
         if not self.closed:
-            self.closed = True
-            if self._leave_widget is not None:
-                self._leave_widget()
+            super().close()
             self.widget.SetInteractor(None)
-
-    def __del__(self) -> None:
-        self.close()
-
-    def __enter__(self) -> Haptics:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def _let_go(self) -> None:
-        """Ends the touch; the force fades."""
-        self.device.FadeOut()
-        self.widget.TouchModeOff()
 
 
 def _plain_vtk(wrapped: Any) -> Any:
@@ -85,7 +105,7 @@ def _plain_vtk(wrapped: Any) -> Any:
 
 def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
     """The interactor of what a program calls its window, by what it has."""
-    target = _plain_vtk(target)
+    target = _trame.window_of(target) if _trame.is_view(target) else _plain_vtk(target)
     if isinstance(target, vtkRenderWindowInteractor):
         return target
     if isinstance(target, vtkRenderWindow):
@@ -135,8 +155,9 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     """Makes the volumes in a window touchable, beside the style, the widgets and the keys of its program.
 
     target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
-        plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi, a figure of MNE; or anything
-        else that leads to a window by an attribute that one of these has.
+        VtkRemoteView of trame; a plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi, a
+        figure of MNE; or anything else that leads to a window by an attribute that one of these has. In trame, a button
+        of yours calls widget.TouchModeOn(), because no keys arrive; the touch ends when a browser leaves.
     volume: what is touched, a vtkVolume or what has one. Default: what the window shows under the pointer.
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": what the volume's own edges suggest, or a file ".json": both as in touch().
@@ -180,14 +201,9 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     except BaseException:
         haptics.close()
         raise
-    itself = weakref.ref(haptics)
-
-    def let_go() -> None:
-        haptics = itself()
-        if haptics is not None and not haptics.closed:
-            haptics._let_go()
-
-    haptics._leave_widget = watch_widget(target, let_go)  # if it is one of Qt
+    haptics._watch_widget(target)
+    if _trame.is_view(target):
+        _trame.drive(target, haptics)
     return haptics
 
 

@@ -8,7 +8,7 @@ import atexit
 import math
 import warnings
 import weakref
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonCore import VTK_STRING
@@ -17,8 +17,8 @@ from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
 from ._grids import is_grid, overview
+from ._hosts import Touchable
 from ._labels import Labels, Materials, set_labels
-from ._qt import watch_widget
 from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
@@ -47,7 +47,7 @@ LABELS = {"question": "?", "plus": "+", "minus": "-", "comma": ",", "period": ".
 ATTENTION = 10.0  # s without the plotter's timer, after which force fades out: no frame takes as long
 
 
-class Haptics:
+class Haptics(Touchable):
     """The objects that add_haptics() has added to a plotter, until the plotter is closed, or close() is called.
 
     device: the vtkHapticDevice in the hand, whose servo runs.
@@ -84,22 +84,15 @@ class Haptics:
         self._feels_hidden = False  # what is invisible, too
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
-        self._leave_widget: Callable[[], None] | None = None
-
-    def update(self) -> bool:
-        """One step of the plotter's timer, for programs without an event loop. True: there is something new."""
-        return not self.closed and self.style.UpdateHaptics()
 
     def close(self) -> None:
         """Stops the servo, closes the device, and gives the plotter back as it was. May be called twice."""
         if self.closed:
             return
-        self.closed = True
+        super().close()
         self.device.Stop()
         if self._owns_device:
             self.device.Close()
-        if self._leave_widget is not None:
-            self._leave_widget()
         plotter, renderer = self._plotter(), self._renderer()
         if renderer is not None:
             renderer.RemoveViewProp(self.representation)
@@ -117,15 +110,6 @@ class Haptics:
                 vars(plotter.iren).pop("key_press_event", None)
                 if plotter.iren.style is self.style:
                     plotter.iren.style = self._style_before
-
-    def __del__(self) -> None:
-        self.close()
-
-    def __enter__(self) -> Haptics:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
@@ -184,8 +168,7 @@ class Haptics:
 
     def _let_go(self) -> None:
         """Ends the touch; the force fades."""
-        self.device.FadeOut()
-        self.style.SetTouchMode(False)
+        self.style.FadeOut()
 
     def _has_key(self, pressed: str) -> bool:
         """Whether a key does something in the scene as it is: those that the style lists."""
@@ -255,13 +238,7 @@ class Haptics:
         self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
         plotter.iren.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
-
-        def let_go() -> None:
-            haptics = itself()
-            if haptics is not None and not haptics.closed:
-                haptics._let_go()
-
-        self._leave_widget = watch_widget(plotter, let_go)  # if it is one of Qt
+        self._watch_widget(plotter)
 
     def _check_volumes(self) -> list[str]:
         """Says how volumes are felt differently from how they are shown, and warns of later differences."""

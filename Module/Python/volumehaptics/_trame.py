@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drives the hand in a view of trame, whose server has no timers of VTK, and lets it go when a browser leaves."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib
+import time
+import weakref
+from typing import Any
+
+PICTURES = 20.0  # a second at most, to the browser
+
+
+def is_view(target: Any) -> bool:
+    """Whether it is a view of trame, such as VtkRemoteView, by what it has."""
+    server = getattr(target, "server", None)
+    return hasattr(server, "add_protocol_to_configure") and callable(getattr(target, "update", None))
+
+
+def window_of(view: Any) -> Any:
+    """The window that a view was made with: trame's classes keep it in a private attribute."""
+    return next((value for name, value in vars(view).items() if name.endswith("__view")), None)
+
+
+def drive(view: Any, haptics: Any) -> None:
+    """Updates the haptics and the browser's picture from when the server is ready. No keys arrive: none are told."""
+    style, server = haptics.style, view.server
+    actions = style.GetKeyActions()
+    for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
+        style.SetKey(action, "")
+    itself = weakref.ref(haptics)
+
+    async def run() -> None:
+        drawn = 0.0
+        while (haptics := itself()) is not None and not haptics.closed:
+            is_new = haptics.update()
+            is_felt = haptics.style.GetTouchMode() or haptics.device.IsArmOrdered()
+            if is_new and is_felt and time.monotonic() - drawn > 1.0 / PICTURES:
+                view.update()
+                drawn = time.monotonic()
+            pause = 1.0 / haptics.style.GetDisplayRate()
+            del haptics  # it ends with its owner
+            await asyncio.sleep(pause)
+
+    tasks = []  # asyncio keeps weak references only
+
+    def start(**_: Any) -> None:
+        tasks.append(asyncio.get_running_loop().create_task(run()))
+
+    class Door(importlib.import_module("wslink.websocket").LinkProtocol):  # type: ignore[misc]
+        """Hears that a browser is closed, or that its heart beats no more."""
+
+        def onClose(self, _client: str) -> None:  # noqa: N802 (wslink's name)
+            haptics = itself()
+            if haptics is not None and not haptics.closed:
+                haptics.style.FadeOut()
+
+    if server.protocol is not None:
+        server.protocol.registerLinkProtocol(Door())
+        start()
+    else:
+        server.add_protocol_to_configure(lambda protocol: protocol.registerLinkProtocol(Door()))
+        server.controller.on_server_ready.add(start)
