@@ -14,6 +14,7 @@ hear(key)   what the program calls from its own handler of keys
 make_volume a vtkVolume of an image
 page        the lines
 change_style  what sets another style, as the program does it
+follows     whether the touch lives through another style, and takes another volume (default True)
 lets_go     key that ends the touch (optional)
 agent       has watch_widget(), for lines that have no add_haptics()
 
@@ -160,6 +161,8 @@ class Agent:
         self.interactor.GetRenderWindow().Render()
 
     def look(self):
+        if self.interactor.GetRenderWindow() is None:
+            return  # it was closed
         command = self.folder / "command"
         if command.exists():
             text = command.read_text()
@@ -176,7 +179,8 @@ class Agent:
             "tip": list(device.GetTipPosition()), "proxy": list(device.GetProxyPosition()), "keys": self.keys,
             "status": device.GetStatusText(), "answer": self.answer, "runs": self.runs,
             "said": self.names.get("said", []), "middle": self.middle(),
-            "center": self.center, "lets_go": self.names.get("lets_go", "Escape"),
+            "center": self.center, "follows": self.names.get("follows", True),
+            "lets_go": self.names.get("lets_go", "Escape"),
         }
         if "drag" in self.names:
             state["drag"] = [self.on_screen(*place) for place in self.names["drag"]]
