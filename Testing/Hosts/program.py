@@ -128,7 +128,10 @@ class Agent:
         width, height = window.GetSize()
         x, y = int(x * width), int((1.0 - y) * height)
         if hasattr(self.target, "mapToGlobal"):
-            corner = self.target.mapToGlobal(self.target.rect().topLeft())
+            try:
+                corner = self.target.mapToGlobal(self.target.rect().topLeft())
+            except RuntimeError:  # Qt has deleted it
+                return 0, x, y
             return 0, corner.x() + x, corner.y() + y
         words = str(window.GetGenericWindowId()).split("_")  # such as _000000000040000a_p_void; none once it is closed
         return int(words[1], 16) if len(words) > 1 else 0, x, y
