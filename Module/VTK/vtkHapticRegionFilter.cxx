@@ -7,6 +7,7 @@
 #include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/WholeFacts.h"
 #include "VTK/Files/HapticFiles.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -156,10 +157,9 @@ bool vtkHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* arra
       return false;
     }
   }
-  const auto copy = vtk::TakeSmartPointer(array->NewInstance());
+  const auto copy = VolumeHaptics::NewArray(
+    array->GetDataType(), array->GetNumberOfComponents(), output->GetNumberOfPoints());
   copy->SetName(array->GetName());
-  copy->SetNumberOfComponents(array->GetNumberOfComponents());
-  copy->SetNumberOfTuples(output->GetNumberOfPoints());
   CopySamples(array, extent, copy, region);
   output->GetPointData()->SetScalars(copy);
   return true;

@@ -12,6 +12,7 @@
 #include "VTK/Large/LargeFile.h"
 #include "VTK/Large/RawVolumeFile.h"
 #include "VTK/Large/RegionStore.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCommand.h"
@@ -195,22 +196,46 @@ int vtkHapticRegionSource::CountValues() const
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionSource::PutSamples(vtkDataArray* values, vtkImageData* image)
+bool vtkHapticRegionSource::PutSamples(
+  vtkDataArray* samples, vtkImageData* image, std::string& error)
 {
+  try
+  {
+    this->PutArrays(samples, image);
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    image->Initialize();
+    error = "There is not enough memory for a region. Read a smaller one, or lower MemoryLimit.";
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionSource::PutArrays(vtkDataArray* samples, vtkImageData* image)
+{
+  const vtkIdType count = image->GetNumberOfPoints();
   vtkPointData* const arrays = image->GetPointData();
+  vtkSmartPointer<vtkDataArray> values = samples;
+  if (!values)
+  {
+    values = VolumeHaptics::NewArray(this->ScalarType, 1, count * this->CountValues());
+    values->SetName("Scalars");
+    values->Fill(0.0);
+  }
   if (!this->Sampler)
   {
     arrays->SetScalars(values);
     return;
   }
-  const vtkIdType count = image->GetNumberOfPoints();
   vtkIdType first = 0;
   for (const SampledArray& sampled : this->Sampler->GetArrays())
   {
     vtkNew<vtkFloatArray> array;
     array->SetName(sampled.Name.c_str());
     array->SetNumberOfComponents(sampled.Components);
-    array->SetNumberOfTuples(count);
+    VolumeHaptics::AllocateTuples(array, count);
     const auto* const from = static_cast<const float*>(values->GetVoidPointer(first));
     std::copy_n(from, count * sampled.Components, array->GetPointer(0));
     first += count * sampled.Components;
@@ -253,8 +278,8 @@ std::string vtkHapticRegionSource::CheckSettings()
   {
     return "The volume has no extent. SetWholeExtent() to that of all its samples.";
   }
-  if (this->ScalarType == VTK_STRING || this->ScalarType == VTK_OPAQUE ||
-    vtkDataArray::GetDataTypeSize(this->ScalarType) <= 0)
+  if (this->ScalarType < VTK_CHAR || this->ScalarType > VTK_UNSIGNED_LONG_LONG ||
+    this->ScalarType == VTK_STRING || this->ScalarType == VTK_OPAQUE)
   {
     return "The ScalarType " + std::to_string(this->ScalarType) +
       " is no type of numbers. Set it to VTK_SHORT, VTK_FLOAT or another one.";
@@ -534,7 +559,10 @@ bool vtkHapticRegionSource::ReadRegion(const int region[6], vtkImageData* image,
   image->SetOrigin(this->Origin);
   image->SetSpacing(this->Spacing);
   image->SetDirectionMatrix(this->Direction);
-  this->PutSamples(samples, image);
+  if (!this->PutSamples(samples, image, error))
+  {
+    return false;
+  }
   this->Store->WriteFacts(image, false);
   return true;
 }
@@ -575,15 +603,12 @@ int vtkHapticRegionSource::RequestData(
   output->SetOrigin(this->Origin);
   output->SetSpacing(this->Spacing);
   output->SetDirectionMatrix(this->Direction);
-  vtkSmartPointer<vtkDataArray> samples = this->Store->GetSamples();
-  if (!samples)
+  std::string error;
+  if (!this->PutSamples(this->Store->GetSamples(), output, error))
   {
-    samples = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType));
-    samples->SetName("Scalars");
-    samples->SetNumberOfTuples(output->GetNumberOfPoints() * this->CountValues());
-    samples->Fill(0.0);
+    vtkErrorMacro(<< Printable(error));
+    return 0;
   }
-  this->PutSamples(samples, output);
   this->Store->WriteFacts(output, true);
   return 1;
 }

@@ -96,7 +96,7 @@ public:
 
   ///@{
   /** The type of the samples: VTK_SHORT (4, default), VTK_FLOAT (10) or another type of numbers. */
-  vtkSetClampMacro(ScalarType, int, 2, 17);
+  vtkSetMacro(ScalarType, int);
   vtkGetMacro(ScalarType, int);
   ///@}
 
@@ -283,7 +283,8 @@ private:
   bool UpdateCoarse(std::string& error);
 
   /** Gives values as they were read to an image, as its arrays. */
-  void PutSamples(vtkDataArray* values, vtkImageData* image);
+  bool PutSamples(vtkDataArray* samples, vtkImageData* image, std::string& error);
+  void PutArrays(vtkDataArray* samples, vtkImageData* image);
   /** The values that a sample has. */
   int CountValues() const;
 

@@ -4,6 +4,7 @@
 
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Labels/NrrdFile.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataObject.h"
 #include "vtkHapticLabelTable.h"
@@ -91,13 +92,16 @@ int vtkHapticSegmentationReader::RequestData(
   labels->SetName("Labels");
   std::string error = "there is not enough memory for its voxels. Crop it, or free some memory.";
   const std::size_t voxels = image.CountVoxels();
-  bool isGood = voxels > 0 && voxels <= std::size_t{ std::numeric_limits<int>::max() } * 1000 &&
-    labels->Allocate(static_cast<vtkIdType>(voxels)) != 0;
-  if (isGood)
+  bool isGood = voxels > 0 && voxels <= std::size_t{ std::numeric_limits<int>::max() } * 1000;
+  try
   {
-    labels->SetNumberOfTuples(static_cast<vtkIdType>(voxels));
+    VolumeHaptics::AllocateTuples(labels, isGood ? static_cast<vtkIdType>(voxels) : 0);
     labels->Fill(0.0);
-    isGood = VolumeHaptics::ReadNrrdFile(file, labels->GetPointer(0), error);
+    isGood = isGood && VolumeHaptics::ReadNrrdFile(file, labels->GetPointer(0), error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    isGood = false;
   }
   if (!isGood)
   {

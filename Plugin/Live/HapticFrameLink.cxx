@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticFrameLink.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkFloatArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkNew.h"
@@ -46,7 +48,7 @@ vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::stri
   vtkNew<vtkFloatArray> none;
   none->SetName(displacements.c_str());
   none->SetNumberOfComponents(3);
-  none->SetNumberOfTuples(image->GetNumberOfPoints());
+  VolumeHaptics::AllocateTuples(none, image->GetNumberOfPoints());
   none->Fill(0.0);
   still->GetPointData()->AddArray(none);
   return still;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticImageLink.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "HapticFrameLink.h"
 
 #include "vtkAlgorithm.h"

@@ -3,6 +3,7 @@
 #include "HapticPieceGather.h"
 
 #include "Core/Field/NoiseSamples.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace VolumeHapticsLive
@@ -64,15 +66,6 @@ std::vector<T> ReceiveNumbers(vtkMultiProcessController* controller, int from)
       size * static_cast<vtkIdType>(sizeof(T)), from, PieceTag);
   }
   return numbers;
-}
-
-vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdType tuples)
-{
-  vtkSmartPointer<vtkDataArray> array;
-  array.TakeReference(vtkDataArray::CreateDataArray(type));
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
 }
 
 /** Notes that a part of a region has come. */
@@ -168,10 +161,10 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
     {
       largest = std::max(largest, extent.empty() ? 0 : CountOf(extent.data()));
     }
-    part = NewArray(this->ArrayType, this->Components, largest);
+    part = VolumeHaptics::NewArray(this->ArrayType, this->Components, largest);
     if (isFirst)
     {
-      whole = NewArray(this->ArrayType, this->Components, CountOf(region));
+      whole = VolumeHaptics::NewArray(this->ArrayType, this->Components, CountOf(region));
       isThere.resize(static_cast<std::size_t>(CountOf(region)));
     }
   }
@@ -183,8 +176,7 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
   this->Controller->AllReduce(&isShort, &isAnyShort, 1, vtkCommunicator::MAX_OP);
   if (isAnyShort)
   {
-    error = "The server has no memory for the region around the tip. Lower MaximumRegionVoxels.";
-    return false;
+    throw std::bad_alloc();
   }
   if (!isFirst)
   {

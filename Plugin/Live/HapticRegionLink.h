@@ -54,7 +54,13 @@ public:
   /** Why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
-  void SetMaximumVoxels(vtkIdType voxels) { this->Planner->SetMaximumVoxels(voxels); }
+  /** With another number, what was refused is asked for again. */
+  void SetMaximumVoxels(vtkIdType voxels)
+  {
+    const vtkIdType before = this->Planner->GetMaximumVoxels(); // which has limits of its own
+    this->Planner->SetMaximumVoxels(voxels);
+    this->IsRefused = this->IsRefused && this->Planner->GetMaximumVoxels() == before;
+  }
   void Clear();
 
 private:

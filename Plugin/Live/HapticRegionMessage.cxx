@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticRegionMessage.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -14,6 +16,7 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 
 namespace VolumeHapticsLive
@@ -28,7 +31,7 @@ constexpr int MessageTag = 78231;
  */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
 /** No region has more bytes. */
-constexpr vtkIdType MostBytes = vtkIdType{ 1 } << 36;
+constexpr std::int64_t MostBytes = std::int64_t{ 1 } << 36;
 /** Reads as another number on a computer with another byte order. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
@@ -74,6 +77,10 @@ void PutArray(std::vector<char>& message, vtkDataArray* array)
   Put(message, std::int32_t{ array->GetNumberOfComponents() });
   Put(message, std::int64_t{ array->GetNumberOfTuples() });
   const auto size = static_cast<std::size_t>(array->GetDataSize()) * array->GetDataTypeSize();
+  if (message.size() + size > MostBytes)
+  {
+    throw std::length_error("it is too large to be sent");
+  }
   Put(message, array->GetVoidPointer(0), size);
 }
 
@@ -137,7 +144,7 @@ public:
     }
     array->SetName(name.c_str());
     array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(tuples);
+    VolumeHaptics::AllocateTuples(array, tuples);
     this->Take(array->GetVoidPointer(0), tuples * components * size);
     return array;
   }
@@ -245,11 +252,6 @@ bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::st
 bool SendMessage(vtkMultiProcessController* controller, const std::vector<char>& message)
 {
   const auto size = static_cast<vtkIdType>(message.size());
-  if (size > MostBytes)
-  {
-    return SendMessage(controller,
-      PackError("The region around the tip is too large to be sent. Lower MaximumRegionVoxels."));
-  }
   bool isSent = controller->Send(&size, 1, 1, MessageTag) != 0;
   for (vtkIdType start = 0; isSent && start < size; start += PartSize)
   {

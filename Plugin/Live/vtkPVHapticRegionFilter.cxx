@@ -15,6 +15,7 @@
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
+#include <new>
 
 vtkStandardNewMacro(vtkPVHapticRegionFilter);
 
@@ -89,6 +90,7 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
       here[2] && (here[3] != all[3] || here[4] != all[4] || name != this->ArrayName) ? 1 : 0;
     this->Controller->AllReduce(&odd, &isOdd, 1, vtkCommunicator::MAX_OP);
   }
+  this->Problem.clear();
   this->ArrayType = all[3];
   this->Components = all[4];
   if (all[0])
@@ -165,13 +167,28 @@ void vtkPVHapticRegionFilter::GatherSamples(SamplesOfComponents& samples)
 bool vtkPVHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* array,
   const int region[6], vtkImageData* output, std::string& error)
 {
-  if (this->IsAlone())
+  bool isThere = false;
+  try
   {
-    return this->Superclass::GatherRegion(piece, array, region, output, error);
+    isThere = this->IsAlone()
+      ? this->Superclass::GatherRegion(piece, array, region, output, error)
+      : VolumeHapticsLive::HapticPieceGather(
+          this->Controller, this->ArrayType, this->Components, this->ArrayName)
+          .GatherRegion(piece, array, region, &vtkPVHapticRegionFilter::CopySamples, output, error);
   }
-  return VolumeHapticsLive::HapticPieceGather(
-    this->Controller, this->ArrayType, this->Components, this->ArrayName)
-    .GatherRegion(piece, array, region, &vtkPVHapticRegionFilter::CopySamples, output, error);
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    error = "The server has no memory for the region around the tip. Lower MaximumRegionVoxels.";
+  }
+  this->Problem = error;
+  return isThere;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPVHapticRegionFilter::GetProblem() const
+{
+  return this->Problem;
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ public:
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
+  /** Why the last region after that could not be gathered; empty if it was not tried. */
+  std::string GetProblem() const;
+
 protected:
   vtkPVHapticRegionFilter();
   ~vtkPVHapticRegionFilter() override;
@@ -70,6 +73,7 @@ private:
   int ArrayType = 0; // agreed on by all processes
   int Components = 0;
   std::string ArrayName;
+  std::string Problem;
 };
 
 #endif

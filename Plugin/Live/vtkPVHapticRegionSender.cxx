@@ -287,7 +287,10 @@ bool vtkPVHapticRegionSender::Assemble(
   filter->Modified(); // on every process, or on none
   if (!filter->UpdateExtent(filter->GetRegion()))
   {
-    error = "The server could not cut out what is around the tip. Its messages say why.";
+    error = filter->GetProblem();
+    error = error.empty()
+      ? "The server could not cut out what is around the tip. Its messages say why."
+      : error;
     return false;
   }
   return true;

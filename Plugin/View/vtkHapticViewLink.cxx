@@ -166,7 +166,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     default:
       d.DeviceProxy = nullptr;
       d.Style->ForgetVolumes();
-      this->End("The connection was closed. Attach again in another one.");
+      this->End(ViewClosed); // with the connection
   }
 }
 

@@ -77,5 +77,6 @@ void vtkSMHapticViewProxy::OnModified()
 void vtkSMHapticViewProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Link: " << this->Link << "\n";
+  os << indent << "Link:\n";
+  this->Link->PrintSelf(os, indent.GetNextIndent());
 }

@@ -97,7 +97,7 @@ allow(VTK/Trace Core VTK/Baking VTK/Files)
 allow(VTK/Measure Core/Math VTK/Baking VTK/Files VTK/Labels VTK/Trace)
 allow(VTK/Filter Core VTK/Baking VTK/Files VTK/Trace VTK/Work)
 allow(VTK/Recording Core VTK/Files VTK/Trace)
-# Threads for work on volumes: of the core, only the clock.
+# Threads and memory for work on volumes: of the core, only the clock.
 allow(VTK/Work Core/Servo/ServoClock.h)
 allow(VTK/Session Core Devices VTK/Baking VTK/Files VTK/Filter VTK/Trace VTK/Recording VTK/Work)
 allow(VTK/Scene Core VTK/Baking VTK/Filter VTK/Measure VTK/Session VTK/Work)
@@ -127,11 +127,12 @@ set(aspect VTK/Docks/RendererAspect.h)
 set(header VTK/Large/HeaderText.h)
 set(parts VTK/Large/DataSetParts.h)
 set(outside VTK/Baking/OutsideFiller.h VTK/Baking/HapticNoise.h)
-allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts} ${outside}
+set(memory VTK/Work/ArrayMemory.h)
+allow(${explorer} ${chart} ${writer} ${ring} ${software} ${pixels} ${look} ${aspect} ${header} ${parts} ${outside} ${memory}
   ${numbers})
 allow(${explorer}/Errors)
 allow(${explorer}/Sound ${explorer}/Errors ${ring})
-allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts} ${outside})
+allow(${explorer}/Volume ${explorer}/Errors ${header} ${parts} ${outside} ${memory})
 allow(${explorer}/Record ${explorer}/Errors)
 allow(${explorer}/Analysis)
 allow(${explorer}/View ${explorer}/Errors ${pixels} ${aspect} ${numbers})

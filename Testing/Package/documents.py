@@ -60,6 +60,9 @@ def check_tests(text, tests):
             pattern = rf"TEST(?:_F|_P)?\(\s*{suite},\s*{case}\s*\)"
         if not re.search(pattern, tests):
             yield f"names the test {suite}.{case}, which does not exist"
+    for name in re.findall(r"`(test_\w+)`", text):
+        if not re.search(rf"def {name}\(", tests):
+            yield f"names the test {name}, which does not exist"
 
 
 def check_members(text, sources):
@@ -81,7 +84,7 @@ def main():
         if path.suffix in (".h", ".cxx", ".txt", ".cmake", ".py", ".sh"):
             text = path.read_text(encoding="utf-8", errors="replace")
             wrong += check_mentions(path.relative_to(ROOT), text)
-            if path.suffix in (".cxx", ".h", ".txt"):
+            if path.suffix in (".cxx", ".h", ".txt") or path.name.startswith("Test") and path.suffix == ".py":
                 (tests if path.relative_to(ROOT).parts[0] == "Testing" else sources).append(text)
     sources, tests = "\n".join(sources), "\n".join(tests)
     found = 0

@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Each text of the C++ sources that names a cure is tried by a test, or says only what is to be done outside."""
 
+import ast
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import TestBakingCures
+import TestCures
 import TestExplorerCures
 import TestFileCures
 import TestLargeCures
@@ -63,8 +67,15 @@ TRIED = {
     "VTK/Session/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
     "VTK/Session/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
     "VTK/Session/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},
+    "Applications/Explorer/TestTouchKept.cxx": {
+        "the measurements of this window first, then F11": "the measurements of this window first, then F11",
+    },
     "Python/TestExplorerCures.py": {"run the program as 'xvfb-run -a": "run the program as"},
-    "Python/TestLargeCures.py": {"Convert it with h5repack --high=2 IN OUT": "--high="},
+    "Python/TestLargeCures.py": {
+        "Convert it with h5repack --high=2 IN OUT": "--high=", "Read a smaller one": "Read a smaller one",
+        "bytes. Lower MemoryLimit": "bytes. Lower MemoryLimit",
+    },
+    "VTK/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
     "VTK/Large/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
     "Devices/Common/DeviceMemoryTest.cxx": {"Remove the line, then confirm and calibrate": "of the file of devices"},
     "Devices/Common/DeviceRegistryTest.cxx": {
@@ -155,6 +166,12 @@ TRIED = {
         "There is nothing felt to be saved: attach first": "There is nothing felt to be saved: attach first",
         "press Show as CT volume, or choose": "press Show as CT volume, or choose",
     },
+    "ParaView/Live/TestLiveMemory.py": {
+        "The server could not cut out what is around the tip (…). Lower MaximumRegionVoxels":
+            "The server could not cut out what is around the tip (",
+        "This computer has no memory for the region around the tip. Lower MaximumRegionVoxels": "This computer has no memory",
+        "The server has no memory for the region around the tip. Lower MaximumRegionVoxels": "The server has no memory",
+    },
     "ParaView/TestRanks.py": {"Attach the device to a render view of paraview or pvpython": "a path can be felt anywhere"},
     "ParaView/Live/TestLiveCures.py": {
         "has no kind of mode. Give one of": "has no kind of mode. Give one of", "Leave it empty": "Leave it empty",
@@ -228,10 +245,7 @@ OUTSIDE = {
 
 # Errors that no test provokes; what their cures name is tried elsewhere.
 UNPROVOKED = (
-    "the measurements of this window first, then F11",  # Testing/Window/keep.sh
-    "Lower MaximumRegionVoxels",  # TestLiveModes.py feels with less
-    "The connection was closed. Attach again in another one",  # TestLiveLost.py connects again
-    # Of the dock; Testing/ParaView/Gui opens a recording.
+    # Of the dock, with a server; TestLiveLost.py opens such a recording here.
     "is a file of this computer, which the server does not read: open it there",
 )
 
@@ -339,3 +353,31 @@ def test_names_in_cures_exist():
     texts = " ".join(text for _, text in TEXTS)
     for file in FILES:
         assert (ROOT / file).exists() and file.rpartition("/")[2] in texts, file
+
+
+# Packages of Debian 12 that texts name, with the programs of them that texts name (checked with `dpkg --contents`), and
+# projects of PyPI (checked with `pip index versions`).
+DEBIAN = {"libpulse-dev": (), "libgdcm-dev": (), "libgdcm-tools": ("gdcmconv", ), "dcmtk": ("dcmdjpeg", ), "dcm2niix": ("dcm2niix", ),
+          "python3-numpy": (), "rtkit": (), "hdf5-tools": ("h5repack", ), "xvfb": ("xvfb-run", ), "passwd": ("usermod", ),
+          "udev": ("udevadm", )}
+PYPI = {"numpy", "pyvista", "zarr", "h5py", "vtk", "trame", "trame-vuetify", "trame-rca", "nest_asyncio2"}
+# Named by their programs, or without the word.
+UNTOLD = {"rtkit", "hdf5-tools", "xvfb", "passwd", "udev"}, {"h5py"}
+
+
+def test_packages_in_cures_exist():
+    python = [text for file in sorted(Path(volumehaptics.__file__).parent.glob("*.py"))
+              for text in TestCures.texts_of(ast.parse(file.read_text(encoding="utf-8")))]
+    texts = "\n".join([text for _, text in TEXTS] + python)
+    named = re.findall(r"\((?:package )?([a-z][a-z0-9.+-]+)\)|with the package ([a-z][a-z0-9.+-]+)", texts)
+    debian = {name for names in named for name in names if name in DEBIAN or "-" in name and "volumehaptics" not in name}
+    debian |= {name.rstrip(".") for names in re.findall(r"apt-get install ([\w.+ -]+)", texts) for name in names.split()}
+    pypi = {name for names in re.findall(r"pip install ([\w -]+)", texts) for name in names.split()}
+    assert debian == set(DEBIAN) - UNTOLD[0] and pypi == PYPI - UNTOLD[1]
+    for word in (*UNTOLD[1], *(UNTOLD[0] & {"rtkit"}), *(program for programs in DEBIAN.values() for program in programs)):
+        assert re.search(rf"\b{word}\b", texts), word
+    release = Path("/etc/debian_version")
+    if release.exists() and release.read_text(encoding="ascii").startswith("12.") and shutil.which("apt-cache"):
+        found = subprocess.run(["apt-cache", "pkgnames"], capture_output=True, text=True, check=True).stdout.split()
+        # Without lists of packages there are only the installed ones.
+        assert "paraview-dev" not in found or set(DEBIAN) <= set(found), set(DEBIAN) - set(found)

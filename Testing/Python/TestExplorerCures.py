@@ -190,6 +190,7 @@ COMMANDS = (
     ("{}/ramp.vti --script {}/long.txt", "write one event a line", (REPLAY, )),
     ("{}/ramp.vti --script {}/none.txt", "--script …can't be read…name a file that is there", (REPLAY, )),
     ("{}/bowl.vti", "turn it with --front and --up", ("{}/bowl.vti --front +y", "{}/bowl.vti --front +y --up -z")),
+    ("{}/speck.vti", "or crop it to little more than what is to be felt", ("{}/cropped.vti", )),
     ("{}/ramp.vti --preset CT%chest", "take another --preset, or press e in the window", (f"{{}}/ramp.vti {ALL}", )),
 )
 
@@ -269,7 +270,8 @@ def fill(folder, values):
     (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
     (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
     for name, one in {
-            "bowl": bowl(), "slice": values[:1], "thin": values[:3], "nan": np.full(values.shape, np.nan),
+            "bowl": bowl(), "speck": speck(), "cropped": speck()[20:41, 20:41, 20:41],
+            "slice": values[:1], "thin": values[:3], "nan": np.full(values.shape, np.nan),
             "noise": np.random.default_rng(2).normal(0.0, 30.0, values.shape)}.items():
         write_image(folder / f"{name}.vti", image(np.ascontiguousarray(one)))
     for name, place in (("flat", dict(spacing=(1, 0, 1))), ("singular", {}), ("flow", {}), ("bare", {}), ("novoxels", {})):
@@ -330,6 +332,13 @@ def bowl():
     radius = np.linalg.norm(from_middle, axis=-1)
     is_in = (radius > 60.0) & (radius < 65.0) & (from_middle @ -toward > np.cos(np.radians(25.0)) * radius)
     return 1000.0 * is_in + np.random.default_rng(4).normal(0.0, 0.3, x.shape)
+
+
+def speck():
+    """A ball of 3 mm in much air: from its surface to its middle it is less than 4 mm thick, wherever it is seen from."""
+    z, y, x = np.mgrid[0:60, 0:60, 0:60] - 30.0
+    inside = np.clip(3.0 - np.sqrt(x * x + y * y + z * z), 0.0, 1.0)
+    return 1000.0 * inside + np.random.default_rng(4).normal(0.0, 0.3, x.shape)
 
 
 def pvd(*entries):

@@ -98,6 +98,19 @@ def test_cures_of_tables(words, tmp_path):
         assert table.ReadFile(str(tmp_path / name)) and not table.HasColor(1) and table.HasColor(2)
 
 
+@pytest.mark.parametrize("lost", (1, 8, 9, 300, len(LONG) // 2))
+def test_a_table_that_is_cut_off_is_refused(lost, tmp_path):
+    """Of what is compressed: its end (RFC 1952: 8 bytes), and its lines. Nothing of it is taken."""
+    table, file = vtkHapticLabelTable(), tmp_path / "a.csv.gz"
+    file.write_bytes(LONG[:-lost])
+    with Errors(table) as errors:
+        assert not table.ReadFile(str(file))
+    assert len(errors) == 1 and "Check that the file is complete" in errors[0] and str(file) in errors[0], errors
+    assert table.GetNumberOfLabels() == 0
+    file.write_bytes(LONG)
+    assert table.ReadFile(str(file)) and table.GetNumberOfLabels() == 8999 and table.GetStiffness(1) == 800.0
+
+
 @result(". Check its name.", "Write the table with WriteFieldData()", "tuples of …. Give one of … for each of the", "Give 0 or more, or -1 to leave it unset", "Save an image with the table",
         "it is damaged. Check that the file is complete")
 def field_data(folder):

@@ -246,6 +246,45 @@ def test_meta_images_that_vtk_does_not_know(tmp_path):
             felt_of(file, volume, at)
 
 
+def write_vti(file, labels, *_):
+    """Appended samples as they are, which other programs write, too."""
+    writer = vtkXMLImageDataWriter()
+    writer.SetInputData(image(labels))
+    writer.SetCompressorTypeToNone()
+    writer.EncodeAppendedDataOff()
+    writer.SetFileName(str(file))
+    writer.Write()
+
+
+WHOLE = {"a.nii": write_nifti, "a.nii.gz": write_nifti, "raw.mha": write_meta_image, "a.vti": write_vti,
+         "packed.mha": functools.partial(write_meta_image, compressed=True), "a.seg.nrrd": lambda file, labels, *_: write_nrrd(file, labels)}
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_files_that_are_cut_off_or_damaged_are_refused(tmp_path, name):
+    """VTK's readers take whatever was in memory for what is missing, or what they don't unpack any more."""
+    file = tmp_path / name
+    WHOLE[name](file, LABELS, (1, 1, 1), ORIGIN)
+    volume, at = image(VOLUME, origin=tuple(ORIGIN), direction=np.eye(3)), (ORIGIN[0] + np.array((5, 18)), ORIGIN[1] + 8)
+    if name in ("a.vti", "a.seg.nrrd"):  # which have no place
+        volume, at = VOLUME, ((5.0, 18.0), 8.0)
+    whole = file.read_bytes()
+    damaged = [whole[:-lost] for lost in ((20, 100, len(whole) // 2) if name != "packed.mha" else (20, ))]  # of the samples
+    if name not in ("a.vti", ):  # whose last bytes are blanks and tags
+        damaged += [whole[:-lost] for lost in (1, 4, 8, 9)]
+    if name in ("a.nii.gz", "packed.mha", "a.seg.nrrd"):
+        for place in (-3, -len(whole) // 4):
+            other = bytearray(whole)
+            other[place] ^= 16
+            damaged.append(other)
+    for one in damaged:
+        file.write_bytes(one)
+        with pytest.raises(ValueError, match="[Cc]heck that the (copy|file)"):
+            felt_of(file, volume, at)
+    file.write_bytes(whole)
+    assert felt_of(file, volume, at) == [0.4, 1.6]
+
+
 def test_nifti_whose_header_lies(tmp_path):
     file = tmp_path / "labels.nii"
     write_nifti(file, LABELS, (1, 1, 1), ORIGIN)

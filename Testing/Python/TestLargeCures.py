@@ -7,6 +7,7 @@ Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). 
 
 import json
 import subprocess
+import sys
 import zlib
 
 import numpy as np
@@ -292,8 +293,9 @@ def raw_files(folder):
     refuses(longer, "Check the extent of the volume, its scalar type and the size of the header")
     longer.SetWholeExtent(*EXTENT)
     typed, counted = raw_source(path), raw_source(path, (0, 2**31 - 2) * 3)
-    typed.SetScalarType(VTK_STRING)
-    refuses(typed, "Set it to VTK_SHORT, VTK_FLOAT or another one")
+    for wrong in (VTK_STRING, 77):
+        typed.SetScalarType(wrong)
+        refuses(typed, "Set it to VTK_SHORT, VTK_FLOAT or another one")
     typed.SetScalarType(VTK_SHORT)
     refuses(counted, "Check its numbers")
     counted.SetWholeExtent(*EXTENT)
@@ -524,3 +526,74 @@ def grids(_):
 @pytest.mark.parametrize("words", result)
 def test_cures_of_calls(words, tmp_path):
     try_calls(words, result[words], tmp_path)
+
+
+# A process with little memory reads a file of 64 GiB, whose only layer is felt. A region of 267^3 numbers takes 145 MiB.
+SCARCE = """
+import resource, sys, time
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_DOUBLE
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from volumehaptics import vtkHapticDevice, vtkHapticRegionSource, vtkVolumeHapticsFilter
+from volumehaptics._touch import Errors
+
+SIDE, LAYER = 2048, 900
+with open(sys.argv[1], "wb") as file:
+    for z, value in ((LAYER - 1, 5.0), (LAYER, 10.0), (LAYER + 1, 15.0)):
+        file.seek(8 * SIDE * (SIDE * z + 1000))
+        for row in range(30):
+            file.write(np.full(SIDE, value).tobytes())
+    file.truncate(8 * SIDE**3)
+source = vtkHapticRegionSource()
+source.SetFileName(sys.argv[1])
+source.SetScalarType(VTK_DOUBLE)
+source.SetWholeExtent(0, SIDE - 1, 0, SIDE - 1, 0, SIDE - 1)
+source.SetMemoryLimit(4 << 20)
+haptics = vtkVolumeHapticsFilter()
+haptics.SetInputConnection(source.GetOutputPort())
+haptics.SetMethodToForceField()
+haptics.GetProperty().GetStiffness().AddPoint(0, 100)
+device = vtkHapticDevice()
+device.SetVolumeHaptics(haptics)
+device.Open("virtual")
+
+def wait(is_so, what):
+    end = time.time() + 60
+    while not is_so():
+        assert time.time() < end, (what, device.GetStatusText())
+        device.UpdateState()
+        time.sleep(0.005)
+
+device.SetVirtualTip(1000, 1015, 100)
+assert device.Start()
+wait(lambda: device.GetResidency() == 1.0, "what is around the tip is here")
+with open("/proc/self/statm", encoding="ascii") as file:
+    used = int(file.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (110 << 20), resource.getrlimit(resource.RLIMIT_AS)[1]))
+
+image = vtkImageData()
+with Errors(source) as errors:
+    assert not source.ReadRegion(source.GetWholeExtent(), image)
+assert len(errors) == 1 and "Read a smaller one" in errors[0], errors
+assert source.ReadRegion((5, 9, 1003, 1004, LAYER, LAYER + 1), image)
+assert sorted(set(vtk_to_numpy(image.GetPointData().GetScalars()))) == [10.0, 15.0]
+
+with Errors(source) as errors:
+    source.SetMemoryLimit(1 << 40)
+    device.SetVirtualTip(1000, 1015, LAYER)
+    wait(lambda: "bytes. Lower MemoryLimit" in source.GetStatusText(), "there is no memory for it")
+    assert device.GetResidency() < 1.0
+    source.SetMemoryLimit(4 << 20)
+    wait(lambda: device.GetResidency() == 1.0 and not source.GetStatusText(), "a smaller region is here")
+assert len(errors) == 1, errors
+assert np.ptp(source.GetOutput().GetExtent()[4:]) < 60
+device.Arm()
+wait(lambda: device.GetForce()[2] < -0.01, "values rise along z, and a hand is pushed to lower ones")
+device.Stop()
+"""
+
+
+def test_less_memory(tmp_path):
+    done = subprocess.run([sys.executable, "-c", SCARCE, str(tmp_path / "a.raw")], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr

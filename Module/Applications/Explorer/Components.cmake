@@ -99,7 +99,13 @@ set(Explore_SOURCES
   Volume/VolumeFields.cxx
   Volume/VolumeLoader.cxx
   Volume/VolumeOrientation.cxx
-  Volume/VolumeSeries.cxx)
+  Volume/VolumeSeries.cxx
+  Volume/WholeFile.cxx)
+
+# Whether compressed files are whole.
+find_package(ZLIB REQUIRED)
+set(Explore_LIBRARIES ${ZLIB_LIBRARIES})
+set(Explore_INCLUDE_DIRS ${ZLIB_INCLUDE_DIRS})
 
 # The movies of key F9. The project looks for the module beside the components.
 if (VTK_IOOggTheora_FOUND)
@@ -115,12 +121,10 @@ find_package(PkgConfig QUIET)
 if (PKG_CONFIG_FOUND)
   pkg_check_modules(PULSE QUIET libpulse)
 endif ()
-set(Explore_LIBRARIES)
-set(Explore_INCLUDE_DIRS)
 volume_haptics_use(Explore_LIBRARIES PULSE PULSE_FOUND "Let the explorer be heard through PulseAudio or PipeWire"
   "pkg-config libpulse-dev")
 if (VolumeHaptics_USE_PULSE)
-  set(Explore_INCLUDE_DIRS ${PULSE_INCLUDE_DIRS})
+  list(APPEND Explore_INCLUDE_DIRS ${PULSE_INCLUDE_DIRS})
   list(APPEND Explore_SOURCES Sound/PulseOutput.cxx)
 else ()
   list(APPEND Explore_SOURCES Sound/NoSoundOutput.cxx)

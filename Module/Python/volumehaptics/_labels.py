@@ -8,6 +8,7 @@ import difflib
 import math
 import numbers
 import os
+import zlib
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Union
 
@@ -111,12 +112,61 @@ def _copy(image: vtkImageData) -> vtkImageData:
     return copy
 
 
+def _count_unpacked(file: str, offset: int = 0) -> int:
+    """How many bytes zlib or gzip packed from an offset of a file on to its end; -1 if they are cut off or damaged."""
+    count = 0
+    with open(file, "rb") as packed:
+        packed.seek(offset)
+        rest = packed.read(1 << 18)
+        while rest:
+            stream = zlib.decompressobj(zlib.MAX_WBITS | 32)  # zlib's header or gzip's
+            try:
+                while rest and not stream.eof:
+                    count += len(stream.decompress(rest, 1 << 20))
+                    rest = stream.unconsumed_tail or stream.unused_data or packed.read(1 << 18)
+                count += len(stream.flush())
+            except zlib.error:
+                return -1
+            if not stream.eof:
+                return -1
+            if not rest.startswith(b"\x1f\x8b"):  # gzip files may follow each other
+                break
+    return count if count else -1
+
+
+def _count_held(file: str) -> int:
+    """How many bytes of samples a file has, at most; -1 if it is cut off or damaged: VTK's readers take whatever was in
+    memory for what is missing."""
+    name = file.lower()
+    if name.endswith(".nii.gz"):
+        return _count_unpacked(file)
+    if name.endswith((".mha", ".mhd")):
+        header, size = _read_header(file)
+        samples = header.get("ElementDataFile", "")
+        if samples.lower() == "local":
+            return _count_unpacked(file, size)
+        samples = os.path.join(os.path.dirname(file), samples)
+        return _count_unpacked(samples) if os.path.isfile(samples) else 0
+    size = os.path.getsize(file)
+    if name.endswith(".vti"):
+        with open(file, "rb") as text:
+            text.seek(max(0, size - 1024))
+            if b"</VTKFile>" not in text.read():
+                return -1
+        return 10000 * size  # zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA
+    return size if name.endswith(".nii") else 1032 * size
+
+
 def _run(reader: Any, file: str) -> vtkImageData:
-    """What a reader of VTK's gives. ValueError: an error, or a header that promises more than the file can hold.
+    """What a reader of VTK's gives. ValueError: an error, or a header that promises more than the file holds.
 
     Some readers go on after an error, and read all samples into memory for one voxel; all of them take memory first."""
     from ._touch import Errors
 
+    held = _count_held(file)
+    if held < 0:
+        raise ValueError(f"{file!r} can't be read: it is damaged, or cut off. Cure: check that the copy is complete, or write "
+                         "it again")
     with Errors(reader, reader.GetExecutive()) as errors:
         reader.SetFileName(file)
         reader.UpdateInformation()
@@ -124,8 +174,7 @@ def _run(reader: Any, file: str) -> vtkImageData:
             extent = [0, -1] * 3
             reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), extent)
             voxels = math.prod(max(0, last + 1 - first) for first, last in zip(extent[::2], extent[1::2]))
-            # Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
-            if not 0 < voxels <= 10000 * os.path.getsize(file):
+            if not 0 < voxels <= held:
                 raise ValueError(f"{file!r} can't be read: its header promises {voxels} voxels, which are not in the "
                                  "file. Cure: check that the copy is complete, or write it again")
             reader.Update()
@@ -151,8 +200,8 @@ def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
     return image, place is not None
 
 
-def _read_header(file: str) -> dict[str, str]:
-    """The fields of a MetaImage."""
+def _read_header(file: str) -> tuple[dict[str, str], int]:
+    """The fields of a MetaImage, and where samples behind them begin."""
     fields: dict[str, str] = {}
     with open(file, "rb") as header:
         for line in iter(lambda: header.readline(10000), b""):
@@ -160,13 +209,13 @@ def _read_header(file: str) -> dict[str, str]:
             fields.setdefault(key.strip(), value.strip())
             if not equals or key.strip() == "ElementDataFile":
                 break
-    return fields
+        return fields, header.tell()
 
 
 def _read_meta_image(file: str) -> tuple[vtkImageData, bool]:
     from ._touch import Errors
 
-    header = _read_header(file)
+    header, _ = _read_header(file)
     matrix = [float(number) for number in header.get("TransformMatrix", "").split()]
     if header.get("CompressedData", "").lower() == "true" and header.get("ElementType") in _META_TYPES and (
             header.get("NDims") == "3" and len(header.get("DimSize", "").split()) == 3):

@@ -4,6 +4,7 @@
 
 #include "Core/Field/EdgeMotion.h"
 #include "Core/Model/BakedVolume.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -42,10 +43,7 @@ double FindBlur(const GradientKernel& kernel)
 /** In a form that Core reads: tuple after tuple. */
 vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
 {
-  const bool isSingle = array->GetDataType() == VTK_FLOAT;
-  const auto copy =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isSingle ? VTK_FLOAT : VTK_DOUBLE));
-  copy->DeepCopy(array);
+  const auto copy = CopyArray(array, array->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
   copy->SetName(array->GetName());
   return copy;
 }
@@ -85,8 +83,7 @@ HapticFrame CopyFrame(vtkImageData* image, vtkDataArray* array, double time,
   }
   else if (array)
   {
-    frame.Array.TakeReference(array->NewInstance());
-    frame.Array->DeepCopy(array);
+    frame.Array = CopyArray(array);
     frame.Array->SetName(array->GetName());
   }
   return frame;

@@ -14,6 +14,7 @@
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/RegionSeries.h"
 #include "VTK/Baking/RemovalAccess.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -261,10 +262,8 @@ std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 /** The component of an array that is a frame. */
 vtkSmartPointer<vtkDataArray> CopyComponent(const HapticFrame& frame)
 {
-  auto copy =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(frame.Array->GetDataType()));
+  auto copy = NewArray(frame.Array->GetDataType(), 1, frame.Array->GetNumberOfTuples());
   copy->SetName(frame.Array->GetName());
-  copy->SetNumberOfTuples(frame.Array->GetNumberOfTuples());
   copy->CopyComponent(0, frame.Array, frame.Component);
   return copy;
 }

@@ -7,6 +7,7 @@
 #include "VTK/Baking/HapticFunctions.h"
 #include "VTK/Baking/HapticModeSettings.h"
 #include "VTK/Baking/HapticVolume.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkHapticGuideMode.h"
 #include "vtkHapticRidgeMode.h"
@@ -190,9 +191,7 @@ private:
     if (!isThere || d.View.Volume.Stride[0] != components)
     {
       // Components that are kept apart, or computed.
-      auto copy =
-        vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
-      copy->DeepCopy(array);
+      const auto copy = CopyArray(array);
       isThere = LocateSamples(copy, 0, dimensions, d.View.Volume, holder);
     }
     if (!isThere || !d.View.Volume.Data)

@@ -5,6 +5,7 @@
 #include "VTK/Baking/HapticNoise.h"
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/WholeFacts.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -128,8 +129,7 @@ vtkSmartPointer<vtkDataArray> CopyFilled(
   {
     return scalars;
   }
-  auto copy = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(scalars->GetDataType()));
-  copy->DeepCopy(scalars);
+  auto copy = CopyArray(scalars);
   FillOutside(outside, copy, component);
   return copy;
 }

@@ -5,6 +5,7 @@
 #include "Core/Carving/ShareImage.h"
 #include "VTK/Files/HapticFiles.h"
 #include "VTK/Files/XmlFiles.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -120,7 +121,7 @@ void MakeShareImage(
   }
   vtkNew<vtkUnsignedCharArray> array;
   array->SetName(ShareName);
-  array->SetNumberOfTuples(shares->GetNumberOfPoints());
+  AllocateTuples(array, shares->GetNumberOfPoints());
   WriteShares(*bricks, BoxOf(extent, geometry->GetExtent()), array->GetPointer(0));
   shares->GetPointData()->SetScalars(array);
 }

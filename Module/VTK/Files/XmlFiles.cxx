@@ -10,8 +10,27 @@
 #include "vtkXMLReader.h"
 #include "vtkXMLWriter.h"
 
+#include <algorithm>
+#include <fstream>
+
 namespace VolumeHaptics
 {
+namespace
+{
+
+/** Readers take whatever was in memory for what is missing of appended samples. */
+bool HasEnd(const std::string& file)
+{
+  constexpr std::streamoff longest = 1024; // bytes in which the last element is
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest)), ' ');
+  in.seekg(size - static_cast<std::streamoff>(end.size()));
+  in.read(end.data(), static_cast<std::streamsize>(end.size()));
+  return end.find("</VTKFile>") != std::string::npos;
+}
+
+} // namespace
 
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
 {
@@ -30,6 +49,7 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
   if (!hasFailed)
   {
     reader->Update();
+    hasFailed = hasFailed || !HasEnd(file);
   }
   // The reader may live longer than hasFailed.
   reader->SetReaderErrorObserver(nullptr);

@@ -71,10 +71,11 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
   do
   {
     const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
-    if (got < 0)
+    int number = Z_OK;
+    const std::string why = got <= 0 ? gzerror(opened.get(), &number) : "";
+    // A file that ends too early ends for zlib as a whole one does, but for this number.
+    if (got < 0 || number == Z_BUF_ERROR)
     {
-      int number = 0;
-      const std::string why = gzerror(opened.get(), &number);
       error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +
         "). Check that the file is complete.";
       return false;

@@ -79,7 +79,23 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
     error = "it changed while it was read. Read it again.";
     return false;
   }
-  return ReadNrrdSamples(file.Header, file.Image, read, labels, error);
+  if (!ReadNrrdSamples(file.Header, file.Image, read, labels, error))
+  {
+    return false;
+  }
+  // Behind compressed samples is their check sum, which zlib looks at when it gets there.
+  char rest = 0;
+  int number = Z_OK;
+  if (file.Image.IsCompressed && gzread(opened.get(), &rest, 1) <= 0)
+  {
+    (void)gzerror(opened.get(), &number);
+  }
+  if (number != Z_OK && number != Z_STREAM_END)
+  {
+    error = "its samples are damaged, or cut off. Check that the file is complete.";
+    return false;
+  }
+  return true;
 }
 
 } // namespace VolumeHaptics

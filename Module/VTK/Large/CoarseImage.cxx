@@ -3,6 +3,7 @@
 #include "VTK/Large/CoarseImage.h"
 
 #include "VTK/Large/VolumeSurvey.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -263,7 +264,7 @@ vtkSmartPointer<vtkImageData> AverageVolume(
   image->SetOrigin(origin);
   image->SetSpacing(step * place.Spacing[0], step * place.Spacing[1], step * place.Spacing[2]);
   image->SetDirectionMatrix(place.Direction);
-  image->AllocateScalars(volume.ScalarType, 1);
+  AllocateScalars(image, volume.ScalarType, 1);
   image->GetPointData()->GetScalars()->SetName("Scalars");
   switch (volume.ScalarType)
   {
@@ -288,7 +289,7 @@ vtkSmartPointer<vtkImageData> ReadCoarserLevel(const LargeFile& file, vtkIdType 
     image->SetOrigin(level.Origin.data());
     image->SetSpacing(level.Spacing.data());
     image->SetDirectionMatrix(level.Direction.data());
-    image->AllocateScalars(level.ScalarType, 1);
+    AllocateScalars(image, level.ScalarType, 1);
     image->GetPointData()->GetScalars()->SetName("Scalars");
     if (!level.Read(level.Extent.data(), image->GetScalarPointer()))
     {

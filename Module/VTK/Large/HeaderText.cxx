@@ -29,12 +29,15 @@ HeaderText::HeaderText(const std::string& path, char separator)
 {
   std::ifstream file(path, std::ios::binary);
   std::string line;
+  std::size_t size = 0;
   for (int count = 0; count < LongestHeader && std::getline(file, line); ++count)
   {
+    size += line.size() + 1;
     const std::size_t middle = line.find(separator);
     const std::string key = TrimBlanks(line.substr(0, middle));
     if (key.empty())
     {
+      this->Size = size;
       break; // a blank line ends a NRRD header
     }
     if (middle != std::string::npos)
@@ -43,6 +46,7 @@ HeaderText::HeaderText(const std::string& path, char separator)
     }
     if (key == "ElementDataFile")
     {
+      this->Size = size;
       break;
     }
   }

@@ -7,6 +7,7 @@
 #ifndef HeaderText_h
 #define HeaderText_h
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,7 +27,11 @@ public:
   /** The same as numbers; brackets and commas count as blanks, words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
+  /** Where samples behind it begin (bytes); 0 if its end was not found. */
+  std::size_t GetSize() const { return this->Size; }
+
 private:
+  std::size_t Size = 0;
   std::map<std::string, std::string> Fields;
 };
 

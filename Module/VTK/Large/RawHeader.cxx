@@ -53,7 +53,7 @@ struct RawHeader
   bool IsBig = false;
   bool IsPlain = false; ///< neither compressed nor in several files, and of one component
   std::string Data;     ///< the file
-  double Skip = -1.0;   ///< bytes before the samples; -1: all but the samples
+  double Skip = 0.0;    ///< bytes before the samples; -1: all but the samples
 };
 
 std::string LowerCase(std::string text)
@@ -124,7 +124,9 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
     NumberOr(text.Numbers({ "ElementNumberOfChannels" }), 1.0) == 1.0;
   const bool isHere = LowerCase(data) == "local";
   header.Data = isHere ? name : FindBeside(name, data);
-  header.Skip = isHere ? -1.0 : NumberOr(text.Numbers({ "HeaderSize" }), 0.0);
+  const double behind = isHere ? static_cast<double>(text.GetSize()) : 0.0;
+  const double told = NumberOr(text.Numbers({ "HeaderSize" }), 0.0);
+  header.Skip = told == 0.0 ? behind : told;
   return header;
 }
 
@@ -167,7 +169,12 @@ RawHeader ReadNrrdHeader(const HeaderText& text, const std::string& name)
   header.IsPlain = text.Value({ "encoding" }) == "raw" && data.find('%') == std::string::npos &&
     data != "LIST" && !isMirrored && text.Value({ "line skip", "lineskip" }).empty();
   header.Data = data.empty() ? name : FindBeside(name, data);
-  header.Skip = data.empty() ? -1.0 : NumberOr(text.Numbers({ "byte skip", "byteskip" }), 0.0);
+  header.Skip = NumberOr(text.Numbers({ "byte skip", "byteskip" }), 0.0);
+  if (data.empty() && header.Skip >= 0.0)
+  {
+    // Of a very long header the end is not known.
+    header.Skip = text.GetSize() > 0 ? header.Skip + static_cast<double>(text.GetSize()) : -1.0;
+  }
   return header;
 }
 

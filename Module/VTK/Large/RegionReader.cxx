@@ -137,7 +137,7 @@ std::optional<RegionSamples> RegionReader::Work::Read(
   if (!samples.Samples)
   {
     error = "There is not enough memory for a region of " + this->Volume->Name + ": it takes " +
-      std::to_string(size) + " bytes.";
+      std::to_string(size) + " bytes. Lower MemoryLimit.";
     return std::nullopt;
   }
   if (!ReadSamples(*this->Volume, region, samples.Samples.get(), error))

@@ -5,6 +5,7 @@
 #include "Core/Servo/ServoClock.h"
 #include "VTK/Baking/OutsideFiller.h"
 #include "VTK/Baking/WholeFacts.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticRegionPlanner.h"
@@ -33,9 +34,9 @@ constexpr double StandInShare = 0.5;
 /** If the owner was busy for longer (s), that says nothing about the next time. */
 constexpr double LongestInterval = 0.5;
 
-vtkSmartPointer<vtkDataArray> NewSamples(int type)
+vtkSmartPointer<vtkDataArray> NewSamples(int type, vtkIdType values = 0)
 {
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  auto array = NewArray(type, 1, values);
   array->SetName("Scalars");
   return array;
 }
@@ -120,15 +121,15 @@ vtkSmartPointer<vtkDataArray> RegionStore::Read(const BoxExtent& region, std::st
     {
       return nullptr;
     }
-    auto samples = NewSamples(this->Volume->ScalarType);
-    samples->SetNumberOfTuples(
+    auto samples = NewSamples(this->Volume->ScalarType,
       static_cast<vtkIdType>(CountSamples(region)) * this->Volume->ValuesPerSample);
     return ReadSamples(*this->Volume, region, samples->GetVoidPointer(0), error) ? samples
                                                                                  : nullptr;
   }
   catch (const std::bad_alloc&)
   {
-    error = "There is not enough memory for a region of " + this->Volume->Name + ".";
+    error =
+      "There is not enough memory for a region of " + this->Volume->Name + ". Read a smaller one.";
     return nullptr;
   }
 }
@@ -260,12 +261,18 @@ void RegionStore::MeasureVelocity(const double tip[3], double time)
 
 void RegionStore::Order(const double tip[3])
 {
+  const vtkIdType most = this->Planner->GetMaximumVoxels();
+  if (most < this->OrderedMost)
+  {
+    this->Ordered.reset(); // there may be no memory for it
+  }
   const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;
   if (this->Planner->Plan(tip, this->Velocity.data(), here.data(), wanted.data()))
   {
     this->Thread->Order(wanted);
     this->Ordered = wanted;
+    this->OrderedMost = most;
     this->OrderTime = ServoClock::Now();
   }
 }

@@ -134,6 +134,7 @@ private:
   std::optional<BoxExtent> StandInOrdered;
   KeyedWork<BoxExtent, std::shared_ptr<RegionSamples>> StandIns;
   std::optional<BoxExtent> Ordered;
+  vtkIdType OrderedMost = 0;  // with which voxels at most
   std::int64_t OrderTime = 0; // ServoClock
   std::int64_t LookTime = 0;  // ServoClock
   double UseTime = 0.0;       // s

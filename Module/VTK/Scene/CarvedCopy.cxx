@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/CarvedCopy.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticRemoval.h"
 #include "vtkInformation.h"
@@ -86,8 +88,7 @@ bool CarvedCopy::Replace()
 void CarvedCopy::CopyImage()
 {
   this->ImageTime = this->Image->GetMTime();
-  this->Left.TakeReference(vtkDataArray::CreateDataArray(this->Carved.Array->GetDataType()));
-  this->Left->DeepCopy(this->Carved.Array);
+  this->Left = CopyArray(this->Carved.Array);
   if (this->Left->HasInformation())
   {
     // The copy is this picture's own.

@@ -4,6 +4,7 @@
 
 #include "Core/Field/CarvedSamples.h"
 #include "VTK/Scene/CarvedArray.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
@@ -140,8 +141,9 @@ void ForEachRow(const int extent[6], const int part[6], F&& f)
 void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDataArray* left)
 {
   left->SetNumberOfComponents(whole->GetNumberOfComponents());
-  left->SetNumberOfTuples(static_cast<vtkIdType>(part[1] - part[0] + 1) * (part[3] - part[2] + 1) *
-    (part[5] - part[4] + 1));
+  AllocateTuples(left,
+    static_cast<vtkIdType>(part[1] - part[0] + 1) * (part[3] - part[2] + 1) *
+      (part[5] - part[4] + 1));
   if (!whole->HasStandardMemoryLayout())
   {
     ForEachRow(extent, part,

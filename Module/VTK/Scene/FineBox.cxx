@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/FineBox.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -112,7 +114,7 @@ void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
 void FineBox::TakeCopy(const std::vector<char>& bytes)
 {
   this->Copy = this->Next;
-  this->Copy->AllocateScalars(this->Source->GetDataType(), 1);
+  AllocateScalars(this->Copy, this->Source->GetDataType(), 1);
   std::copy(bytes.begin(), bytes.end(), static_cast<char*>(this->Copy->GetScalarPointer()));
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Session/FrameImage.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 
@@ -31,9 +33,8 @@ void CopyStrided(vtkDataArray* from, int component, vtkDataArray* to)
 
 vtkSmartPointer<vtkDataArray> ExtractComponent(vtkDataArray* from, int component)
 {
-  auto to = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(from->GetDataType()));
+  auto to = NewArray(from->GetDataType(), 1, from->GetNumberOfTuples());
   to->SetName(from->GetName());
-  to->SetNumberOfTuples(from->GetNumberOfTuples());
   if (!from->HasStandardMemoryLayout())
   {
     to->CopyComponent(0, from, component);

@@ -8,6 +8,7 @@
 #include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/WholeFacts.h"
 #include "VTK/Filter/HapticBaker.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -34,11 +35,9 @@ constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 vtkSmartPointer<vtkDataArray> CopyTuples(
   vtkDataArray* whole, const int extent[6], const int part[6])
 {
-  auto copy =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(whole->GetDataType()));
+  auto copy = NewArray(whole->GetDataType(), whole->GetNumberOfComponents(),
+    vtkStructuredData::GetNumberOfPoints(part));
   copy->SetName(whole->GetName());
-  copy->SetNumberOfComponents(whole->GetNumberOfComponents());
-  copy->SetNumberOfTuples(vtkStructuredData::GetNumberOfPoints(part));
   const vtkIdType nx = vtkIdType{ extent[1] } - extent[0] + 1;
   const vtkIdType ny = vtkIdType{ extent[3] } - extent[2] + 1;
   const vtkIdType row = vtkIdType{ part[1] } - part[0] + 1;

@@ -9,25 +9,48 @@
 #include "Expectations.h"
 #include "HeadExploration.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCell.h"
 #include "vtkExtractVOI.h"
 #include "vtkHapticProperty.h"
 #include "vtkMath.h"
+#include "vtkMetaImageWriter.h"
+#include "vtkNIFTIImageWriter.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkRTAnalyticSource.h"
+#include "vtkSTLWriter.h"
+#include "vtkSphereSource.h"
+#include "vtkStructuredPointsWriter.h"
 #include "vtkXMLImageDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <utility>
 #include <vector>
+#include <zlib.h>
 
 namespace
 {
+void WriteBytes(const std::string& path, const std::string& bytes)
+{
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string ReadText(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
+}
+
 std::string Image(const std::string& name, vtkImageData* image)
 {
   const std::string path = folder + "/" + name;
@@ -55,6 +78,85 @@ void ExpectRefusal(const std::string& path, const std::string& fault)
     std::cerr << path << " should say '" << fault << "', but said: " << message << "\n";
     ++failures;
   }
+}
+
+/// Without its last bytes, or with another one, a file is refused. The whole one is read.
+void ExpectWhole(const std::string& path, const std::string& part,
+  const std::vector<std::size_t>& lost, bool isPacked)
+{
+  Explore::LoadVolume(path);
+  const std::string whole = ReadText(part);
+  for (const std::size_t size : lost)
+  {
+    WriteBytes(part, whole.substr(0, whole.size() - size));
+    ExpectRefusal(path, "Cure: ");
+  }
+  WriteBytes(part, whole.substr(0, whole.size() / 2));
+  ExpectRefusal(path, "Cure: ");
+  for (const std::size_t place : { whole.size() - 3, whole.size() / 2 })
+  {
+    std::string other = whole;
+    other[place] = static_cast<char>(other[place] ^ 16);
+    WriteBytes(part, other);
+    isPacked ? ExpectRefusal(path, "Cure: ") : void();
+  }
+  WriteBytes(part, whole);
+  Explore::LoadVolume(path);
+}
+
+/// What VTK's writers write, and gzip. VTK's readers take whatever was in memory for the rest.
+void ExpectCutOff()
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(0, 19, 0, 17, 0, 15);
+  const auto write = [&wavelet](auto&& writer, const std::string& name)
+  {
+    const std::string path = folder + "/" + name;
+    writer->SetInputConnection(wavelet->GetOutputPort());
+    writer->SetFileName(path.c_str());
+    writer->Write();
+    return path;
+  };
+  const auto appended = [](auto&& writer)
+  {
+    writer->SetCompressorTypeToNone();
+    writer->EncodeAppendedDataOff();
+    return writer;
+  };
+  const std::vector<std::size_t> ends = { 1, 4, 8, 9 };
+  const std::string meta = write(vtkSmartPointer<vtkMetaImageWriter>::New(), "cut.mha");
+  ExpectWhole(meta, meta, ends, true);
+  const std::string nifti = write(vtkSmartPointer<vtkNIFTIImageWriter>::New(), "cut.nii.gz");
+  ExpectWhole(nifti, nifti, ends, true);
+  const std::string image =
+    write(appended(vtkSmartPointer<vtkXMLImageDataWriter>::New()), "cut.vti");
+  ExpectWhole(image, image, { 20, 100 }, false);
+  const auto oldWriter = vtkSmartPointer<vtkStructuredPointsWriter>::New();
+  oldWriter->SetFileTypeToBinary();
+  const std::string old = write(oldWriter, "cut.vtk");
+  ExpectWhole(old, old, { 40, 100 }, false); // behind its samples is what nobody reads
+  // A NRRD file with the same samples.
+  const vtkSmartPointer<vtkImageData> samples = wavelet->GetOutput();
+  const std::string packed = folder + "/cut.nrrd";
+  WriteBytes(packed,
+    "NRRD0004\ntype: float\ndimension: 3\nsizes: 20 18 16\nencoding: gzip\nendian: little\n\n");
+  const gzFile gzip = gzopen(packed.c_str(), "ab");
+  gzwrite(gzip, samples->GetScalarPointer(), 20 * 18 * 16 * sizeof(float));
+  gzclose(gzip);
+  ExpectWhole(packed, packed, ends, true);
+  // A grid, and one in a file that names it.
+  const auto grid = appended(vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New());
+  vtkNew<vtkAppendFilter> cells;
+  cells->SetInputConnection(wavelet->GetOutputPort());
+  grid->SetInputConnection(cells->GetOutputPort());
+  const std::string cut = folder + "/cut.vtu";
+  grid->SetFileName(cut.c_str());
+  grid->Write();
+  ExpectWhole(cut, cut, { 20, 60, 1000 }, false);
+  const std::string blocks = WriteText("cut.vtm",
+    "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+    "<DataSet index=\"0\" file=\"cut.vtu\"/></vtkMultiBlockDataSet></VTKFile>");
+  ExpectWhole(blocks, cut, { 20, 60, 1000 }, false);
 }
 
 Explore::Options ParseNewtons(std::string newtons)
@@ -152,6 +254,32 @@ void ExpectTools()
   Expect(tool->GetNumberOfPolys() == 4, "a tetrahedron has four faces");
   Expect(bounds[0] == -1.5 && bounds[1] == 1.5 && bounds[3] == 2.0 && bounds[5] == 2.5,
     "a tool that does not have the origin is put around it");
+  // VTK's reader of binary files goes on without what is missing.
+  vtkNew<vtkSphereSource> sphere;
+  const std::string cut = folder + "/cut.stl", cutXml = folder + "/cut.vtp";
+  vtkNew<vtkSTLWriter> writer;
+  vtkNew<vtkXMLPolyDataWriter> xml;
+  writer->SetInputConnection(sphere->GetOutputPort());
+  xml->SetInputConnection(sphere->GetOutputPort());
+  writer->SetFileName(cut.c_str());
+  xml->SetFileName(cutXml.c_str());
+  writer->SetFileTypeToBinary();
+  xml->SetCompressorTypeToNone();
+  xml->EncodeAppendedDataOff();
+  writer->Write();
+  xml->Write();
+  for (const std::string& path : { cut, cutXml })
+  {
+    const std::string whole = ReadText(path);
+    const vtkIdType faces = Explore::ReadToolFile(path)->GetNumberOfPolys();
+    for (const std::size_t lost : { 20, 50, 100 })
+    {
+      WriteBytes(path, whole.substr(0, whole.size() - lost));
+      expectError(path, true, "it can't be read");
+    }
+    WriteBytes(path, whole);
+    Expect(Explore::ReadToolFile(path)->GetNumberOfPolys() == faces, path + " is read again");
+  }
   // 3 * 4 * 5/6, whichever way its triangles face in the file.
   const std::string inward = write("inward.ply", 4, "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n");
   for (const std::string& name : { file, inward })
@@ -324,6 +452,7 @@ int TestExploreInputErrors(int argc, char* argv[])
   ExpectWrittenVolumes();
   ExpectWindowFiles();
   ExpectTools();
+  ExpectCutOff();
   ExpectPresetFiles(head);
   // 0.30 of red, 0.59 of green and 0.11 of blue are 15, 59 and 16.5.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);

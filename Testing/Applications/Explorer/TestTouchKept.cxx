@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions that were edited in a window and not saved come back in the next one: those of the
-// materials, and the opacity. Without changes, nothing is kept.
+// materials, and the opacity; and so do measurements, which do not take the place of those that
+// were made since. Without changes, nothing is kept.
 #include "Applications/Explorer/Live/KeptWork.h"
 #include "TouchedHead.h"
 
+#include "vtkHapticHeadUpDisplay.h"
+#include "vtkHapticMeasurements.h"
 #include "vtkHapticProperty.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -15,9 +20,9 @@ namespace
 /// A window with what keeps its work.
 struct KeptHead : TouchedHead
 {
-  KeptHead(int argc, char* argv[])
+  KeptHead(int argc, char* argv[], const std::string& file = "")
     : TouchedHead(argc, argv, Explore::MapperChoice::CPU)
-    , Saved(this->Touch, "")
+    , Saved(this->Touch, file)
     , Tool(this->Touch, this->Exploration, this->Interactor, "")
     , Look(this->Touch, this->Exploration.Values, this->Interactor)
     , Kept(this->Touch, this->Exploration.Filter, this->Saved, this->Tool, this->Look,
@@ -43,6 +48,18 @@ struct KeptHead : TouchedHead
   Explore::LookSwitch Look;
   Explore::KeptWork Kept;
 };
+
+/// Of points, this one alone.
+bool HasOnly(vtkHapticMeasurements* list, const double point[3])
+{
+  if (list->GetNumberOfMeasurements() != 1)
+  {
+    return false;
+  }
+  vtkNew<vtkPolyData> shape;
+  list->GetShape(0, shape);
+  return std::equal(point, point + 3, shape->GetPoint(0));
+}
 
 bool Expect(bool is, const char* wrong)
 {
@@ -73,10 +90,14 @@ int TestTouchKept(int argc, char* argv[])
     head.Kept.KeepAtEnd(true);
     const bool isKept = vtksys::SystemTools::FileExists(folder);
     isRight = Expect(!isKept, "what --setup saved is kept") && isRight;
+    const double before[3] = { 1.0, 2.0, 3.0 };
+    head.Touch.Measurements->AddPoint(before, "before");
     head.Kept.KeepAtEnd(false);
   }
   {
-    KeptHead head(argc, argv);
+    const std::string file = folder + "/since.csv";
+    KeptHead head(argc, argv, file);
+    head.Saved.SaveByKey(head.Interactor);
     isRight = Expect(head.Kept.GetOffer().find("edited functions") != std::string::npos,
                 "the functions are not offered") &&
       isRight;
@@ -85,7 +106,26 @@ int TestTouchKept(int argc, char* argv[])
     // Those of the outside, whatever is shown.
     head.Press('O', "O");
     isRight = Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "O shows no inside") && isRight;
+    vtkHapticMeasurements* const list = head.Touch.Measurements;
+    const double since[3] = { 4.0, 5.0, 6.0 };
+    list->AddPoint(since, "since");
     head.Press(0, "F11");
+    const std::string notice = head.Touch.Display->GetNotice();
+    isRight =
+      Expect(
+        notice == "Save (S) and remove (Delete) the measurements of this window first, then F11" &&
+          HasOnly(list, since),
+        "what was measured since is not kept, or nothing is said of it") &&
+      isRight;
+    head.Press('S', "S");
+    head.Press(0, "Delete");
+    head.Press(0, "F11");
+    const double before[3] = { 1.0, 2.0, 3.0 };
+    isRight = Expect(HasOnly(list, before), "the measurement did not come back") && isRight;
+    vtkNew<vtkHapticMeasurements> saved;
+    isRight = Expect(saved->ReadFile(file.c_str()) && HasOnly(saved, since),
+                "what was measured since was not saved") &&
+      isRight;
     isRight = Expect(head.GetStiffness()->GetValue(77.0) == 123.0 &&
                   head.GetOpacity()->GetValue(77.0) == 0.77,
                 "the functions did not come back") &&
@@ -95,6 +135,7 @@ int TestTouchKept(int argc, char* argv[])
       Expect(head.GetOpacity()->GetValue(40.0) == 0.0, "the inside has got the work") && isRight;
     head.Press('O', "O");
     isRight = Expect(head.GetOpacity()->GetValue(77.0) == 0.77, "the outside lost it") && isRight;
+    head.Press('S', "S");
     head.Kept.KeepAtEnd(true);
   }
   KeptHead head(argc, argv);

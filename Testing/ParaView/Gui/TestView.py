@@ -13,7 +13,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-from view import force, hands, lead_out, make_link, press, run, wait_until
+from view import force, get, hands, lead_out, make_link, press, run, wait_until
 
 
 def detach(view, device, link):
@@ -170,6 +170,24 @@ def end_session(view, device, link):
     link.Attached = 1
     press(view, device)
     simple.Disconnect()
+    assert "Attach again with another one" in str(link.SMProxy)
+    simple.Connect()
+    run(attach_again)
+
+
+def attach_again(view, device, link):
+    link.Attached = 1
+    assert link.Attached == 1 and hands(view) == ["vtkHapticHeadUpDisplay", "vtkHapticRepresentation"]
+    device.VirtualTip = [-25, -110, 45]
+    device.Running = 1
+    end = time.monotonic() + 30
+    while force(device) < 0.5:  # without the view's events: see above
+        assert time.monotonic() < end, get(device, "StatusText")
+        device.UpdatePipeline()
+        ready = "100 % of the force" in "".join(get(device, "StatusText"))
+        device.Armed = 1
+        device.VirtualTip = [-25, -70 if ready else -110, 45]
+        time.sleep(0.005)
 
 
 run(globals()[sys.argv[3]])

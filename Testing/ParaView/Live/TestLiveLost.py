@@ -3,7 +3,7 @@
 """A server that is killed in mid-contact: force fades, the user is told, the client goes on and connects again."""
 import os
 
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.misc import calldata_type
 
 import live
@@ -75,3 +75,9 @@ with live.Server():
     live.check(errors, "and an error says that it is not complete")
     device.Running = 0
     simple.Disconnect()
+# A recording is a file of this computer, and is opened here.
+simple.Connect()
+table = simple.CSVReader(FileName=[os.path.join(live.FOLDER, "felt.csv")])
+table.UpdatePipeline()
+force = servermanager.Fetch(table).GetRowData().GetArray("Force x (N)")
+live.check(max(map(abs, force.GetRange())) > 0.5, "the recording of a server's volume is opened")

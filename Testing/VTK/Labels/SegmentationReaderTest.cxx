@@ -290,6 +290,14 @@ TEST_F(SegmentationReader, FilesThatCannotBeRead)
   const std::string good = Head(Small, Plain, Names) + samples;
   this->Refuse(good.substr(0, good.size() - 12), { "fewer samples", "complete" });
   this->Refuse(good.substr(0, 60), { "no end", "complete" });
+  // All samples are there, but not their check sum (RFC 1952: the last 8 bytes), or another one.
+  for (const std::size_t lost : { 1, 4, 8 })
+  {
+    this->Refuse(good.substr(0, good.size() - lost), { "Check that the file is complete" });
+  }
+  std::string other = good;
+  other[good.size() - 8] = static_cast<char>(other[good.size() - 8] ^ 1);
+  this->Refuse(other, { "Check that the file is complete" });
   const Type wide = { "int64", 8, false, false };
   this->Refuse(Head(wide, Plain, "") + Pack(std::vector<long long>(Voxels, 1LL << 33), wide),
     { "8589934592", "out of range" });

@@ -268,8 +268,11 @@ TEST(RegionSourceSettings, ThatAreMissingAreOneErrorWithTheCure)
   source->SetWholeExtent(0, 9, 0, 9, 0, 9);
   expect(source, "SetFileName()");
   source->SetFileName("/nowhere.raw");
-  source->SetScalarType(VTK_STRING);
-  expect(source, "no type of numbers");
+  for (const int type : { VTK_STRING, VTK_OPAQUE, VTK_VARIANT, VTK_VOID, VTK_BIT, -1, 77 })
+  {
+    source->SetScalarType(type);
+    expect(source, ("ScalarType " + std::to_string(type) + " is no type of numbers").c_str());
+  }
   source->SetScalarType(VTK_DOUBLE);
   source->SetWholeExtent(0, 2147483646, 0, 2147483646, 0, 2147483646);
   expect(source, "more samples than can be counted");

@@ -22,8 +22,11 @@ public:
   void DisplayWarningText(const char* text) override { this->DisplayGenericWarningText(text); }
   void DisplayGenericWarningText(const char* text) override
   {
-    // vtkImageReader only warns when a file is too short.
-    if (std::string(text).find("File operation failed") != std::string::npos)
+    // vtkImageReader, and the readers of .vtk, only warn when a file is too short.
+    const std::string warning = text;
+    if (warning.find("File operation failed") != std::string::npos ||
+      warning.find("Error reading binary data") != std::string::npos ||
+      warning.find("Error reading ascii data") != std::string::npos)
     {
       this->Keep(ENDS_EARLY);
     }

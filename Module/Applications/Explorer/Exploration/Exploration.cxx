@@ -102,8 +102,8 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   const SurfaceMap map(result.Body, result.Values, result.View);
   if (map.IsEmpty())
   {
-    throw InputError(
-      volume.Name, "has no surface that faces the camera", "turn it with --front and --up");
+    throw InputError(volume.Name, "has no surface that faces the camera",
+      "turn it with --front and --up, or crop it to little more than what is to be felt");
   }
   result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
 

@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
+#include "Applications/Explorer/Volume/WholeFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -157,6 +158,29 @@ bool HasAllElements(const std::string& name)
   return true;
 }
 
+/// Whether a .stl has all triangles that its head promises, if it is binary: VTK's reader goes on
+/// without them.
+bool HasAllTriangles(const std::string& name)
+{
+  constexpr std::size_t head = 84, triangle = 50; // bytes
+  const std::size_t size = vtksys::SystemTools::FileLength(name);
+  vtksys::ifstream in(name.c_str(), std::ios::binary);
+  unsigned char start[head + 1024] = {};
+  in.read(reinterpret_cast<char*>(start), sizeof(start));
+  const std::string text(
+    reinterpret_cast<const char*>(start), static_cast<std::size_t>(in.gcount()));
+  if (text.find("solid") == 0 && text.find("facet") != std::string::npos)
+  {
+    return true; // text, of which the reader tells
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    count |= static_cast<std::size_t>(start[head - 4 + i]) << (8 * i);
+  }
+  return size >= head + triangle * count;
+}
+
 bool HasAllPoints(vtkPolyData* shape)
 {
   for (vtkCellArray* const cells :
@@ -188,9 +212,12 @@ vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& 
   const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(name);
   const auto check = [&name]
   {
-    return FindEnding(name) != ".ply" || HasAllElements(name)
-      ? std::string()
-      : "its header promises elements that are not in the file";
+    const std::string ending = FindEnding(name);
+    const bool isWhole =
+      (ending != ".ply" || HasAllElements(name)) && (ending != ".stl" || HasAllTriangles(name));
+    return !isWhole      ? "its header promises elements that are not in the file"
+      : ending == ".vtp" ? FindMissingEnd(name)
+                         : std::string();
   };
   const bool isRead = ReadChecked(reader, error, check);
   const vtkSmartPointer<vtkPolyData> shape =

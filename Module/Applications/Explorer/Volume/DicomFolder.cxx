@@ -7,6 +7,7 @@
 #include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/DicomUnpacking.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -223,7 +224,7 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   const DicomHeader& first = slices.front();
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(first.Width, first.Height, static_cast<int>(slices.size()));
-  image->AllocateScalars(ChooseType(FindValues(slices)), first.Samples);
+  VolumeHaptics::AllocateScalars(image, ChooseType(FindValues(slices)), first.Samples);
   image->GetPointData()->GetScalars()->SetName("DICOM");
   Explore::DicomPixels pixels;
   for (std::size_t k = 0; k < slices.size(); ++k)

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/CheckedReading.h"
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/GridOutline.h"
+#include "Applications/Explorer/Volume/WholeFile.h"
 #include "VTK/Large/DataSetParts.h"
 
 #include "vtkCellData.h"
@@ -87,6 +88,12 @@ vtkSmartPointer<vtkDataObject> Read(const std::string& path, const Format& forma
   const vtkSmartPointer<vtkAlgorithm> reader = format.MakeReader(path);
   const auto chooseTime = [&]
   {
+    const bool isXml = format.MakeReader == &MakeReader<vtkXMLGenericDataObjectReader>;
+    const std::string missing = isXml ? Explore::FindMissingEnd(path) : std::string();
+    if (!missing.empty())
+    {
+      return missing;
+    }
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* const information = reader->GetOutputInformation(0);
     const int times = information && information->Has(Pipeline::TIME_STEPS())

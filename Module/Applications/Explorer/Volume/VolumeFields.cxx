@@ -4,6 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -23,7 +24,7 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* field)
 {
   auto magnitude = vtkSmartPointer<vtkFloatArray>::New();
   magnitude->SetName((std::string(field->GetName()) + " magnitude").c_str());
-  magnitude->SetNumberOfTuples(field->GetNumberOfTuples());
+  VolumeHaptics::AllocateTuples(magnitude, field->GetNumberOfTuples());
   for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i)
   {
     double sum = 0.0;

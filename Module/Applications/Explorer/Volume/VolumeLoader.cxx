@@ -11,8 +11,10 @@
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
+#include "Applications/Explorer/Volume/WholeFile.h"
 
 #include "VTK/Large/HeaderText.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -58,6 +60,11 @@ bool EndsWith(const std::string& text, const std::string& ending)
     text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
+bool IsXml(const std::string& path)
+{
+  return EndsWith(vtksys::SystemTools::LowerCase(path), ".vti");
+}
+
 /// The file with the samples of a header, or the file itself; empty if they are in several.
 std::string FindSamples(const std::string& path)
 {
@@ -83,6 +90,35 @@ std::string FindSamples(const std::string& path)
     data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
 }
 
+/// How many bytes of samples are in the file that has them, at most; -1 if it is damaged.
+double CountHeld(const std::string& path, const std::string& samples)
+{
+  const std::string lower = vtksys::SystemTools::LowerCase(path);
+  const bool isMeta = EndsWith(lower, ".mhd") || EndsWith(lower, ".mha");
+  const bool isNrrd = EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr");
+  const VolumeHaptics::HeaderText header(
+    isMeta || isNrrd ? path : std::string(), isMeta ? '=' : ':');
+  const std::string encoding = vtksys::SystemTools::LowerCase(header.Value({ "encoding" }));
+  const bool isPacked = isMeta
+    ? vtksys::SystemTools::LowerCase(header.Value({ "CompressedData" })) == "true"
+    : isNrrd ? encoding == "gzip" || encoding == "gz"
+             : EndsWith(lower, ".nii.gz");
+  const bool isRaw = isMeta
+    ? vtksys::SystemTools::LowerCase(header.Value({ "BinaryData" })) != "false"
+    : encoding == "raw" || EndsWith(lower, ".nii");
+  // Lines before what is packed are not looked for, nor the end of a very long header.
+  const bool isHere = samples == path && (isMeta || isNrrd);
+  const bool isPlain = header.Value({ "line skip", "lineskip", "HeaderSize" }).empty();
+  const auto length = static_cast<double>(vtksys::SystemTools::FileLength(samples));
+  if (isPacked && isPlain && (!isHere || header.GetSize() > 0))
+  {
+    return Explore::CountUnpacked(samples, isHere ? header.GetSize() : 0);
+  }
+  // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
+  constexpr double smallest = 10000.0;
+  return isRaw && !isPacked ? length : smallest * length;
+}
+
 /// Why a reader's information can't be true of its file; empty if it can. Readers take memory for
 /// all that a header promises before they look at the samples.
 std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
@@ -104,13 +140,21 @@ std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
   {
     bytes *= scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS());
   }
-  // Zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA.
-  constexpr double smallest = 10000.0;
+  if (scalars && scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()))
+  {
+    bytes *= vtkDataArray::GetDataTypeSize(scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()));
+  }
   const std::string samples = FindSamples(path);
-  const bool isThere = vtksys::SystemTools::FileExists(samples, true);
-  const double most = smallest * static_cast<double>(vtksys::SystemTools::FileLength(samples));
-  return !isThere || bytes <= most ? std::string()
-                                   : "its header promises voxels that are not in the file";
+  if (!vtksys::SystemTools::FileExists(samples, true))
+  {
+    return {}; // which is the reader's to tell
+  }
+  const double held = CountHeld(path, samples);
+  return held < 0.0 ? "its compressed samples are damaged, or cut off"
+    : bytes > held
+    ? "its header promises voxels that are not in the file, which ends before the last voxel"
+    : IsXml(path) ? Explore::FindMissingEnd(path)
+                  : std::string();
 }
 
 /// Runs a reader and turns all of its errors into one message.
@@ -160,10 +204,8 @@ void NarrowSamples(vtkImageData* image)
   };
   if (isWide && fits(int{}))
   {
-    const vtkSmartPointer<vtkDataArray> narrow =
-      vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(fits(short{}) ? VTK_SHORT : VTK_INT));
-    narrow->DeepCopy(wide);
-    image->GetPointData()->SetScalars(narrow);
+    image->GetPointData()->SetScalars(
+      VolumeHaptics::CopyArray(wide, fits(short{}) ? VTK_SHORT : VTK_INT));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
 #include "VTK/Large/HeaderText.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"
@@ -245,10 +246,9 @@ vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image)
   aligned->SetOrigin(origin);
 
   vtkDataArray* source = image->GetPointData()->GetScalars();
-  auto target = vtk::TakeSmartPointer(source->NewInstance());
+  auto target = VolumeHaptics::NewArray(
+    source->GetDataType(), source->GetNumberOfComponents(), source->GetNumberOfTuples());
   target->SetName(source->GetName());
-  target->SetNumberOfComponents(source->GetNumberOfComponents());
-  target->SetNumberOfTuples(source->GetNumberOfTuples());
   vtkIdType out = 0;
   int index[3];
   for (int k = 0; k < size[2]; ++k)
