@@ -8,9 +8,10 @@
 #include "VTK/Scene/WindowVolumes.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRepresentation.h"
-#include "vtkImageData.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
@@ -250,11 +251,11 @@ private:
 
 vtkStandardNewMacro(StyleBeside);
 
-/// Whether a filter can feel what is drawn, as an image by a mapper of its own.
+/// Whether a filter can feel what is drawn: an image, or data with cells.
 bool IsTouchable(const DrawnVolume& drawn)
 {
-  return drawn.Mapper && drawn.Volume->GetMapper() == drawn.Mapper &&
-    vtkImageData::SafeDownCast(drawn.Mapper->GetInputDataObject(0, 0));
+  vtkDataObject* const data = drawn.FindData();
+  return vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
 }
 
 } // namespace
@@ -527,7 +528,7 @@ bool vtkHapticWidget::Prepare(bool isNeeded)
     vtkErrorMacro(<< (d.Volume ? "The volume to be touched is not shown in the window. Cure: "
                                  "AddVolume() of a renderer of the window, and VisibilityOn()."
                                : "The window shows no volume that can be touched. Cure: add a "
-                                 "visible vtkVolume whose mapper shows a vtkImageData."));
+                                 "visible vtkVolume whose mapper has an input."));
   }
   return !isNeeded;
 }

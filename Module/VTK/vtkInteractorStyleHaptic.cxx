@@ -311,9 +311,9 @@ bool vtkInteractorStyleHaptic::UpdateHaptics()
 }
 
 //------------------------------------------------------------------------------
-void vtkInteractorStyleHaptic::TouchVolume(vtkVolume* volume)
+bool vtkInteractorStyleHaptic::TouchVolume(vtkVolume* volume)
 {
-  this->Internals->Interaction.Touched.Set(volume);
+  return this->Internals->Interaction.Touched.Set(volume);
 }
 
 //------------------------------------------------------------------------------

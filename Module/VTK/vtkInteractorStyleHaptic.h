@@ -388,21 +388,24 @@ public:
   /**
    * Feel what a volume shows, and follow it: from now on, each update of the haptics gives the
    * device's filter the image of the volume's mapper at the place where the volume's position,
-   * orientation, scale and user matrix put it, the mapper's clipping planes and cropping, and the
-   * opacity of the volume's property as its visibility (vtkHapticProperty::SetVisibilityFrom).
-   * Of a binary mask (vtkGPUVolumeRayCastMapper::SetMaskTypeToBinary) the filter gets the voxels
-   * as a label image, of which the label 0 is not felt, if it has no labels of its own; other
-   * masks colour voxels. Materials, method and FeelCutFaces stay the filter's own.
-   * A device without a filter gets one. If a matrix places the image, only its current time step
-   * is felt. nullptr ends it, and leaves the filter as it is then.
+   * orientation, scale and user matrix put it, the array and the component that the mapper draws,
+   * its clipping planes and cropping, and the opacity of the volume's property as its visibility
+   * (vtkHapticProperty::SetVisibilityFrom). Other data than images are felt where they are. The
+   * volume of a port of a vtkMultiVolume can be touched, the vtkMultiVolume itself not.
+   * Voxels that the mapper hides by a mask, by the opacity of a mask's labels or because they are
+   * blanked are cut away, and so is what lies outside of all isosurfaces that it draws. Materials,
+   * method and FeelCutFaces stay the filter's own.
+   * If a matrix places the image, only its current time step is felt. nullptr ends it, and leaves
+   * the filter as it is then. False, with an error, without a device, or if the volume has no
+   * mapper with an input. A device without a filter gets one, also if that fails.
    *
-   * What is not seen is not felt: if the volume, or an assembly around it, is made invisible or
-   * taken out of the default renderer (without one: of all renderers of the window), the style
-   * leaves the touch mode, disarms and warns, and so it does whenever the touch mode or arming
-   * begins again, until the volume is shown. A vtkMultiVolume is an error.
+   * What is not seen is not felt: if the volume, or an assembly around it, is made invisible, loses
+   * its mapper or its data, or is taken out of the default renderer (without one: of all renderers
+   * of the window), the style leaves the touch mode, disarms and warns, and so it does whenever the
+   * touch mode or arming begins again, until the volume is shown.
    * Default: nullptr.
    */
-  void TouchVolume(vtkVolume* volume);
+  bool TouchVolume(vtkVolume* volume);
   vtkVolume* GetTouchedVolume();
   ///@}
 
@@ -415,7 +418,7 @@ public:
    * the force does not jump. GetTouchedVolume() is then that volume, and the device's filter is its
    * filter. Volumes count from that of TouchVolume(), or from the first call if there is none;
    * TouchVolume() removes all others. False, with an error, without a device, volume or filter, if
-   * the volume's mapper is no vtkVolumeMapper, or if the filter already feels another volume.
+   * the volume has no mapper with an input, or if the filter already feels another volume.
    */
   bool AddTouchedVolume(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   int GetNumberOfTouchedVolumes();

@@ -221,9 +221,9 @@ public:
   ///@{
   /**
    * Planes in world units that cut parts of the volume away: what lies on the negative side of one
-   * of them is not felt, as vtkAbstractMapper::SetClippingPlanes does not show it. A mapper's own
-   * planes can be given: moving them moves the cut, also while the volume is felt. Default: none.
-   *
+   * is not felt, as vtkAbstractMapper::SetClippingPlanes does not show it. A mapper's own planes
+   * can be given; moving them moves the cut. Default: none. Points of the image that are blanked
+   * (HIDDENPOINT), or have blanked cells only, are cut away, too, halfway to the next shown point.
    * Over the last voxel in front of a cut, surfaces and drag fade; SURFACE_PROXY and LOCAL_SURFACE
    * end at it. Gradients are those of the whole volume, so that a cut makes no edge of its own. The
    * wall in front of a forbidden label, guides and what another port feels are not cut.

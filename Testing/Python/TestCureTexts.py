@@ -15,6 +15,7 @@ import TestFileCures
 import TestLargeCures
 import TestModuleCures
 import TestSceneCures
+import TestShownAndFelt
 import volumehaptics
 from vtkmodules import all as vtk
 
@@ -51,12 +52,13 @@ TRIED = {
         "CalibrateForce() is for an open real device": "Open() it and Stop() it first",
     },
     "VTK/Scene/StyleVolumesTest.cxx": {
-        "show those that are to be felt by a vtkVolume with a mapper each": "by a vtkVolume with a mapper each",
+        "Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume": "Cure: TouchVolume() with GetVolume(0)",
+        "Cure: SetMapper() of the vtkVolume, and SetInputData()": "Cure: SetMapper() of the vtkVolume",
         "TouchVolume() of the interactor style with a vtkVolume that is there": "Cure: TouchVolume() of the interactor style",
     },
     "VTK/Scene/HapticWidgetTest.cxx": {
         "with the window's vtkRenderWindowInteractor before On()": "SetInteractor()",
-        "add a visible vtkVolume whose mapper shows": "add a visible vtkVolume",
+        "add a visible vtkVolume whose mapper has an input": "add a visible vtkVolume",
         "The widget is off. Cure: On()": "Cure: On()", "needs a device. Cure:": "needs a device",
         "needs a filter, which says how volumes feel": "needs a filter",
         "of a renderer of the window, and VisibilityOn()": "of a renderer of the window",
@@ -297,7 +299,7 @@ TEXTS = [one for folder in FOLDERS for one in find_cures(ROOT, folder)]
 def test_each_cure_is_tried():
     tried = [word for module in (TestModuleCures, TestBakingCures) for word in module.case]
     tried += [word for words in TestLargeCures.FILES for word in words] + list(TestLargeCures.CONVERTED)
-    tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN]
+    tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndFelt.TOLD]
     tried += [word for module in MODULES for words in module.result for word in words]
     tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)]
     tried += [word for tests in TRIED.values() for word in tests]

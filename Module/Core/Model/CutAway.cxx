@@ -41,12 +41,13 @@ Vector3 CutAway::Beyond::Direction(const Axis (&axes)[3]) const noexcept
 }
 
 CutAway::CutAway(std::vector<CutPlane> planes, const CutRegions& regions,
-  const Affine3& indexToWorld, bool isSolid)
+  const Affine3& indexToWorld, bool isSolid, HiddenVoxels hidden)
   : Planes(std::move(planes))
   , Regions(regions)
   , IndexToWorld(indexToWorld)
   , WorldToIndex(Inverse(indexToWorld.Linear))
   , HasSolidFaces(isSolid)
+  , Hidden(std::move(hidden))
 {
   for (const CutPlane& plane : this->Planes)
   {
@@ -72,7 +73,60 @@ CutPlace CutAway::Find(const Vector3& index) const noexcept
       nearest = { depth, plane.Normal, this->Voxels[i] };
     }
   }
+  if (this->Hidden.Flags)
+  {
+    const CutPlace hidden = this->FindHidden(index);
+    nearest = hidden.Depth < nearest.Depth ? hidden : nearest;
+  }
   return nearest;
+}
+
+double HiddenVoxels::IsKept(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept
+{
+  const std::int64_t at[3] = { i, j, k };
+  std::int64_t offset = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    const std::int64_t last = this->Dimensions[axis] - 1;
+    offset = offset * this->Dimensions[axis] +
+      std::clamp<std::int64_t>(at[axis] - this->First[axis], 0, last);
+  }
+  return (this->Flags[offset] & this->Hidden) != 0 ? 0.0 : 1.0;
+}
+
+CutPlace CutAway::FindHidden(const Vector3& index) const noexcept
+{
+  const double low[3] = { std::floor(index.X), std::floor(index.Y), std::floor(index.Z) };
+  const double u[3] = { index.X - low[0], index.Y - low[1], index.Z - low[2] };
+  const std::int64_t at[3] = { static_cast<std::int64_t>(low[0]), static_cast<std::int64_t>(low[1]),
+    static_cast<std::int64_t>(low[2]) };
+  double kept = 0.0;
+  double slope[3] = {};
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int c[3] = { corner & 1, corner >> 1 & 1, corner >> 2 & 1 };
+    const double share = this->Hidden.IsKept(at[0] + c[0], at[1] + c[1], at[2] + c[2]);
+    const double w[3] = { c[0] ? u[0] : 1.0 - u[0], c[1] ? u[1] : 1.0 - u[1],
+      c[2] ? u[2] : 1.0 - u[2] };
+    kept += share * (w[0] * w[1] * w[2]);
+    slope[0] += (c[0] ? share : -share) * (w[1] * w[2]);
+    slope[1] += (c[1] ? share : -share) * (w[0] * w[2]);
+    slope[2] += (c[2] ? share : -share) * (w[0] * w[1]);
+  }
+  const Vector3 gradient = Transpose(this->WorldToIndex) * Vector3{ slope[0], slope[1], slope[2] };
+  const double steepness = Norm(gradient);
+  CutPlace place;
+  constexpr double flat = 1e-6; // where t is 0 or 1
+  if (!(steepness > 0.0) || kept < flat || kept > 1.0 - flat)
+  {
+    place.Depth = kept > 0.5 ? HUGE_VAL : -HUGE_VAL;
+    return place;
+  }
+  place.Normal = (1.0 / steepness) * gradient;
+  // The share that is felt is all there where t is 1, half a voxel behind the face.
+  place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
+  place.Depth = (2.0 * kept - 1.0) * place.Voxel;
+  return place;
 }
 
 CutAway::Beyond CutAway::FindBeyond(const Vector3& index, int region) const noexcept

@@ -6,13 +6,17 @@
  *
  * Planes cut, as those of vtkAbstractMapper::SetClippingPlanes do, and the 27 regions between two
  * planes of constant index along each axis, as those of vtkVolumeMapper::SetCroppingRegionPlanes
- * do. What neither cuts away is kept. With s_i the signed distance to a plane, positive in the part
- * that it keeps, and s_0 that to the faces of the regions,
+ * do, and voxels that are hidden one by one. What none of them cuts away is kept. With s_i the
+ * signed distance to a plane, positive in the part that it keeps, and s_0 that to the faces of the
+ * regions,
  *
  *   depth(x) = min_i s_i(x)
  *
  * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. Axes
- * of the index are perpendicular to one another in the world.
+ * of the index are perpendicular to one another in the world. Of hidden voxels, with the share t of
+ * the eight voxels around that are kept, interpolated linearly, faces are where t = 1/2, halfway
+ * between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a voxel, if t is
+ * neither 0 nor 1.
  */
 #ifndef CutAway_h
 #define CutAway_h
@@ -23,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace VolumeHaptics
@@ -57,6 +62,25 @@ struct CutRegions
   }
 };
 
+/** Voxels that are hidden one by one, as flags of an image's points. */
+struct HiddenVoxels
+{
+  const std::uint8_t* Flags = nullptr; ///< x first; null: none are hidden
+  std::uint8_t Hidden = 0;             ///< the bit that says so
+  std::int64_t First[3] = {};          ///< the index of the first one
+  std::int64_t Dimensions[3] = {};
+  std::shared_ptr<const void> Holder; ///< keeps the memory of Flags alive
+  std::uint64_t Version = 0;          ///< of the flags
+
+  /** 1 if a voxel is kept, or the one of the image that is nearest to it; else 0. */
+  double IsKept(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
+
+  friend bool operator==(const HiddenVoxels& a, const HiddenVoxels& b) noexcept
+  {
+    return a.Flags == b.Flags && a.Version == b.Version;
+  }
+};
+
 /** A position, as the nearest face of the kept part sees it. */
 struct CutPlace
 {
@@ -82,7 +106,7 @@ public:
 
   /** @param isSolid whether faces hold like the material behind them */
   CutAway(std::vector<CutPlane> planes, const CutRegions& regions, const Affine3& indexToWorld,
-    bool isSolid);
+    bool isSolid, HiddenVoxels hidden = {});
 
   CutPlace Find(const Vector3& index) const noexcept;
   /** The normal of a face of CutPlace::Faces: world, a unit vector, into the kept part. */
@@ -101,7 +125,7 @@ public:
   bool IsSame(const CutAway& other) const noexcept
   {
     return this->Planes == other.Planes && this->Regions == other.Regions &&
-      this->HasSolidFaces == other.HasSolidFaces;
+      this->HasSolidFaces == other.HasSolidFaces && this->Hidden == other.Hidden;
   }
 
 private:
@@ -137,6 +161,7 @@ private:
   bool HasFace(int region, int face) const noexcept;
   Beyond FindBeyond(const Vector3& index, int region) const noexcept;
   CutPlace FindRegion(const Vector3& index) const noexcept;
+  CutPlace FindHidden(const Vector3& index) const noexcept;
 
   const std::vector<CutPlane> Planes;
   std::vector<double> Voxels; ///< of the planes
@@ -145,6 +170,7 @@ private:
   const Matrix3 WorldToIndex;
   Axis Axes[3]; ///< of rising index
   const bool HasSolidFaces;
+  const HiddenVoxels Hidden;
 };
 
 } // namespace VolumeHaptics

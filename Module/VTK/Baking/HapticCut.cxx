@@ -5,8 +5,11 @@
 #include "Core/Model/CutAway.h"
 #include "VTK/Baking/HapticTuples.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <sstream>
@@ -42,6 +45,79 @@ bool ReadPlanes(vtkPlaneCollection* planes, std::vector<CutPlane>& cuts, std::st
     cuts.push_back({ (1.0 / length) * normal, offset });
   }
   return true;
+}
+
+bool HasFlag(vtkUnsignedCharArray* flags, int flag, vtkIdType count)
+{
+  const unsigned char* const first =
+    flags && flags->GetNumberOfTuples() == count ? flags->GetPointer(0) : nullptr;
+  return first &&
+    std::any_of(first, first + count, [flag](unsigned char one) { return (one & flag) != 0; });
+}
+
+/** Blanks the points that no cell shows. */
+void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCharArray* points)
+{
+  int size[3];
+  image->GetDimensions(size);
+  const unsigned char* const hidden = cells->GetPointer(0);
+  unsigned char* point = points->GetPointer(0);
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i, ++point)
+      {
+        bool isShown = false;
+        for (int corner = 0; corner < 8 && !isShown; ++corner)
+        {
+          const vtkIdType at[3] = { i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2) };
+          const bool isCell = at[0] >= 0 && at[0] < size[0] - 1 && at[1] >= 0 &&
+            at[1] < size[1] - 1 && at[2] >= 0 && at[2] < size[2] - 1;
+          isShown = isCell &&
+            (hidden[at[0] + (size[0] - 1) * (at[1] + (size[1] - 1) * at[2])] &
+              vtkDataSetAttributes::HIDDENCELL) == 0;
+        }
+        *point |= isShown ? 0 : static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
+      }
+    }
+  }
+}
+
+/** The points of an image that are blanked, or have blanked cells only around them. */
+HiddenVoxels FindBlanked(vtkImageData* image, const int extent[6])
+{
+  HiddenVoxels hidden;
+  vtkSmartPointer<vtkUnsignedCharArray> points = image->GetPointGhostArray();
+  vtkUnsignedCharArray* const cells = image->GetCellGhostArray();
+  const bool hasPoints =
+    HasFlag(points, vtkDataSetAttributes::HIDDENPOINT, image->GetNumberOfPoints());
+  const bool hasCells = HasFlag(cells, vtkDataSetAttributes::HIDDENCELL, image->GetNumberOfCells());
+  if (!hasPoints && !hasCells)
+  {
+    return hidden;
+  }
+  hidden.Version = std::max(points ? points->GetMTime() : 0, cells ? cells->GetMTime() : 0);
+  if (hasCells)
+  {
+    vtkNew<vtkUnsignedCharArray> both;
+    both->SetNumberOfTuples(image->GetNumberOfPoints());
+    hasPoints ? both->DeepCopy(points) : both->FillValue(0);
+    HideByCells(image, cells, both);
+    points = both;
+  }
+  vtkUnsignedCharArray* const array = points;
+  array->Register(nullptr);
+  hidden.Holder = { static_cast<const void*>(array),
+    [array](const void*) { array->UnRegister(nullptr); } };
+  hidden.Flags = array->GetPointer(0);
+  hidden.Hidden = vtkDataSetAttributes::HIDDENPOINT;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    hidden.First[axis] = image->GetExtent()[2 * axis] - extent[2 * axis];
+    hidden.Dimensions[axis] = image->GetDimensions()[axis];
+  }
+  return hidden;
 }
 
 } // namespace
@@ -112,12 +188,13 @@ std::shared_ptr<const CutAway> HapticCut::Make(
       regions.High[axis] = ends.second;
     }
   }
-  if (planes.empty() && regions.Kept == CutRegions::All)
+  HiddenVoxels hidden = FindBlanked(image, extent);
+  if (planes.empty() && regions.Kept == CutRegions::All && !hidden.Flags)
   {
     return nullptr;
   }
   return std::make_shared<const CutAway>(
-    std::move(planes), regions, indexToWorld, this->HasSolidFaces);
+    std::move(planes), regions, indexToWorld, this->HasSolidFaces, std::move(hidden));
 }
 
 } // namespace VolumeHaptics

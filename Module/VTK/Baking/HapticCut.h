@@ -35,8 +35,8 @@ struct HapticCut
   vtkMTimeType GetMTime() const;
 
   /**
-   * The cut for a model of an image. Null if nothing is cut away; or if something is wrong with it,
-   * which `error` then tells, with the cure.
+   * The cut for a model of an image, of which points and cells may be blanked. Null if nothing is
+   * cut away; or if something is wrong with it, which `error` then tells, with the cure.
    * @param extent that of index 0 of the model, and of its last one
    */
   std::shared_ptr<const CutAway> Make(vtkImageData* image, const int extent[6],

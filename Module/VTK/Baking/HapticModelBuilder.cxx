@@ -124,8 +124,12 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  material.GradientVisibility =
-    MaskAbove(ToPolyline(volume->GetGradientOpacity(component), 1.0), 0.0, 1.0 / average);
+  // Asking for a function that is not there would make one, which mappers then draw with.
+  if (volume->HasGradientOpacity(component))
+  {
+    material.GradientVisibility =
+      MaskAbove(ToPolyline(volume->GetGradientOpacity(component), 1.0), 0.0, 1.0 / average);
+  }
 }
 
 /**

@@ -103,7 +103,7 @@ std::string DisplayKeys::FindHint()
   }
   if (!this->Scene.Hidden.empty())
   {
-    return "What is touched is not shown here,\nso that it is not felt";
+    return "The volume is hidden,\nso that it is not felt";
   }
   const bool isTouching =
     this->Scene.IsVirtual() ? this->Touch.IsOn() : device->GetStatus() != vtkHapticDevice::READY;

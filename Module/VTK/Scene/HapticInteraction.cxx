@@ -622,8 +622,8 @@ void HapticInteraction::CheckShownVolumes()
   if (renderer && image)
   {
     vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
-    for (const std::string& warning :
-      this->Volumes.Check(renderer, image, filter, this->ShownFrames, this->Carved))
+    for (const std::string& warning : this->Volumes.Check(
+           renderer, image, filter, this->ShownFrames, this->Carved, this->Touched.Get()))
     {
       vtkWarningWithObjectMacro(this->Scene.Style, << warning);
     }

@@ -2,21 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/HapticShownVolumes.h"
 
+#include "VTK/Filter/HapticBaker.h"
 #include "VTK/Scene/CarvedPictures.h"
 #include "VTK/Scene/HapticShownFrames.h"
 #include "VTK/Scene/TouchedVolume.h"
 #include "VTK/Scene/WindowVolumes.h"
 
+#include "vtkContourValues.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
@@ -25,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -54,17 +59,48 @@ const Difference Differences[] = {
     "of the interactor style, or give vtkVolumeHapticsFilter the mapper's planes with "
     "SetClippingPlanes()." },
   { 8,
-    "Its mapper has a mask that hides voxels, but they are still felt. Cure: call "
-    "TouchVolume() of the interactor style, which follows a binary mask if vtkVolumeHapticsFilter "
-    "has no labels of its own; or give these voxels a label that is not felt "
-    "(vtkHapticLabelTable::SetFelt()), or, with vtkImageMask, a value that is not felt." },
+    "Its mapper has a mask that hides voxels, but they are still felt. Cure: call TouchVolume() of "
+    "the interactor style, which follows masks of as many voxels as the image has; or give these "
+    "voxels a label that is not felt (vtkHapticLabelTable::SetFelt()), or, with vtkImageMask, a "
+    "value that is not felt." },
   { 16,
     "Its property has a 2-D transfer function, but voxels that this hides are still felt. Cure: "
     "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or SetVisibilityFrom() of the haptic "
     "property with a volume property whose 1-D opacity hides the same values." },
   { 32,
-    "Points or cells of the image are blanked (array vtkGhostType), but still felt. Cure: give "
-    "them a value that is not felt, or remove the array." },
+    "Points or cells of the image are blanked (array vtkGhostType) and not felt, but its mapper "
+    "draws them. Cure: TouchVolume() of the interactor style, or remove the array." },
+  { 64,
+    "Its mapper draws another array than the one that is felt. Cure: TouchVolume() of the "
+    "interactor style, or SetInputArrayToProcess(0, 0, 0, association, name) of "
+    "vtkVolumeHapticsFilter with the array that SelectScalarArray() of the mapper names." },
+  { 128,
+    "Its mapper draws another component of its array than the one that is felt. Cure: "
+    "TouchVolume() of the interactor style, or SetComponent() of the haptic property." },
+  { 256,
+    "Several components of its array have opacity, of which only one is felt. Cure: "
+    "SetComponentWeight(component, 0.0) of the vtkVolumeProperty for all others, or a vtkVolume "
+    "for each, with vtkImageExtractComponents, and AddTouchedVolume() of the interactor style." },
+  { 512,
+    "Its mapper draws the magnitude of vectors, but a component of them is felt. Cure: "
+    "vtkImageMagnitude as the input of the mapper." },
+  { 1024,
+    "Its mapper projects or slices, so that what lies in front of what is seen is felt. Cure: "
+    "SetBlendModeToComposite() of the mapper." },
+  { 2048,
+    "Its mapper draws isosurfaces, but all of its edges are felt. Cure: SetMethodToSurfaceProxy() "
+    "of vtkVolumeHapticsFilter, and SetIsoValue() with one of GetIsoSurfaceValues() of the "
+    "vtkVolumeProperty; or SetBlendModeToComposite() of the mapper." },
+  { 4096,
+    "It is opaque up to all faces of its image, behind which there is no surface to feel. Cure: "
+    "vtkImageConstantPad with as many voxels as KernelRadius + 1 on each side, of a value that is "
+    "not opaque, as the input of the mapper." },
+  { 8192,
+    "Voxels of it are hidden by a mask or because they are blanked, and where that cuts through "
+    "even tissue, its faces are not felt. Cure: FeelCutFacesOn() of vtkVolumeHapticsFilter." },
+  { 16384,
+    "It is moved, turned or scaled in the scene, but its data are no image and felt where they "
+    "are. Cure: vtkResampleToImage as the input of the mapper." },
 };
 
 /** Whether corners of an image are at other positions in a scene than in the world. */
@@ -117,7 +153,7 @@ bool IsCropped(vtkVolumeMapper* mapper, vtkImageData* image)
 }
 
 /** Whether a mapper's planes cut off a part of a volume's box. */
-bool IsClipped(vtkVolumeMapper* mapper, vtkVolume* volume)
+bool IsClipped(vtkAbstractVolumeMapper* mapper, vtkVolume* volume)
 {
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
   const double* const b = volume->GetBounds();
@@ -153,7 +189,7 @@ bool FeelsCropping(
 }
 
 /** Whether a filter has all clipping planes of a mapper. */
-bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
+bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkPlaneCollection* const own = filter->GetClippingPlanes();
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
@@ -167,16 +203,8 @@ bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
   return own != nullptr;
 }
 
-/** Whether a mapper's mask hides voxels: a binary one, or labels with an opacity of their own. */
-bool HidesByMask(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
-{
-  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
-  return gpu && gpu->GetMaskInput() &&
-    (FindBinaryMask(mapper) || !property->GetLabelMapLabels().empty());
-}
-
 /** Whether a filter has a mapper's mask as a label image. */
-bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkVolumeMapper* mapper)
+bool FeelsMask(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkImageData* const mask = FindBinaryMask(mapper);
   auto* const labels = vtkImageData::SafeDownCast(filter->GetInputDataObject(3, 0));
@@ -189,10 +217,66 @@ bool HasTransferFunction2D(vtkVolumeProperty* property)
   return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
 }
 
+bool HasMagnitude(vtkAbstractVolumeMapper* mapper)
+{
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  return smart && smart->GetVectorMode() == vtkSmartVolumeMapper::MAGNITUDE;
+}
+
+bool AreSeveralDrawn(
+  vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array)
+{
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  int count = 0;
+  for (int c = 0; c < std::min(array->GetNumberOfComponents(), VTK_MAX_VRCOMP); ++c)
+  {
+    count += IsComponentDrawn(property, array, c) ? 1 : 0;
+  }
+  return count > 1 && property->GetIndependentComponents() &&
+    !(smart && smart->GetVectorMode() == vtkSmartVolumeMapper::COMPONENT);
+}
+
+/** Whether a filter touches one of the isosurfaces that a mapper draws. */
+bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
+{
+  vtkContourValues* const values = property->GetIsoSurfaceValues();
+  bool isDrawn = false;
+  for (int i = 0; i < values->GetNumberOfContours(); ++i)
+  {
+    isDrawn = isDrawn || values->GetValue(i) == filter->GetIsoValue();
+  }
+  return isDrawn && TouchesIsosurface(filter);
+}
+
+/** Whether most of a face of an image is opaque, as far as some samples tell. */
+bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int face,
+  vtkPiecewiseFunction* opacity)
+{
+  constexpr int looks = 24; // along an axis
+  constexpr double opaque = 0.5;
+  const int axis = face / 2;
+  const int others[2] = { (axis + 1) % 3, (axis + 2) % 3 };
+  vtkIdType strides[3] = { 1, dimensions[0],
+    static_cast<vtkIdType>(dimensions[0]) * dimensions[1] };
+  const vtkIdType first = face % 2 == 0 ? 0 : strides[axis] * (dimensions[axis] - 1);
+  int count = 0;
+  for (int j = 0; j < looks; ++j)
+  {
+    for (int i = 0; i < looks; ++i)
+    {
+      const vtkIdType at = first + strides[others[0]] * (dimensions[others[0]] * i / looks) +
+        strides[others[1]] * (dimensions[others[1]] * j / looks);
+      count += opacity->GetValue(array->GetComponent(at, component)) >= opaque ? 1 : 0;
+    }
+  }
+  return 2 * count > looks * looks;
+}
+
 } // namespace
 
 std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
+  vtkVolume* followed)
 {
   std::vector<std::string> warnings;
   std::vector<Known> now;
@@ -202,7 +286,8 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
     const auto known = std::find_if(this->All.begin(), this->All.end(),
       [volume](const Known& one) { return one.Volume.GetPointer() == volume; });
     const unsigned int before = known == this->All.end() ? 0 : known->Differences;
-    const unsigned int differences = this->FindDifferences(drawn, image, filter, pictures, carved);
+    const unsigned int differences =
+      this->FindDifferences(drawn, image, filter, pictures, carved, followed);
     std::string text;
     for (const Difference& one : Differences)
     {
@@ -220,28 +305,81 @@ std::vector<std::string> HapticShownVolumes::Check(vtkRenderer* renderer, vtkIma
 }
 
 unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
-  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
+  vtkVolume* followed)
 {
   vtkVolume* const volume = drawn.Volume;
-  vtkVolumeMapper* const mapper = drawn.Mapper;
-  vtkImageData* const shown = drawn.Port == 0
-    ? carved.FindImage(mapper)
-    : vtkImageData::SafeDownCast(mapper->GetInputDataObject(drawn.Port, 0));
-  if (!shown || !(HasSamplesOf(shown, image) || pictures.IsPicture(shown)))
+  vtkVolumeProperty* const property = volume->GetProperty();
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(drawn.Mapper);
+  vtkDataObject* const data =
+    mapper && drawn.Port == 0 ? static_cast<vtkDataObject*>(carved.FindImage(mapper)) : nullptr;
+  vtkDataObject* const drawnData = data ? data : drawn.FindData();
+  auto* const shown = vtkImageData::SafeDownCast(drawnData);
+  const bool isPicture = shown && pictures.IsPicture(shown);
+  const bool isFollowed = volume == followed;
+  const bool isFelt = isFollowed || isPicture || (shown && HasSamplesOf(shown, image)) ||
+    (!shown && drawnData == filter->GetInputDataObject(0, 0));
+  if (!drawnData || !isFelt)
   {
     return 0;
   }
-  const bool isTrue[] = { IsPlacedElsewhere(drawn.Matrix, shown, image),
-    IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
-    IsClipped(mapper, volume) && !FeelsClipping(filter, mapper),
-    HidesByMask(mapper, volume->GetProperty()) && !FeelsMask(filter, mapper),
-    HasTransferFunction2D(volume->GetProperty()), this->HasBlanks(shown) };
+  bool areCells = false;
+  vtkDataArray* const array = FindDrawnArray(drawn.Mapper, drawnData, areCells);
+  const int felt = filter->GetProperty()->GetComponent();
+  const bool hasFrames = isPicture || filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  const bool hasComponents = array && array->GetNumberOfComponents() > 1 && !hasFrames;
+  vtkImageData* const binary = FindBinaryMask(drawn.Mapper);
+  vtkImageData* const mask = binary ? binary : FindOpacityMask(drawn.Mapper, property);
+  const int blend = mapper ? mapper->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
+  const bool isIso = blend == vtkVolumeMapper::ISOSURFACE_BLEND;
+  const bool isMagnitude = HasMagnitude(drawn.Mapper) && hasComponents;
+  const bool isTrue[] = { shown && !areCells && IsPlacedElsewhere(drawn.Matrix, shown, image),
+    mapper && shown && IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
+    IsClipped(drawn.Mapper, volume) && !FeelsClipping(filter, drawn.Mapper),
+    mask && !(isFollowed && !areCells && shown && IsMaskOf(mask, shown)) &&
+      !FeelsMask(filter, drawn.Mapper),
+    HasTransferFunction2D(property),
+    shown && !isFollowed && !HidesBlanked(drawn.Mapper) && this->HasBlanks(shown),
+    array && shown && !isPicture && !areCells && !FeelsArray(filter, array),
+    hasComponents && !isMagnitude &&
+      FindDrawnComponent(drawn.Mapper, property, array, felt) != felt,
+    hasComponents && !isMagnitude && AreSeveralDrawn(drawn.Mapper, property, array), isMagnitude,
+    blend != vtkVolumeMapper::COMPOSITE_BLEND && !isIso, isIso && !FeelsIso(filter, property),
+    isFollowed && shown && !isIso && !mapper->GetCropping() && this->IsFull(image, filter),
+    isFollowed && shown && !filter->GetFeelCutFaces() &&
+      (mask || (HidesBlanked(drawn.Mapper) && this->HasBlanks(shown))),
+    !shown && !drawn.Matrix->IsIdentity() };
+  static_assert(std::size(isTrue) == std::size(Differences));
   unsigned int differences = 0;
   for (std::size_t i = 0; i < std::size(Differences); ++i)
   {
     differences |= isTrue[i] ? Differences[i].Bit : 0;
   }
   return differences;
+}
+
+bool HapticShownVolumes::IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  vtkDataArray* const array = HapticBaker(filter).GetTouched()[0].Array;
+  vtkVolumeProperty* const seen = filter->GetProperty()->GetVisibilityFrom();
+  const int component = filter->GetProperty()->GetComponent();
+  if (!array || !seen || component >= array->GetNumberOfComponents() ||
+    array->GetNumberOfTuples() != image->GetNumberOfPoints() || component >= VTK_MAX_VRCOMP)
+  {
+    return false;
+  }
+  const vtkMTimeType time = std::max({ filter->GetMTime(), image->GetMTime(), array->GetMTime() });
+  if (std::exchange(this->LastFilled.Time, time) != time)
+  {
+    vtkPiecewiseFunction* const opacity =
+      seen->GetScalarOpacity(seen->GetIndependentComponents() ? component : 0);
+    this->LastFilled.IsTrue = true;
+    for (int face = 0; face < 6 && this->LastFilled.IsTrue; ++face)
+    {
+      this->LastFilled.IsTrue = IsOpaque(array, component, image->GetDimensions(), face, opacity);
+    }
+  }
+  return this->LastFilled.IsTrue;
 }
 
 bool HapticShownVolumes::HasBlanks(vtkImageData* image)

@@ -36,11 +36,12 @@ public:
    * A warning for each visible volume of a renderer that shows an image, or another one with the
    * same scalars, in a way that the filter does not feel. It names the differences that are new
    * since the last call, and the cures. The pictures of a volume that moves show the image, too,
-   * and so do copies of what a tool has left of it.
+   * and so do copies of what a tool has left of it, and the volume that is followed, if there is
+   * one.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
-    const CarvedPictures& carved);
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
+    vtkVolume* followed);
 
 private:
   struct Known
@@ -49,10 +50,12 @@ private:
     unsigned int Differences;
   };
   unsigned int FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
-    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
-    const CarvedPictures& carved);
+    vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
+    vtkVolume* followed);
   bool HasBlanks(vtkImageData* image);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
+  /** Whether the followed volume is opaque up to all faces of its image. */
+  bool IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
   std::vector<Known> All;
   struct Blanks
@@ -62,6 +65,12 @@ private:
     bool HasAny = false;
   };
   Blanks Last[2]; ///< of points and of cells, because counting them takes a pass over the image
+  struct Filled
+  {
+    vtkMTimeType Time = 0;
+    bool IsTrue = false;
+  };
+  Filled LastFilled; ///< of the followed volume
 };
 
 } // namespace VolumeHaptics

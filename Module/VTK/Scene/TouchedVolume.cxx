@@ -3,13 +3,23 @@
 #include "VTK/Scene/TouchedVolume.h"
 
 #include "Core/Math/Vector3.h"
-#include "VTK/Scene/WindowVolumes.h"
+#include "VTK/Filter/HapticBaker.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkGPUVolumeRayCastMapper.h"
-#include "vtkHapticLabelTable.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkHapticProperty.h"
+#include "vtkHapticRemoval.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -29,16 +39,102 @@ bool IsSamePlace(vtkImageData* a, vtkImageData* b)
       b->GetDirectionMatrix()->GetData());
 }
 
+void Connect(vtkVolumeHapticsFilter* filter, vtkAlgorithmOutput* input)
+{
+  if (filter->GetNumberOfInputConnections(0) == 0 || filter->GetInputConnection(0, 0) != input)
+  {
+    filter->SetInputConnection(0, input);
+  }
+}
+
+/** Whether a filter asks for an array of data that are no image. */
+bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
+{
+  vtkInformation* const asked = filter->GetInputArrayInformation(0);
+  const char* const name = asked->Get(vtkDataObject::FIELD_NAME());
+  const int wanted =
+    areCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return array->GetName() ? name && std::string(name) == array->GetName() &&
+      asked->Get(vtkDataObject::FIELD_ASSOCIATION()) == wanted
+                          : !name;
+}
+
 } // namespace
 
 TouchedVolume::TouchedVolume() = default;
 TouchedVolume::~TouchedVolume() = default;
 
-vtkImageData* FindBinaryMask(vtkVolumeMapper* mapper)
+vtkDataArray* FindDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells)
 {
-  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
-  const bool hides = gpu && gpu->GetMaskType() == vtkGPUVolumeRayCastMapper::BinaryMaskType;
-  return hides ? gpu->GetMaskInput() : nullptr;
+  auto* set = vtkDataSet::SafeDownCast(data);
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    it->InitTraversal();
+    set =
+      it->IsDoneWithTraversal() ? nullptr : vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+  }
+  int cells = 0;
+  vtkDataArray* const array = set
+    ? vtkAbstractMapper::GetScalars(set, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), cells)
+    : nullptr;
+  areCells = cells != 0;
+  return array;
+}
+
+bool TouchesIsosurface(vtkVolumeHapticsFilter* filter)
+{
+  const int method = filter->GetMethod();
+  return method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
+}
+
+bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array)
+{
+  vtkDataArray* const felt = HapticBaker(filter).GetTouched()[0].Array;
+  return felt == array ||
+    (felt && array->HasInformation() &&
+      array->GetInformation()->Get(vtkHapticRemoval::TOUCHED_ARRAY()) == felt);
+}
+
+bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component)
+{
+  double range[2];
+  array->GetRange(range, component);
+  vtkPiecewiseFunction* const opacity = property->GetScalarOpacity(component);
+  bool isSeen = opacity->GetValue(range[0]) > 0.0 || opacity->GetValue(range[1]) > 0.0;
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4]; // value, opacity, midpoint, sharpness
+    opacity->GetNodeValue(i, node);
+    isSeen = isSeen || (node[1] > 0.0 && node[0] >= range[0] && node[0] <= range[1]);
+  }
+  return isSeen && property->GetComponentWeight(component) > 0.0;
+}
+
+int FindDrawnComponent(
+  vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted)
+{
+  const int count = array->GetNumberOfComponents();
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  if (smart && smart->GetVectorMode() == vtkSmartVolumeMapper::COMPONENT && count > 1)
+  {
+    return std::min(smart->GetVectorComponent(), count - 1);
+  }
+  if (!property->GetIndependentComponents())
+  {
+    return count == 2 || count == 4 ? count - 1 : wanted;
+  }
+  for (int c = 0; c < std::min(count, VTK_MAX_VRCOMP); ++c)
+  {
+    const int component = (std::max(wanted, 0) + c) % count;
+    if (component < VTK_MAX_VRCOMP && IsComponentDrawn(property, array, component))
+    {
+      return component;
+    }
+  }
+  return wanted;
 }
 
 bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
@@ -88,7 +184,8 @@ void MapCropping(vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* fel
   {
     const int axis = i / 2;
     const double index = (planes[i] - shown->GetOrigin()[axis]) / shown->GetSpacing()[axis] -
-      shown->GetExtent()[2 * axis] + felt->GetExtent()[2 * axis];
+      shown->GetExtent()[2 * axis] + felt->GetExtent()[2 * axis] -
+      0.5 * (shown->GetDimensions()[axis] - felt->GetDimensions()[axis]);
     planes[i] = felt->GetOrigin()[axis] + index * felt->GetSpacing()[axis];
   }
 }
@@ -98,56 +195,163 @@ bool TouchedVolume::FindPlace(const std::vector<DrawnVolume>& drawn)
   const auto one = std::find_if(drawn.begin(), drawn.end(),
     [this](const DrawnVolume& candidate) { return candidate.Volume == this->Volume; });
   const bool isDrawn = one != drawn.end();
-  this->Matrix->DeepCopy(isDrawn ? one->Matrix.Get() : this->Volume->GetMatrix());
-  return isDrawn;
+  if (isDrawn)
+  {
+    this->Drawn = *one;
+    return true;
+  }
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  matrix->DeepCopy(this->Volume->GetMatrix());
+  this->Drawn = { this->Volume, this->Volume->GetMapper(), 0, matrix };
+  return false;
+}
+
+vtkAlgorithmOutput* TouchedVolume::FindInput(const CarvedPictures& carved) const
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Drawn.Mapper);
+  return mapper && this->Drawn.Port == 0
+    ? carved.FindInput(mapper)
+    : this->Drawn.Mapper->GetInputConnection(this->Drawn.Port, 0);
 }
 
 void TouchedVolume::Update(
   vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
 {
-  auto* const mapper =
-    this->Volume ? vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
-  vtkImageData* const shown = carved.FindImage(mapper);
-  if (!shown)
+  vtkAlgorithmOutput* const input = this->HasData() ? this->FindInput(carved) : nullptr;
+  vtkDataObject* const data =
+    input ? input->GetProducer()->GetOutputDataObject(input->GetIndex()) : nullptr;
+  if (!data)
   {
     return;
   }
-  if (!pictures.IsPicture(shown))
+  auto* const shown = vtkImageData::SafeDownCast(data);
+  vtkVolumeProperty* const property = this->Volume->GetProperty();
+  const bool isPicture = shown && pictures.IsPicture(shown);
+  if (!shown)
   {
-    this->Place(carved.FindInput(mapper), shown, filter);
+    Connect(filter, input);
   }
-  if (filter->GetProperty()->GetVisibilityFrom() != this->Volume->GetProperty())
+  else if (!isPicture)
   {
-    filter->GetProperty()->SetVisibilityFrom(this->Volume->GetProperty());
+    this->Place(input, shown, filter);
   }
-  Crop(mapper, shown, filter);
-  filter->SetClippingPlanes(mapper->GetClippingPlanes());
-  this->Mask(mapper, filter);
+  if (!isPicture)
+  {
+    this->ChooseArray(data, filter);
+  }
+  filter->GetProperty()->SetVisibilityFrom(this->Voxels.ReplacesOpacity() ? nullptr : property);
+  this->Crop(shown, filter);
+  filter->SetClippingPlanes(this->Drawn.Mapper->GetClippingPlanes());
+}
+
+void TouchedVolume::ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter)
+{
+  bool areCells = false;
+  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, data, areCells);
+  auto* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  if (!array)
+  {
+    return;
+  }
+  if (image ? !FeelsArray(filter, array) : !IsNamed(filter, array, areCells))
+  {
+    const int association = !image && areCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                               : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    if (array->GetName())
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, association, array->GetName());
+    }
+    else
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, association, vtkDataSetAttributes::SCALARS);
+    }
+  }
+  const bool areFrames = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS &&
+    filter->GetTimeUnitsPerSecond() != 0.0;
+  if (array->GetNumberOfComponents() > 1 && !areFrames)
+  {
+    filter->GetProperty()->SetComponent(this->FindComponent(array, filter));
+  }
+}
+
+int TouchedVolume::FindComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const
+{
+  return array->GetNumberOfComponents() > 1
+    ? FindDrawnComponent(this->Drawn.Mapper, this->Volume->GetProperty(), array,
+        filter->GetProperty()->GetComponent())
+    : 0;
+}
+
+void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags)
+{
+  this->PlacedTime = shown->GetMTime();
+  this->ArePlacedCells = areCells;
+  this->PlacedFlags = flags;
+  this->Placed->ShallowCopy(shown);
+  if (flags)
+  {
+    this->Placed->GetPointData()->RemoveArray(flags->GetName());
+    this->Placed->GetPointData()->AddArray(flags);
+  }
+  if (flags && !HidesBlanked(this->Drawn.Mapper))
+  {
+    this->Placed->GetCellData()->RemoveArray(flags->GetName());
+  }
+  if (!areCells)
+  {
+    return;
+  }
+  int extent[6];
+  shown->GetExtent(extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    --extent[2 * axis + 1];
+  }
+  this->Placed->Initialize();
+  this->Placed->SetExtent(extent);
+  this->Placed->GetPointData()->ShallowCopy(shown->GetCellData());
 }
 
 void TouchedVolume::Place(
   vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
 {
+  bool areCells = false;
+  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, shown, areCells);
+  const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array,
+    array ? this->FindComponent(array, filter) : 0, TouchesIsosurface(filter) };
+  vtkUnsignedCharArray* const flags =
+    areCells || this->Drawn.Port != 0 ? nullptr : this->Voxels.Find(drawn);
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
   // What is sheared stays where its image is: the style warns of it.
-  if (!PlaceImage(this->Matrix, shown, place) || IsSamePlace(place, shown))
+  if (!PlaceImage(this->Drawn.Matrix, shown, place))
   {
-    if (filter->GetNumberOfInputConnections(0) == 0 || filter->GetInputConnection(0, 0) != input)
-    {
-      filter->SetInputConnection(0, input);
-    }
+    place->CopyStructure(shown);
+  }
+  if (!areCells && !flags && IsSamePlace(place, shown))
+  {
+    Connect(filter, input);
     return;
   }
-  const bool isOther = this->PlacedTime != shown->GetMTime();
-  if (isOther)
+  if (areCells)
   {
-    this->Placed->ShallowCopy(shown);
-    this->PlacedTime = shown->GetMTime();
+    // A mapper shows the value of a cell at its centre.
+    const int* const first = shown->GetExtent();
+    double centre[3];
+    place->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);
+    place->SetExtent(first[0], first[1] - 1, first[2], first[3] - 1, first[4], first[5] - 1);
+    place->SetOrigin(centre);
   }
-  if (isOther || !IsSamePlace(place, this->Placed))
+  if (this->PlacedTime != shown->GetMTime() || this->ArePlacedCells != areCells ||
+    this->PlacedFlags != flags)
   {
-    PlaceImage(this->Matrix, shown, this->Placed);
+    this->CopyImage(shown, areCells, flags);
+  }
+  if (!IsSamePlace(place, this->Placed))
+  {
+    this->Placed->SetOrigin(place->GetOrigin());
+    this->Placed->SetSpacing(place->GetSpacing());
+    this->Placed->SetDirectionMatrix(place->GetDirectionMatrix());
   }
   if (filter->GetInputDataObject(0, 0) != this->Placed)
   {
@@ -155,68 +359,17 @@ void TouchedVolume::Place(
   }
 }
 
-void TouchedVolume::Crop(
-  vtkVolumeMapper* mapper, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+void TouchedVolume::Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter)
 {
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Drawn.Mapper);
   vtkImageData* const felt = filter->GetTouchedImage();
-  filter->SetCropping(mapper->GetCropping() != 0);
-  if (felt && mapper->GetCropping())
+  filter->SetCropping(mapper && mapper->GetCropping());
+  if (felt && filter->GetCropping())
   {
     double planes[6];
-    MapCropping(mapper, shown, felt, planes);
+    MapCropping(mapper, shown ? shown : felt, felt, planes);
     filter->SetCroppingRegionPlanes(planes);
     filter->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
-  }
-}
-
-void TouchedVolume::TakeBack(vtkVolumeHapticsFilter* filter)
-{
-  if (filter->GetInputDataObject(3, 0) == this->Labels)
-  {
-    filter->SetLabelData(nullptr);
-    filter->SetLabelTable(nullptr);
-  }
-}
-
-void TouchedVolume::Mask(vtkVolumeMapper* mapper, vtkVolumeHapticsFilter* filter)
-{
-  vtkImageData* const mask = FindBinaryMask(mapper);
-  vtkImageData* const felt = filter->GetTouchedImage();
-  vtkDataObject* const labels = filter->GetInputDataObject(3, 0);
-  const bool isOurs = labels == this->Labels;
-  // A mapper's mask has a voxel for each one of the image, whatever its own place.
-  const bool fits = mask && felt &&
-    std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, felt->GetDimensions());
-  if (!fits)
-  {
-    this->TakeBack(filter);
-    return;
-  }
-  if (!isOurs && (labels || filter->GetLabelTable()))
-  {
-    return; // the style warns of it
-  }
-  const bool isOther = this->MaskImage != mask || this->MaskTime != mask->GetMTime();
-  if (isOther || !IsSamePlace(this->Labels, felt) ||
-    !std::equal(felt->GetExtent(), felt->GetExtent() + 6, this->Labels->GetExtent()))
-  {
-    this->Labels->ShallowCopy(mask);
-    this->Labels->SetExtent(felt->GetExtent());
-    this->Labels->SetOrigin(felt->GetOrigin());
-    this->Labels->SetSpacing(felt->GetSpacing());
-    this->Labels->SetDirectionMatrix(felt->GetDirectionMatrix());
-    this->MaskImage = mask;
-    this->MaskTime = mask->GetMTime();
-  }
-  if (!this->Unfelt)
-  {
-    this->Unfelt = vtkSmartPointer<vtkHapticLabelTable>::New();
-    this->Unfelt->SetFelt(0, false);
-  }
-  if (!isOurs)
-  {
-    filter->SetLabelData(this->Labels);
-    filter->SetLabelTable(this->Unfelt);
   }
 }
 

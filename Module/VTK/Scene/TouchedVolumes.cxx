@@ -15,7 +15,6 @@
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
 #include "vtkTimerLog.h"
-#include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,54 +90,55 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
       "There is no device to touch a volume with: call SetDevice() before TouchVolume().");
     return false;
   }
-  if (!vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  if (!this->Scene.Device->GetVolumeHaptics())
   {
-    vtkErrorWithObjectMacro(this->Scene.Style,
-      "The volume has no mapper that shows an image: call vtkVolume::SetMapper(), for example with "
-      "a vtkGPUVolumeRayCastMapper, before TouchVolume().");
-    return false;
+    // Whether the volume can be touched or not: callers go on to its settings.
+    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   if (volume->IsA("vtkMultiVolume"))
   {
     vtkErrorWithObjectMacro(this->Scene.Style,
       "A vtkMultiVolume shows several volumes, each at a place of its own, and can't be touched as "
-      "one. Cure: show those that are to be felt by a vtkVolume with a mapper each, and pass the "
-      "first one to TouchVolume(), others to AddTouchedVolume().");
+      "one. Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume, and AddTouchedVolume() "
+      "with that of each other port.");
+    return false;
+  }
+  std::vector<DrawnVolume> drawn;
+  FindDrawn(this->Scene.Style, drawn);
+  TouchedVolume touched;
+  touched.Set(volume);
+  touched.FindPlace(drawn);
+  if (!touched.HasData())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The volume has no mapper that shows data: call vtkVolume::SetMapper(), for example with a "
+      "vtkGPUVolumeRayCastMapper, and its SetInputData() or SetInputConnection(), before "
+      "TouchVolume().");
     return false;
   }
   return true;
 }
 
-void TouchedVolumes::Set(vtkVolume* volume)
+bool TouchedVolumes::Set(vtkVolume* volume)
 {
   if (volume && !this->CanTouch(volume))
   {
-    return;
+    return false;
   }
   if (volume && !this->All.empty())
   {
     // The first one's filter feels the new volume, whichever is felt now.
     this->Feel(this->All.front().Filter);
-    for (const Entry& entry : this->All)
-    {
-      if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
-      {
-        entry.Volume->TakeBack(filter);
-      }
-    }
   }
   this->All.clear();
   if (!volume)
   {
-    return;
-  }
-  if (!this->Scene.Device->GetVolumeHaptics())
-  {
-    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
+    return true;
   }
   this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr, true });
   this->All.back().Volume->Set(volume);
   this->Follow();
+  return true;
 }
 
 bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
@@ -228,7 +228,7 @@ void TouchedVolumes::Follow()
   const bool hasWindow = FindDrawn(this->Scene.Style, drawn);
   for (Entry& entry : this->All)
   {
-    entry.IsShown = entry.Volume->FindPlace(drawn) || !hasWindow;
+    entry.IsShown = (entry.Volume->FindPlace(drawn) || !hasWindow) && entry.Volume->HasData();
     if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
     {
       entry.Volume->Update(filter, this->Pictures, this->Carved);
@@ -237,11 +237,17 @@ void TouchedVolumes::Follow()
   const Entry* const felt = this->FindFelt();
   if (felt && !felt->IsShown)
   {
-    this->Scene.Hidden = felt->Volume->Get()->GetVisibility()
-      ? "What is touched is not in the renderer that shows the hand, so that it is not felt. Cure: "
+    const bool isVisible = felt->Volume->Get()->GetVisibility() != 0;
+    this->Scene.Hidden = !isVisible
+      ? "What is touched is hidden, so that it is not felt. Cure: VisibilityOn() of the vtkVolume."
+      : !felt->Volume->HasData()
+      ? "What is touched shows nothing, so that it is not felt: it has no mapper, or its mapper no "
+        "input. Cure: SetMapper() of the vtkVolume, and SetInputData() or SetInputConnection() of "
+        "the mapper."
+      : "What is touched is not in the renderer that shows the hand, so that it is not felt. Cure: "
         "TouchVolume() of the interactor style with a vtkVolume that is there, AddVolume() of that "
-        "renderer, or SetDefaultRenderer() of the style with the one that has the volume."
-      : "What is touched is hidden, so that it is not felt. Cure: VisibilityOn() of the vtkVolume.";
+        "renderer, VisibilityOn() of the assembly around the volume, DrawOn() of the renderer, or "
+        "SetDefaultRenderer() of the style with the one that has the volume.";
   }
 }
 

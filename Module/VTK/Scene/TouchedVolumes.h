@@ -42,7 +42,7 @@ public:
 
   ///@{
   /** See TouchVolume and AddTouchedVolume of the style. */
-  void Set(vtkVolume* volume);
+  bool Set(vtkVolume* volume);
   bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   ///@}
   /** The volume that is felt; null if there is none. */

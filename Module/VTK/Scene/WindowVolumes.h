@@ -7,9 +7,11 @@
 #ifndef WindowVolumes_h
 #define WindowVolumes_h
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCollection.h"
+#include "vtkDataObject.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiVolume.h"
 #include "vtkPropCollection.h"
@@ -19,7 +21,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
-#include "vtkVolumeMapper.h"
 
 #include <vector>
 
@@ -51,9 +52,17 @@ void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
 struct DrawnVolume
 {
   vtkVolume* Volume = nullptr;
-  vtkVolumeMapper* Mapper = nullptr;    ///< null if it shows no image
+  vtkAbstractVolumeMapper* Mapper = nullptr;
   int Port = 0;                         ///< the mapper's input that shows the volume
   vtkSmartPointer<vtkMatrix4x4> Matrix; ///< from the data to the world
+
+  /** What the mapper shows; null if there is no mapper, or none with an input. */
+  vtkDataObject* FindData() const
+  {
+    return this->Mapper && this->Mapper->GetNumberOfInputConnections(this->Port) > 0
+      ? this->Mapper->GetInputDataObject(this->Port, 0)
+      : nullptr;
+  }
 };
 
 namespace Detail
@@ -75,7 +84,7 @@ inline bool IsVisible(vtkAssemblyPath* path)
 
 inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<DrawnVolume>& all)
 {
-  auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  vtkAbstractVolumeMapper* const mapper = volume->GetMapper();
   auto* const multi = vtkMultiVolume::SafeDownCast(volume);
   if (!multi)
   {

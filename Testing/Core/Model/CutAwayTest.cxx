@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 using namespace VolumeHaptics;
 
@@ -54,6 +57,42 @@ TEST_F(CutAwayPlaces, APlaneIsAsFarAsItsEquationSays)
     const Vector3 voxel = Inverse(this->Image.Linear) * (place.Voxel * normal);
     EXPECT_NEAR(Norm(voxel), 1.0, 1e-12);
     EXPECT_NEAR(place.Share(), std::fmin(1.0, std::fmax(0.0, place.Depth / place.Voxel)), 1e-12);
+  }
+}
+
+// The face is halfway between the voxels 4 and 5 along the first axis, along which voxels are 0.5
+// long. The region begins at (2, 1, 0) of the whole.
+TEST_F(CutAwayPlaces, AHiddenVoxelEndsHalfwayToTheNextOne)
+{
+  constexpr std::int64_t size[3] = { 8, 6, 4 };
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(size[0] * size[1] * size[2]));
+  for (std::size_t at = 0; at < flags.size(); ++at)
+  {
+    flags[at] = 2 + at % 8 <= 4 ? 6 : 4;
+  }
+  HiddenVoxels hidden;
+  hidden.Flags = flags.data();
+  hidden.Hidden = 2;
+  std::copy(size, size + 3, hidden.Dimensions);
+  hidden.First[0] = 2;
+  hidden.First[1] = 1;
+  const CutAway cut({}, {}, this->Image, true, hidden);
+  const Vector3 normal = this->Image.Linear * Vector3{ 2.0, 0.0, 0.0 };
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 index{ this->Draw(4.001, 4.999), this->Draw(0.0, 8.0), this->Draw(-1.0, 5.0) };
+    const CutPlace place = cut.Find(index);
+    EXPECT_NEAR(place.Depth, 0.5 * (index.X - 4.5), 1e-12);
+    EXPECT_NEAR(Norm(place.Normal - normal), 0.0, 1e-12);
+    EXPECT_NEAR(place.Share(), std::clamp(2.0 * (index.X - 4.5), 0.0, 1.0), 1e-12);
+  }
+  for (const double x : { -3.0, 2.0, 3.9, 4.0 })
+  {
+    EXPECT_EQ(cut.Find({ x, 3.3, 2.1 }).Depth, -HUGE_VAL) << x;
+  }
+  for (const double x : { 5.0, 6.5, 9.0, 30.0 })
+  {
+    EXPECT_EQ(cut.Find({ x, 3.3, 2.1 }).Depth, HUGE_VAL) << x;
   }
 }
 

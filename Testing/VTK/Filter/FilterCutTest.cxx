@@ -7,10 +7,12 @@
 
 #include "Rigs/ApiRig.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkHapticSurfaceMode.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeMapper.h"
 
 #include <cmath>
@@ -53,6 +55,33 @@ TEST_F(FilterCut, APlaneThatMovesMovesTheCut)
   this->Filter->RemoveAllClippingPlanes();
   plane->SetNormal(1.0, 0.0, 0.0);
   EXPECT_NEAR(this->Strongest(), whole, 1e-12);
+}
+
+// As VTK's mappers on graphics hardware draw them. The path is at x = 7.
+TEST_F(FilterCut, BlankedPointsAndCellsAreNotFelt)
+{
+  const double whole = this->Strongest();
+  const auto blank = [this](vtkUnsignedCharArray* flags, int side, int first, unsigned char flag)
+  {
+    for (vtkIdType i = 0; i < flags->GetNumberOfValues(); ++i)
+    {
+      flags->SetValue(i, i % side < first ? flag : 0);
+    }
+    flags->Modified();
+  };
+  const int side = this->Image->GetDimensions()[0];
+  vtkUnsignedCharArray* const points = this->Image->AllocatePointGhostArray();
+  blank(points, side, 5, vtkDataSetAttributes::HIDDENPOINT);
+  EXPECT_NEAR(this->Strongest(), whole, 1e-12);
+  blank(points, side, 9, vtkDataSetAttributes::HIDDENPOINT);
+  EXPECT_EQ(this->Strongest(), 0.0);
+  blank(points, side, 9, vtkDataSetAttributes::DUPLICATEPOINT);
+  EXPECT_NEAR(this->Strongest(), whole, 1e-12) << "seen all the same";
+  vtkUnsignedCharArray* const cells = this->Image->AllocateCellGhostArray();
+  blank(cells, side - 1, 6, vtkDataSetAttributes::HIDDENCELL);
+  EXPECT_NEAR(this->Strongest(), whole, 1e-12);
+  blank(cells, side - 1, 9, vtkDataSetAttributes::HIDDENCELL);
+  EXPECT_EQ(this->Strongest(), 0.0);
 }
 
 TEST_F(FilterCut, AMappersOwnPlanesAreTaken)

@@ -52,16 +52,14 @@ protected:
     this->Interactor->RemoveObserver(this->Counter);
   }
 
-  /// Of 30 mm, all of which can be seen.
+  /// Of 30 mm.
   void AddBall(vtkVolume* volume, double z)
   {
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
     mapper->SetInputData(MakeBall());
     volume->SetMapper(mapper);
     volume->SetPosition(0.0, 0.0, z);
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(0.0, 1.0);
-    volume->GetProperty()->SetScalarOpacity(opacity);
+    ShowBall(volume);
     this->Renderer->AddVolume(volume);
   }
   void Run(vtkIdType ticks)

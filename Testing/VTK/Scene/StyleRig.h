@@ -18,6 +18,8 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkTable.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
 
 namespace scenetest
 {
@@ -35,6 +37,15 @@ inline vtkSmartPointer<vtkImageData> MakeBall()
     image->GetPointData()->GetScalars()->SetTuple1(i, 100.0 * (30.0 - Length(image->GetPoint(i))));
   }
   return image;
+}
+
+/// All of the ball can be seen, and nothing around it.
+inline void ShowBall(vtkVolume* volume)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(0.1, 1.0);
+  volume->GetProperty()->SetScalarOpacity(opacity);
 }
 
 /// A window off the screen that looks along -z at the origin; a pixel is 0.2 mm.

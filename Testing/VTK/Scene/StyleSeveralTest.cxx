@@ -37,6 +37,7 @@ protected:
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
     mapper->SetInputData(image);
     volume->SetMapper(mapper);
+    ShowBall(volume);
     this->Renderer->AddVolume(volume);
   }
   /// The other one stands beside the first one, and the mouse touches it.

@@ -33,6 +33,7 @@ protected:
     this->Mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
     this->Mapper->SetInputData(this->Ball);
     this->Volume->SetMapper(this->Mapper);
+    ShowBall(this->Volume);
     this->Renderer->AddVolume(this->Volume);
     this->Device->Open("virtual");
     this->Device->Start();
@@ -255,15 +256,55 @@ TEST_F(StyleVolumes, ThatAreTouchedAreFeltWhereTheyAre)
 
 TEST_F(StyleVolumes, ThatCantBeTouchedAreErrors)
 {
+  this->Device->Stop();
+  this->Device->SetVolumeHaptics(nullptr);
   vtkNew<vtkVolume> empty;
-  this->Style->TouchVolume(empty);
+  EXPECT_FALSE(this->Style->TouchVolume(empty));
   ASSERT_EQ(this->Log.Errors.size(), 1U);
   EXPECT_NE(this->Log.Errors[0].find("vtkVolume::SetMapper()"), std::string::npos);
+  EXPECT_NE(this->Device->GetVolumeHaptics(), nullptr) << "the next line may set it up";
+  EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
+  vtkNew<vtkGPUVolumeRayCastMapper> bare;
+  empty->SetMapper(bare);
+  EXPECT_FALSE(this->Style->TouchVolume(empty));
+  EXPECT_EQ(this->Log.Errors.size(), 2U);
+  bare->SetInputData(this->Ball);
+  EXPECT_TRUE(this->Style->TouchVolume(empty));
+  EXPECT_EQ(this->Style->GetTouchedVolume(), empty);
+  EXPECT_TRUE(this->Style->TouchVolume(nullptr));
   this->Style->SetDevice(nullptr);
-  this->Style->TouchVolume(this->Volume);
-  ASSERT_EQ(this->Log.Errors.size(), 2U);
-  EXPECT_NE(this->Log.Errors[1].find("SetDevice()"), std::string::npos);
+  EXPECT_FALSE(this->Style->TouchVolume(this->Volume));
+  ASSERT_EQ(this->Log.Errors.size(), 3U);
+  EXPECT_NE(this->Log.Errors[2].find("SetDevice()"), std::string::npos);
   this->Log.Errors.clear();
+}
+
+// The renderer draws nothing; no mapper; no input. It comes back as the volume does.
+TEST_F(StyleVolumes, ThatShowNothingAreNotFelt)
+{
+  vtkNew<vtkHapticHeadUpDisplay> display;
+  display->SetDevice(this->Device);
+  this->Style->SetHeadUpDisplay(display);
+  ASSERT_TRUE(this->Style->TouchVolume(this->Volume));
+  const auto expectLetGo = [&](const char* cure)
+  {
+    this->ExpectLetGo(cure);
+    EXPECT_NE(std::string(display->GetHint()).find("not felt"), std::string::npos) << cure;
+  };
+  this->Push();
+  this->Renderer->DrawOff();
+  expectLetGo("DrawOn() of the renderer");
+  this->Renderer->DrawOn();
+  this->Push();
+  this->Volume->SetMapper(nullptr);
+  expectLetGo("Cure: SetMapper() of the vtkVolume");
+  this->Volume->SetMapper(this->Mapper);
+  this->Push();
+  this->Mapper->RemoveAllInputs();
+  expectLetGo("SetInputData() or SetInputConnection() of the mapper");
+  this->Mapper->SetInputData(this->Ball);
+  this->Push();
+  EXPECT_EQ(std::string(display->GetHint()).find("not felt"), std::string::npos);
 }
 
 TEST_F(StyleVolumes, ThatAreHiddenAreNotFelt)
@@ -316,6 +357,7 @@ TEST_F(StyleVolumes, ThatAreReplacedAreNotFelt)
   this->Renderer->RemoveVolume(this->Volume);
   vtkNew<vtkVolume> other;
   other->SetMapper(this->Mapper);
+  ShowBall(other);
   this->Renderer->AddVolume(other);
   this->ExpectLetGo("Cure: TouchVolume() of the interactor style");
   this->Style->TouchVolume(other);
@@ -376,7 +418,7 @@ TEST_F(StyleVolumes, OfAnAssemblyAreFeltWhereItPutsThem)
   this->ExpectLetGo("Cure: TouchVolume()");
 }
 
-TEST_F(StyleVolumes, OfAMultiVolumeAreRefusedOrTold)
+TEST_F(StyleVolumes, OfAMultiVolumeAreFeltEachAtItsPlace)
 {
   this->Renderer->RemoveVolume(this->Volume);
   vtkNew<vtkMultiVolume> multi;
@@ -388,23 +430,30 @@ TEST_F(StyleVolumes, OfAMultiVolumeAreRefusedOrTold)
   {
     mapper->SetInputDataObject(port, port == 0 ? other.Get() : this->Ball.Get());
     multi->SetVolume(parts[port], port);
+    ShowBall(parts[port]);
   }
   this->Renderer->AddVolume(multi);
   EXPECT_EQ(this->CountWarnings(), 0U) << "the filter's image is where it is";
   parts[1]->SetPosition(5.0, 0.0, 0.0);
   EXPECT_EQ(this->CountWarnings(Moved), 1U);
-  this->Style->TouchVolume(multi);
+  EXPECT_FALSE(this->Style->TouchVolume(multi));
   ASSERT_EQ(this->Log.Errors.size(), 1U);
-  EXPECT_NE(this->Log.Errors[0].find("by a vtkVolume with a mapper each"), std::string::npos);
+  EXPECT_NE(this->Log.Errors[0].find("Cure: TouchVolume() with GetVolume(0)"), std::string::npos);
   this->Log.Errors.clear();
   EXPECT_EQ(this->Style->GetTouchedVolume(), nullptr);
   // The cure.
-  this->Renderer->RemoveVolume(multi);
-  this->Renderer->AddVolume(this->Volume);
-  this->Volume->SetPosition(0.0, 0.0, 5.0);
-  this->Style->TouchVolume(this->Volume);
+  parts[1]->SetPosition(0.0, 0.0, 5.0);
+  ASSERT_TRUE(this->Style->TouchVolume(multi->GetVolume(1)));
+  vtkNew<vtkVolumeHapticsFilter> first;
+  EXPECT_TRUE(this->Style->AddTouchedVolume(multi->GetVolume(0), first));
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_EQ(first->GetTouchedImage(), other);
   this->Push();
   EXPECT_EQ(this->Filter->GetTouchedImage()->GetOrigin()[2], -43.0);
+  EXPECT_EQ(this->Filter->GetTouchedImage()->GetPointData()->GetScalars(),
+    this->Ball->GetPointData()->GetScalars());
+  multi->VisibilityOff();
+  this->ExpectLetGo("not felt");
 }
 
 TEST_F(StyleVolumes, ThatAreCutWarn)
@@ -455,7 +504,7 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   mapper->SetMaskTypeToBinary();
   mapper->SetMaskInput(mask);
   this->Style->TouchVolume(this->Volume);
-  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_EQ(this->CountWarnings("Cure: FeelCutFacesOn()"), 1U);
   const auto forceAt = [&](double x)
   {
     vtkNew<vtkPolyData> path;
@@ -483,25 +532,35 @@ TEST_F(StyleVolumes, ThatAreMaskedAreFeltWhereTheMaskShowsThem)
   EXPECT_EQ(this->CountWarnings(), 0U);
   EXPECT_NEAR(forceAt(-29.0), -500.0 * 0.003, 0.1);
   // It goes with its volume, and comes again with it.
+  const auto isBlanked = [this] { return this->Filter->GetTouchedImage()->HasAnyBlankPoints(); };
+  mask->GetPointData()->GetScalars()->SetTuple1(0, 0.0);
+  mask->Modified();
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  EXPECT_TRUE(isBlanked());
   vtkNew<vtkVolume> other;
   vtkNew<vtkGPUVolumeRayCastMapper> otherMapper;
   otherMapper->SetInputData(this->Ball);
   other->SetMapper(otherMapper);
+  ShowBall(other);
   this->Style->TouchVolume(other);
-  EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), nullptr);
-  EXPECT_EQ(this->Filter->GetLabelTable(), nullptr);
+  EXPECT_FALSE(isBlanked());
   this->Style->TouchVolume(this->Volume);
-  EXPECT_EQ(this->CountWarnings(), 0U);
-  EXPECT_NE(this->Filter->GetInputDataObject(3, 0), nullptr);
+  EXPECT_TRUE(isBlanked());
   mapper->SetMaskInput(nullptr);
   EXPECT_EQ(this->CountWarnings(), 0U);
-  EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), nullptr);
-  EXPECT_EQ(this->Filter->GetLabelTable(), nullptr);
-  // Labels of the filter's own are not replaced.
+  EXPECT_FALSE(isBlanked());
+  // Labels of the filter's own are left alone.
   this->Filter->SetLabelData(mask);
   mapper->SetMaskInput(mask);
-  EXPECT_EQ(this->CountWarnings("mask"), 1U);
+  EXPECT_EQ(this->CountWarnings("Cure: FeelCutFacesOn()"), 1U);
   EXPECT_EQ(this->Filter->GetInputDataObject(3, 0), mask);
+  EXPECT_TRUE(isBlanked());
+  // A mask of another size is drawn in some way, and not followed.
+  vtkNew<vtkImageData> small;
+  small->SetDimensions(9, 9, 9);
+  small->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  mapper->SetMaskInput(small);
+  EXPECT_EQ(this->CountWarnings("masks of as many voxels as the image has"), 1U);
 }
 
 TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
@@ -515,10 +574,15 @@ TEST_F(StyleVolumes, WithATransferFunctionOfTwoDimensionsWarn)
   EXPECT_EQ(this->CountWarnings("2-D transfer function"), 1U);
 }
 
-TEST_F(StyleVolumes, WithBlanksWarn)
+TEST_F(StyleVolumes, WithBlanksWarnIfTheirMapperDrawsThem)
 {
+  // Which is not drawn, and not felt.
   vtkUnsignedCharArray* const points = this->Ball->AllocatePointGhostArray();
   points->SetValue(1234, vtkDataSetAttributes::HIDDENPOINT);
+  EXPECT_EQ(this->CountWarnings(), 0U);
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(this->Ball);
+  this->Volume->SetMapper(mapper);
   EXPECT_EQ(this->CountWarnings("vtkGhostType"), 1U);
   points->SetValue(1234, vtkDataSetAttributes::DUPLICATEPOINT); // seen all the same
   points->Modified();

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The voxels of an image that a volume mapper hides one by one: by a mask, by an opacity for each
+ * label of a mask, by isosurfaces, or because they are blanked.
+ */
+#ifndef DrawnVoxels_h
+#define DrawnVoxels_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
+class vtkImageData;
+class vtkUnsignedCharArray;
+class vtkVolumeProperty;
+
+namespace VolumeHaptics
+{
+
+/** What an image shows, and by what. */
+struct DrawnImage
+{
+  vtkAbstractVolumeMapper* Mapper;
+  vtkVolumeProperty* Property;
+  vtkImageData* Image;
+  vtkDataArray* Array; ///< that is drawn; null if there is none
+  int Component;
+  bool IsIsosurface; ///< whether an isosurface is felt, and needs no help
+};
+
+class DrawnVoxels
+{
+public:
+  /**
+   * Flags of the image's points, of which those that are hidden are vtkDataSetAttributes::
+   * HIDDENPOINT; null if the image's own flags say what is hidden. It is the same array until
+   * something changes.
+   */
+  vtkUnsignedCharArray* Find(const DrawnImage& drawn);
+  /** Whether the flags say all, and not the property's scalar opacity. */
+  bool ReplacesOpacity() const { return this->HasOpacity; }
+
+private:
+  struct Source
+  {
+    const void* Mask = nullptr;
+    const void* Array = nullptr;
+    const void* Own = nullptr;
+    vtkMTimeType Time = 0;
+    int Kind = 0;
+    int Component = 0;
+    bool operator==(const Source& other) const;
+  };
+  void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
+
+  Source From;
+  bool HasOpacity = false;
+  vtkSmartPointer<vtkUnsignedCharArray> Flags;
+};
+
+/** The mask by which a mapper hides voxels; null if there is none of this kind. */
+vtkImageData* FindBinaryMask(vtkAbstractVolumeMapper* mapper);
+
+/** The mask whose labels have an opacity of their own; null if there is none. */
+vtkImageData* FindOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
+
+/**
+ * Whether a mask is one of an image: it has a voxel for each one, whatever its own place.
+ */
+bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
+
+/** Whether a mapper hides points and cells that are blanked. */
+bool HidesBlanked(vtkAbstractVolumeMapper* mapper);
+
+} // namespace VolumeHaptics
+
+#endif
