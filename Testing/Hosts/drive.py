@@ -175,7 +175,7 @@ def take_picture(python, name, folder, volume, picture):
     if name != "invesalius":
         xdotool("windowsize", program.window, 640, 560)
     # Frames as fine as those of a graphics card, however long that takes in software.
-    program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); agent.turn()")
+    program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); probe.turn()")
     time.sleep(5.0)
     program.point()
     xdotool("key", "t")
@@ -222,21 +222,21 @@ def main(python, name, folder):
         time.sleep(0.3)
         program.is_felt()
         step("the touch goes on with another style of the program")
-    program.run("renderer, volume = agent.volume(); volume.VisibilityOff(); agent.draw()")
+    program.run("renderer, volume = probe.volume(); volume.VisibilityOff(); probe.draw()")
     program.feels_nothing("hidden")
-    program.run("volume.VisibilityOn(); agent.draw()")
+    program.run("volume.VisibilityOn(); probe.draw()")
     time.sleep(0.3)
     program.feels_nothing("shown again, but not yet touched")
     if program.state()["touch"]:
         program.let_go()
     program.touch()
     step("hidden, nothing is felt; shown, it is touched again")
-    program.run("renderer.RemoveVolume(volume); agent.draw()")
+    program.run("renderer.RemoveVolume(volume); probe.draw()")
     program.feels_nothing("removed")
     radius = 20.0 if follows else RADIUS
     if follows:
-        program.run("volume = make_volume(make_ball(20.0, agent.center))")
-    program.run("renderer.AddVolume(volume); agent.draw()")
+        program.run("volume = make_volume(make_ball(20.0, probe.center))")
+    program.run("renderer.AddVolume(volume); probe.draw()")
     if program.state()["touch"]:
         program.let_go()
     program.touch(radius)

@@ -16,7 +16,7 @@ page        the lines
 change_style  what sets another style, as the program does it
 follows     whether the touch lives through another style, and takes another volume (default True)
 lets_go     key that ends the touch (optional)
-agent       has watch_widget(), for lines that have no add_haptics()
+probe       has watch_widget(), for lines that have no add_haptics()
 
 While it runs, FOLDER/state.json has what is felt, and FOLDER/command the next statement that it runs, in its own thread of
 the GUI, between two events: as its own code would.
@@ -44,7 +44,7 @@ PAGE = HERE.parents[1] / "Documentation" / "hosts.md"
 RADIUS = 30.0  # mm
 CHANGE_STYLE = """from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballActor
 style = vtkInteractorStyleTrackballActor()
-agent.interactor.SetInteractorStyle(style)"""
+probe.interactor.SetInteractorStyle(style)"""
 PERIOD = 50  # ms between two looks
 
 
@@ -73,7 +73,7 @@ def make_volume(image):
     return volume
 
 
-class Agent:
+class Probe:
     """Writes what is felt, and runs commands, in the thread of the GUI."""
 
     def __init__(self, folder, names):
@@ -226,13 +226,13 @@ def main(name, folder, file=None):
         colors = [(-6000, (0.9, 0.6, 0.5)), (3000, (0.9, 0.6, 0.5))]
     names = {"__name__": "__main__", "__file__": str(HERE / "programs" / f"{name}.py"), "image": image, "opacity": opacity, "colors": colors,
              "make_volume": make_volume, "change_style": CHANGE_STYLE, "make_ball": make_ball, "volumehaptics": volumehaptics}
-    agent = Agent(Path(folder), names)
-    names.update(hear=agent.hear, agent=agent, page=lines, is_scan=file is not None)
+    probe = Probe(Path(folder), names)
+    names.update(hear=probe.hear, probe=probe, page=lines, is_scan=file is not None)
     add_haptics = volumehaptics.add_haptics
 
     def add_and_watch(target, *words, **settings):
         haptics = add_haptics(target, *words, **settings)
-        agent.watch(haptics, target)
+        probe.watch(haptics, target)
         return haptics
 
     volumehaptics.add_haptics = add_and_watch

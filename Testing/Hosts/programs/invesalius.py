@@ -48,7 +48,7 @@ def begin():
     widget = sys.modules["touch.main"].widget
     widget.GetInteractor().AddObserver("CharEvent", lambda caller, _: hear(caller.GetKeyCode()), -1.0)
     main.SetTitle("host")
-    agent.watch_widget(widget)
+    probe.watch_widget(widget)
 
 
 # Its tool, which sets a style of its own.
