@@ -164,6 +164,7 @@ TRIED = {
     },
     "ParaView/Gui/session.py": {
         "is no image data, so it can't be felt. Select a volume in the": "can't be felt. Select a volume",
+        "is a file of this computer, which the server does not read: open it there": "is a file of this computer",
         "There is nothing to be felt yet: attach first": "There is nothing to be felt yet: attach first",
         "There is nothing felt to be saved: attach first": "There is nothing felt to be saved: attach first",
         "press Show as CT volume, or choose": "press Show as CT volume, or choose",
@@ -245,12 +246,6 @@ OUTSIDE = {
     ),
 }
 
-# Errors that no test provokes; what their cures name is tried elsewhere.
-UNPROVOKED = (
-    # Of the dock, with a server; TestLiveLost.py opens such a recording here.
-    "is a file of this computer, which the server does not read: open it there",
-)
-
 # Texts that the scan takes for cures.
 NONE = (
     "HapticTouch…Touch with the mouse", "Functions from a file, for Custom", "What is felt now to a file", "HapticShowAsCT…Show as CT volume",
@@ -303,7 +298,7 @@ def test_each_cure_is_tried():
     tried += [word for module in MODULES for words in module.result for word in words]
     tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)]
     tried += [word for tests in TRIED.values() for word in tests]
-    tried += [word for words in OUTSIDE.values() for word in words] + [*UNPROVOKED, *NONE]
+    tried += [word for words in OUTSIDE.values() for word in words] + [*NONE]
     found, left = set(), []
     for file, text in TEXTS:
         entries = [word for word in tried if word in text]

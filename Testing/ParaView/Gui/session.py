@@ -142,9 +142,12 @@ class Session:
         assert len(reader) == 1, f"{len(reader)} recordings are open"
         assert reader[0].PointData["Force"].GetRange(-1)[1] > 0.5
         assert simple.GetDisplayProperties(reader[0], simple.GetActiveView()).Visibility == 1
+        simple.Delete(reader[0])
+
+    def opened_while_touched(self):
         assert simple.GetActiveSource().GetXMLName() == "XMLImageDataReader", "the hand goes on with what it touches"
         assert self.hands(), "and is attached"
-        simple.Delete(reader[0])
+        self.opened()
 
     def tip(self):
         device = self.device()
@@ -246,9 +249,9 @@ class Session:
         theirs = {key.lower() if len(key) == 1 else key for key in theirs}
         theirs |= {key[6:] for key in theirs if re.fullmatch("Shift\\+.", key)}
         ours = self.keys_of_view()
-        assert ours["LetGo"] == "Escape" and ours["Touch"] == "t" and len(ours) > 12, ours
+        assert ours["LetGo"] == "Escape End" and ours["Touch"] == "t" and len(ours) > 12, ours
         both = {action: key for action, keys in ours.items() for key in keys.split()
-                if action != "LetGo" and names.get(key, key) in theirs}
+                if key != "Escape" and names.get(key, key) in theirs}
         assert not both, both
 
     def keys_of_view(self):
@@ -431,6 +434,26 @@ class Session:
         assert self.touch().Preset == "Custom", self.touch().Preset
         self.feel()
         self.press_button("HapticAttach")
+
+    def on_a_server(self):
+        """A recording lies on this computer: a server does not read it, and here it is opened."""
+        file = os.path.join(OUTPUT, "touch.vtp")
+        server = subprocess.Popen([os.environ["GUI_SERVER"], "--disable-xdisplay-test", "--server-port=0"],
+                                  stdout=subprocess.PIPE, text=True)
+        try:
+            port = next(line for line in server.stdout if line.startswith("Accepting connection")).strip().rsplit(":", 1)[1]
+            simple.Connect("127.0.0.1", int(port))
+            told = self.call("openRecorded")
+            assert told == file + " is a file of this computer, which the server does not read: open it there.", told
+            simple.Connect()
+        finally:
+            server.kill()
+            server.wait()
+        self.setup()
+        smtrace.stop_trace()
+        self.call("openRecorded")
+        self.opened()
+        simple.SetActiveSource(simple.FindSource("HeadPhantom.vti"))
 
     def armed_at_exit(self):
         self.press()
