@@ -82,7 +82,8 @@ void ExpectHeaderBehaves(Owner* object, const HapticSetting<Owner>& setting)
     setting.Set(object, 2.0 * setting.Maximum + 1.0);
     EXPECT_EQ(setting.Get(object), setting.Maximum);
   }
-  if (setting.Kind != SettingKind::Flag && setting.Minimum > -LargestNumber)
+  const double lowest = setting.Kind == SettingKind::Integer ? -LargestInteger : -LargestNumber;
+  if (setting.Kind != SettingKind::Flag && setting.Minimum > lowest)
   {
     setting.Set(object, setting.Minimum - 1.0);
     EXPECT_EQ(setting.Get(object), setting.Minimum);

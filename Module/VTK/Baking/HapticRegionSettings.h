@@ -86,7 +86,7 @@ inline constexpr RegionSourceVector Vectors[] = {
 };
 
 inline constexpr RegionSourceSetting All[] = {
-  HapticIntegerMacro(ScalarType, 2, 17, 4, "", NotBaked,
+  HapticIntegerMacro(ScalarType, -LargestInteger, LargestInteger, 4, "", NotBaked, // told when read
     "The type of the samples: VTK_SHORT (4, default), VTK_FLOAT (10) or another type of numbers."),
   HapticNumberMacro(HeaderSize, 0, 1099511627776.0, 0, "bytes", NotBaked,
     "The size (bytes) of the header of the file, which is left out. Default 0."),

@@ -61,9 +61,18 @@ inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from, int type)
   copy->DeepCopy(from);
   return copy;
 }
+/** The same, of the class of the array if that keeps tuple after tuple. */
 inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
 {
-  return CopyArray(from, from->GetDataType());
+  if (!from->HasStandardMemoryLayout())
+  {
+    return CopyArray(from, from->GetDataType());
+  }
+  const auto copy = vtk::TakeSmartPointer(from->NewInstance());
+  copy->SetNumberOfComponents(from->GetNumberOfComponents());
+  AllocateTuples(copy, from->GetNumberOfTuples());
+  copy->DeepCopy(from);
+  return copy;
 }
 
 /** The scalars of an image, with the name that VTK's AllocateScalars() gives them. */

@@ -46,6 +46,10 @@ double EdgeOf(const Analysis& analysis)
 /// Noise of the background is no body, where the image tells how bright the background is.
 void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
+  if (analysis.Kind == VolumeKind::Field)
+  {
+    return; // whose flanks are no noise
+  }
   vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
