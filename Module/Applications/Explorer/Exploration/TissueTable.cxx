@@ -111,7 +111,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->ShiftFromImageOff();
 }
 
-/// The middle of a boundary, or what is nearest to it where the strength begins.
+/// The middle of a boundary, or, if nothing resists there yet, where the strength begins.
 double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
@@ -123,7 +123,7 @@ double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
     strength->GetNodeValue(i, to);
     if (from[1] == 0.0 && to[1] > 0.0 && from[0] >= low && from[0] < high)
     {
-      return std::clamp(middle, from[0], to[0]);
+      return std::max(middle, from[0]);
     }
   }
   return middle;
