@@ -26,6 +26,10 @@ constexpr double TissueValues[2] = { -150.0, 150.0 };
 constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
+/** What is stored higher has hardly a value below 0: that is why it is. */
+constexpr double Negative = -0.5;
+/** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
+constexpr double LeastSpread = 0.5;
 /** Nothing but padding is so much darker than air, which is so near to its place (HU). */
 constexpr double DarkerThanAir = -1100.0;
 constexpr double NearAir = 20.0;
@@ -64,14 +68,17 @@ public:
       found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan;
       return found;
     }
+    const bool mayBeStored = this->CountWithout(-HUGE_VAL, Negative) < LeastShare * count;
     for (const double offset : Offsets)
     {
       const double heap = this->Count(AirValues[0] + offset, AirValues[1] + offset);
       const double between = this->Count(BetweenValues[0] + offset, BetweenValues[1] + offset);
       const double tissue = this->Count(TissueValues[0] + offset, TissueValues[1] + offset);
-      if (std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
-        static_cast<double>(this->Without(-HUGE_VAL, DarkerThanAir + offset).size()) >=
-          LeastShare * count)
+      if (!mayBeStored ||
+        std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
+        this->CountWithout(TissueValues[0] + offset, TissueValues[1] + offset) <
+          LeastSpread * tissue ||
+        this->CountWithout(-HUGE_VAL, DarkerThanAir + offset) >= LeastShare * count)
       {
         continue;
       }
@@ -113,6 +120,11 @@ private:
     std::vector<double> values(first, pad.first);
     values.insert(values.end(), pad.second, last);
     return values;
+  }
+
+  double CountWithout(double low, double high) const
+  {
+    return static_cast<double>(this->Without(low, high).size());
   }
 
   /**

@@ -57,7 +57,7 @@ void RegionStore::SetVolume(const LargeVolumeKey& key, std::shared_ptr<const Lar
   this->Volume = std::move(volume);
   if (this->Volume->IsSmooth)
   {
-    this->NoteFacts({ 0.0, this->Volume->BorderValue, {}, {} });
+    this->NoteFacts({ 0.0, this->Volume->BorderValue, {}, {}, {} });
   }
 }
 

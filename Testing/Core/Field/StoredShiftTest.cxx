@@ -60,7 +60,7 @@ TEST(StoredShift, IsWhatWasAddedToACT)
 {
   for (const bool hasLungs : { false, true })
   {
-    for (const double sigma : { 0.0, 10.0, 20.0 })
+    for (const double sigma : { 2.0, 10.0, 20.0 })
     {
       const std::vector<double> body = MakeBody(sigma, hasLungs);
       EXPECT_EQ(Find(body).Shift, 0.0);
@@ -90,7 +90,7 @@ TEST(StoredShift, IsNotMovedByPadding)
       const auto n = static_cast<std::int64_t>(i);
       const bool isPadded = std::hypot(static_cast<double>(n % Width) - 0.5 * Width,
                               static_cast<double>(n / Width % Width) - 0.5 * Width) > 34.0;
-      stored[i] = isPadded ? padding : stored[i] + 1024.0;
+      stored[i] = isPadded ? padding : std::max(0.0, stored[i] + 1024.0);
     }
     EXPECT_EQ(Find(stored).Shift, -1024.0) << "padding of " << padding;
   }
@@ -104,6 +104,16 @@ TEST(StoredShift, IsNotSeenInOtherData)
     [](double value) { return value < -500.0 ? 0.0 : value; });
   EXPECT_EQ(Find(masked).Shift, 0.0);
   EXPECT_FALSE(Find(masked).IsStrange);
+
+  // Bone in water, in Hounsfield units, without noise and with it.
+  for (const double sigma : { 0.0, 10.0 })
+  {
+    std::vector<double> bone = MakeBody(sigma, false);
+    std::transform(bone.begin(), bone.end(), bone.begin(),
+      [](double value) { return value < -500.0 ? value + 1000.0 : 1000.0; });
+    EXPECT_EQ(Find(bone).Shift, 0.0) << "noise of " << sigma << " HU";
+    EXPECT_FALSE(Find(bone).IsStrange);
+  }
 
   // Magnitudes of a resonance: a dark background and one heap.
   std::vector<double> magnitudes = MakeBody(10.0, false);
@@ -133,8 +143,8 @@ TEST(StoredShift, TellsWhatCannotBeHounsfieldUnits)
 TEST(StoredShift, OfPiecesIsThatOfTheWhole)
 {
   std::vector<double> stored = MakeBody(20.0, true);
-  std::transform(
-    stored.begin(), stored.end(), stored.begin(), [](double value) { return value + 1024.0; });
+  std::transform(stored.begin(), stored.end(), stored.begin(),
+    [](double value) { return std::max(0.0, value + 1024.0); });
   const int whole[6] = { 0, Width - 1, 0, Width - 1, 0, Width - 1 };
   NoiseSamples samples;
   for (int part = 0; part < 2; ++part)

@@ -41,8 +41,10 @@ double Unit(const Point& p)
   const double noise = 16.0 * (static_cast<double>(random >> 8) * 0x1p-24 - 0.5);
   const double r = std::hypot(p[0] - Middle, p[1] - Middle, p[2] - Middle);
   const auto inside = [r](double radius) { return 0.5 * std::erfc((r - radius) / 1.0); };
-  return std::round(
-    -1000.0 + 900.0 * inside(20.0) + 150.0 * inside(16.0) + 950.0 * inside(8.0) + noise);
+  // As scanners do, which store nothing below 0.
+  return std::max(-1000.0,
+    std::round(
+      -1000.0 + 900.0 * inside(20.0) + 150.0 * inside(16.0) + 950.0 * inside(8.0) + noise));
 }
 
 class FilterShift : public ApiTest
