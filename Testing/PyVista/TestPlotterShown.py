@@ -233,9 +233,9 @@ def test_multi_volumes_are_refused_with_the_cure(scene):
     multi.SetMapper(mapper)
     multi.SetVolume(actor, 0)
     plotter.renderer.AddVolume(multi)
-    with pytest.raises(ValueError, match="vtkMultiVolume.*Cure: show those that are to be felt by a vtkVolume"):
+    with pytest.raises(ValueError, match=r"vtkMultiVolume.*Cure: TouchVolume\(\) with GetVolume\(0\)"):
         add_haptics(plotter, multi)
-    assert add_haptics(plotter, actor).device.IsRunning()  # it is shown by itself, too
+    assert add_haptics(plotter, multi.GetVolume(0)).device.IsRunning()
 
 
 def test_a_sheared_actor_warns(scene):
