@@ -4,6 +4,7 @@
 // picture is of a copy in which what is not the body is hidden; and undone, it is gone.
 #include "Applications/Explorer/Live/HandTool.h"
 #include "Expectations.h"
+#include "Rigs/DrawnPixels.h"
 #include "TouchedHead.h"
 
 #include "vtkCommand.h"
@@ -12,7 +13,6 @@
 #include "vtkImageData.h"
 #include "vtkPNGWriter.h"
 #include "vtkPropCollection.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkWindowToImageFilter.h"
@@ -30,7 +30,7 @@ constexpr int Y = 160;
 constexpr int Around = 12;
 
 /// The volume around the pointer, without the hand; in the file it is seen whole.
-std::vector<int> Draw(TouchedHead& head, const std::string& file)
+std::vector<double> Draw(TouchedHead& head, const std::string& file)
 {
   head.Touch.Style->TouchModeOff();
   Explore::ExplorerScene& scene = head.Touch.Scene;
@@ -54,25 +54,18 @@ std::vector<int> Draw(TouchedHead& head, const std::string& file)
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(file.c_str());
   writer->Write();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  scene.Window->GetPixelData(X - Around, Y - Around, X + Around, Y + Around, 0, pixels);
-  std::vector<int> levels;
-  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
-  {
-    levels.push_back(pixels->GetValue(i));
-  }
-  return levels;
+  return apitest::ReadPixels(scene.Window, X - Around, Y - Around, X + Around, Y + Around);
 }
 
 /// Pixels that differ clearly.
-int CountChanges(const std::vector<int>& a, const std::vector<int>& b)
+int CountChanges(const std::vector<double>& a, const std::vector<double>& b)
 {
   int count = 0;
   for (std::size_t i = 0; i + 2 < a.size(); i += 3)
   {
-    const int most = std::max(
+    const double most = std::max(
       { std::abs(a[i] - b[i]), std::abs(a[i + 1] - b[i + 1]), std::abs(a[i + 2] - b[i + 2]) });
-    count += most > 20 ? 1 : 0;
+    count += most > 20.0 ? 1 : 0;
   }
   return count;
 }
@@ -84,7 +77,7 @@ void Drill(int argc, char* argv[], Explore::MapperChoice mapper, const std::stri
   const std::string folder = MakeTestFolder(argc, argv, "TouchBurr") + "/";
   const Explore::HandTool tool(head.Touch, head.Exploration, head.Interactor, "burr");
   vtkHapticRemoval* const removal = head.Exploration.Filter->GetRemoval();
-  const std::vector<int> before = Draw(head, folder + name + "Before.png");
+  const std::vector<double> before = Draw(head, folder + name + "Before.png");
   head.Touch.Device->SpinningOn();
   head.TouchAt(X, Y,
     [&]

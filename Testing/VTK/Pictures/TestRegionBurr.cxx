@@ -3,6 +3,7 @@
 
 // A large volume from which tissue was removed looks like one whose samples were carved by a loop:
 // finely in the box around the hand, coarsely elsewhere, and at both sides of the box's faces.
+#include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 #include "Rigs/RemovalRig.h"
 
@@ -15,7 +16,6 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeHapticsFilter.h>
 #include <vtkVolumeProperty.h>
@@ -135,27 +135,9 @@ struct BurrScene
   {
     this->Renderer->ResetCameraClippingRange();
     this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, BurrPictureSize - 1, BurrPictureSize - 1, 0, pixels);
-    std::vector<double> values;
-    for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
-    {
-      values.push_back(pixels->GetValue(i));
-    }
-    return values;
+    return apitest::ReadPixels(this->Window, 0, 0, BurrPictureSize - 1, BurrPictureSize - 1);
   }
 };
-
-/// The mean difference of pixels (0 to 255).
-double ComparePictures(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    sum += std::abs(a[i] - b[i]);
-  }
-  return sum / static_cast<double>(a.size());
-}
 
 int CheckMapper(
   const char* name, vtkVolumeMapper* mapper, vtkVolumeMapper* reference, vtkIdType coarseVoxels)
@@ -179,15 +161,16 @@ int CheckMapper(
   volume->SetOrigin(scene.Source->GetOrigin());
   const auto compare = [&](const char* what, double most)
   {
-    const double difference = ComparePictures(scene.Draw(), carved.Draw());
+    const double difference = apitest::FindMeanDifference(scene.Draw(), carved.Draw());
     std::cout << name << ", " << what << ": difference " << difference << "\n";
     expect(difference <= most, what);
   };
   const std::vector<double> wholeCoarse = scene.Draw();
   expect(removaltest::LoadHole(scene.Touch->GetRemoval(), volume, NearHole, AirOfScene),
     "shares are read");
-  std::cout << name << ": the hole makes " << ComparePictures(wholeCoarse, carved.Draw()) << "\n";
-  expect(ComparePictures(wholeCoarse, carved.Draw()) > 2.0, "the hole is seen");
+  std::cout << name << ": the hole makes "
+            << apitest::FindMeanDifference(wholeCoarse, carved.Draw()) << "\n";
+  expect(apitest::FindMeanDifference(wholeCoarse, carved.Draw()) > 2.0, "the hole is seen");
   compare("before there is a box", 0.0);
   expect(scene.Refine(57.0, 11.0, 52.0) && carved.Refine(57.0, 11.0, 52.0), "the box is shown");
   compare("the box in the hole", 0.0);
@@ -198,10 +181,11 @@ int CheckMapper(
   scene.Touch->GetRemoval()->Reset();
   const std::vector<double> wholeAgain = scene.Draw();
   scene.Picture->SetVolumeHaptics(nullptr);
-  expect(ComparePictures(wholeAgain, scene.Draw()) == 0.0, "nothing is left of what is undone");
+  expect(apitest::FindMeanDifference(wholeAgain, scene.Draw()) == 0.0,
+    "nothing is left of what is undone");
   expect(scene.Mapper->GetDataObjectInput() == coarse, "the mapper has its own image");
   scene.Picture->SetRenderer(nullptr);
-  expect(ComparePictures(wholeCoarse, scene.Draw()) == 0.0, "as it was");
+  expect(apitest::FindMeanDifference(wholeCoarse, scene.Draw()) == 0.0, "as it was");
   carved.Picture->SetRenderer(nullptr);
   return wrong;
 }

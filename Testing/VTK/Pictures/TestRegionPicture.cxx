@@ -4,6 +4,7 @@
 // A coarse image that has all samples of the volume, and a fine box in it, are to look like one
 // volume: from all sides, in perspective or not, as the same image does without the box. It is a
 // translucent shell around a core, so that what is drawn in another order looks different.
+#include "Rigs/DrawnPixels.h"
 #include "Rigs/Eventually.h"
 
 #include <vtkCamera.h>
@@ -16,7 +17,6 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeHapticsFilter.h>
 #include <vtkVolumeProperty.h>
@@ -101,25 +101,7 @@ std::vector<double> Render(Scene& scene, vtkRenderer* renderer)
 {
   scene.Picture->SetRenderer(renderer);
   scene.Window->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  scene.Window->GetPixelData(0, 0, PictureSize - 1, PictureSize - 1, 0, pixels);
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
-  {
-    values.push_back(pixels->GetValue(i));
-  }
-  return values;
-}
-
-/// The mean difference of pixels (0 to 255).
-double Compare(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    sum += std::abs(a[i] - b[i]);
-  }
-  return sum / static_cast<double>(a.size());
+  return apitest::ReadPixels(scene.Window, 0, 0, PictureSize - 1, PictureSize - 1);
 }
 } // namespace
 
@@ -174,8 +156,8 @@ int TestRegionPicture(int, char*[])
     expect(scene.Picture->IsRefined(), "the box is shown");
     const std::vector<double> plain = Render(scene, nullptr);
     expect(!scene.Picture->IsRefined() && scene.Mapper->GetCropping() == 0, "it is taken out");
-    const double difference = Compare(refined, plain);
-    const double light = Compare(plain, std::vector<double>(plain.size(), 0.0));
+    const double difference = apitest::FindMeanDifference(refined, plain);
+    const double light = apitest::FindMeanDifference(plain, std::vector<double>(plain.size(), 0.0));
     std::cout << "view " << view << ": difference " << difference << " of " << light << "\n";
     expect(difference < 0.4, "it looks like one volume");
     expect(light > 5.0, "something is seen");

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * The pixels that a window has drawn, as numbers.
+ */
+#ifndef DrawnPixels_h
+#define DrawnPixels_h
+
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <vector>
+
+namespace apitest
+{
+/// Three levels (0 to 255) for each pixel of a rectangle, both corners included.
+inline std::vector<double> ReadPixels(
+  vtkRenderWindow* window, int left, int bottom, int right, int top)
+{
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(left, bottom, right, top, 0, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+/// The mean difference of levels.
+inline double FindMeanDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += std::abs(a[i] - b[i]);
+  }
+  return sum / static_cast<double>(a.size());
+}
+} // namespace apitest
+
+#endif
