@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of Hounsfield units as they are, so many samples are air or lung (HU); padding is below. */
+/** Values (HU) of air and lung, without padding: of unshifted data, LeastShare have them. */
 constexpr double SurelyAir[2] = { -1200.0, -200.0 };
 constexpr double LeastShare = 0.005;
 /** Values (HU) of air and of soft tissue, and those between them, which lungs and edges have. */
@@ -26,7 +26,7 @@ constexpr double TissueValues[2] = { -150.0, 150.0 };
 constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
-/** What is stored higher has hardly a value below 0: that is why it is. */
+/** Shifted data has hardly a value at or below this, since the shift makes values positive. */
 constexpr double Negative = -0.5;
 /** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
 constexpr double LeastSpread = 0.5;
@@ -68,14 +68,26 @@ public:
       found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan;
       return found;
     }
-    const bool mayBeStored = this->CountWithout(-HUGE_VAL, Negative) < LeastShare * count;
+    if (this->CountWithout(-HUGE_VAL, Negative) < LeastShare * count && this->FindShift(found))
+    {
+      return found;
+    }
+    found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan ||
+      found.Range[0] > LeastOfTissue || found.Range[1] > MostUnits;
+    return found;
+  }
+
+private:
+  /** Whether air and soft tissue are where a shift puts them. */
+  bool FindShift(StoredShift& found) const
+  {
+    const auto count = static_cast<double>(this->All.size());
     for (const double offset : Offsets)
     {
       const double heap = this->Count(AirValues[0] + offset, AirValues[1] + offset);
       const double between = this->Count(BetweenValues[0] + offset, BetweenValues[1] + offset);
       const double tissue = this->Count(TissueValues[0] + offset, TissueValues[1] + offset);
-      if (!mayBeStored ||
-        std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
+      if (std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
         this->CountWithout(TissueValues[0] + offset, TissueValues[1] + offset) <
           LeastSpread * tissue ||
         this->CountWithout(-HUGE_VAL, DarkerThanAir + offset) >= LeastShare * count)
@@ -89,15 +101,12 @@ public:
       {
         found.Air = air;
         found.Shift = other < usual ? -OtherOffset : -offset;
-        return found;
+        return true;
       }
     }
-    found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan ||
-      found.Range[0] > LeastOfTissue || found.Range[1] > MostUnits;
-    return found;
+    return false;
   }
 
-private:
   /** The number of values from `low` to `high`. */
   double Count(double low, double high) const
   {

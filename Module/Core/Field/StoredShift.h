@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What has to be added to the values of a CT to have Hounsfield units.
+ * The number that turns the stored values of a CT into Hounsfield units when it is added.
  */
 #ifndef StoredShift_h
 #define StoredShift_h

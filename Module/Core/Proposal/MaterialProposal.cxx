@@ -244,7 +244,7 @@ void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
   { line = isDark ? CutBelow(line, from, to) : Mirror(CutBelow(Mirror(line), -from, -to)); };
   empty(proposal.SurfaceStrength, end, full);
   empty(proposal.Friction, end, full);
-  // What is small and dim holds little, but would drag as much as what is large.
+  // A small, dim material holds a hand little, but would drag it as much as a large one.
   empty(proposal.Viscosity, full,
     isDark ? std::max(constant, full + rise) : std::min(constant, full + rise));
 }

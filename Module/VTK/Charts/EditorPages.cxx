@@ -165,8 +165,10 @@ void EditorPages::ScaleValues()
   // Opacities are of scalars.
   vtkHapticProperty* const property =
     this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
-  this->Chart.ScaleValues(property ? property->GetScalarShift() + property->GetFoundShift() : 0.0,
-    property ? property->GetScalarScale() : 1.0);
+  this->Chart.ScaleValues(property
+      ? ValueScale{ property->GetScalarShift() + property->GetFoundShift(),
+          property->GetScalarScale() }
+      : ValueScale{});
 }
 
 //------------------------------------------------------------------------------

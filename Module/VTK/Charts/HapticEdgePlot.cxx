@@ -87,17 +87,10 @@ void HapticEdgePlot::ShowDistinctness(double start, double full)
 }
 
 //------------------------------------------------------------------------------
-void HapticEdgePlot::ScaleValues(double shift, double scale)
+void HapticEdgePlot::ScaleValues(const VolumeHaptics::ValueScale& scale)
 {
-  this->ValueScale[0] = shift;
-  this->ValueScale[1] = scale;
+  this->ToValue = scale;
   this->Modified();
-}
-
-//------------------------------------------------------------------------------
-double HapticEdgePlot::ToValue(double scalar) const
-{
-  return (scalar + this->ValueScale[0]) * this->ValueScale[1];
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #ifndef HapticEdgePlot_h
 #define HapticEdgePlot_h
 
+#include "VTK/Charts/HapticValueScale.h"
 #include "VTK/Proposal/EdgeHistogram.h"
 
 #include "vtkNew.h"
@@ -31,8 +32,8 @@ public:
   /** Shows a histogram, with the boundaries that a property has proposed; it may be null. */
   void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
-  /** What the axis of values has for a scalar: (scalar + shift) scale. */
-  void ScaleValues(double shift, double scale);
+  /** Sets which values the axis shows for the scalars. */
+  void ScaleValues(const VolumeHaptics::ValueScale& scale);
 
   /**
    * The gradient magnitudes at which distinctness begins, and from which on it is full (scalar
@@ -59,7 +60,6 @@ private:
     double Value;
     double Share; // of the largest gradient magnitude that is shown
   };
-  double ToValue(double scalar) const;
   /** Its value as VTK scales it for single precision. */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
@@ -67,7 +67,7 @@ private:
   vtkNew<vtkImageData> Picture;
   std::vector<std::vector<ArcPoint>> Arcs;
   double Values[2] = { 0.0, 1.0 }; // scalars
-  double ValueScale[2] = { 0.0, 1.0 };
+  VolumeHaptics::ValueScale ToValue;
   double MostSlope = 1.0;
   double Distinctness[2] = { 0.0, 0.0 };
 };

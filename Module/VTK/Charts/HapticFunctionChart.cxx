@@ -151,13 +151,12 @@ void HapticFunctionChart::ShowData(vtkImageData* image, int component)
 }
 
 //------------------------------------------------------------------------------
-void HapticFunctionChart::ScaleValues(double shift, double scale)
+void HapticFunctionChart::ScaleValues(const ValueScale& scale)
 {
-  if (shift != this->ValueScale[0] || scale != this->ValueScale[1])
+  if (!(scale == this->ToValue))
   {
-    this->ValueScale[0] = shift;
-    this->ValueScale[1] = scale;
-    this->Edges->ScaleValues(shift, scale);
+    this->ToValue = scale;
+    this->Edges->ScaleValues(scale);
     this->HasChosenValues = false;
     this->ShowCounts();
   }
@@ -166,12 +165,10 @@ void HapticFunctionChart::ScaleValues(double shift, double scale)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ShowCounts()
 {
-  const auto toValue = [this](double scalar)
-  { return (scalar + this->ValueScale[0]) * this->ValueScale[1]; };
   ValueCounts counts = this->Data;
-  counts.Origin = toValue(counts.Origin);
-  counts.Width *= this->ValueScale[1];
-  std::transform(counts.Range, counts.Range + 2, counts.Range, toValue);
+  counts.Origin = this->ToValue(counts.Origin);
+  counts.Width *= this->ToValue.Scale;
+  std::transform(counts.Range, counts.Range + 2, counts.Range, this->ToValue);
   FillHistogram(counts, this->BarTable);
   std::copy(counts.Range, counts.Range + 2, this->DataRange);
   this->HasData = !counts.Counts.empty();
@@ -348,7 +345,7 @@ void HapticFunctionChart::SetAxes(double from, double to, double scale)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ShowTissues(vtkHapticProperty* property)
 {
-  this->Bands->Show(property, this->ValueScale, this->Range, std::max(8, this->Letters - 1));
+  this->Bands->Show(property, this->ToValue, this->Range, std::max(8, this->Letters - 1));
 }
 
 //------------------------------------------------------------------------------

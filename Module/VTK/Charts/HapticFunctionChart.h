@@ -11,6 +11,7 @@
 #include "VTK/Charts/HapticEdgePlot.h"
 #include "VTK/Charts/HapticHistogram.h"
 #include "VTK/Charts/HapticTissueBands.h"
+#include "VTK/Charts/HapticValueScale.h"
 #include "VTK/Work/BackgroundWork.h"
 
 #include "vtkBlockItem.h"
@@ -105,8 +106,8 @@ public:
   /** The range of the data (scalar units). */
   const double* GetDataRange() const { return this->Data.Range; }
 
-  /** What the axis of values has for a scalar: (scalar + shift) scale. */
-  void ScaleValues(double shift, double scale);
+  /** Sets which values the axis shows for the scalars. */
+  void ScaleValues(const ValueScale& scale);
 
   /** Shows a function, or none; while it is dragged the axes stay unchanged. */
   void ShowFunction(vtkPiecewiseFunction* function, const EditedQuantity& quantity, bool dragged);
@@ -174,9 +175,9 @@ private:
   double SearchedShare = 1.0;
   std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
-  ValueCounts Data;                    // of scalars
-  double DataRange[2] = { 0.0, 1.0 };  // on the axis of values
-  double ValueScale[2] = { 0.0, 1.0 }; // shift and scale
+  ValueCounts Data;                   // of scalars
+  double DataRange[2] = { 0.0, 1.0 }; // on the axis of values
+  ValueScale ToValue;
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
   int Letters = 8;              ///< points

@@ -39,8 +39,8 @@ HapticTissueBands::HapticTissueBands()
 HapticTissueBands::~HapticTissueBands() = default;
 
 //------------------------------------------------------------------------------
-void HapticTissueBands::Show(
-  vtkHapticProperty* property, const double valueScale[2], const double range[2], int letters)
+void HapticTissueBands::Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
+  const double range[2], int letters)
 {
   this->Bands.clear();
   std::copy_n(range, 2, this->Range);
@@ -51,8 +51,7 @@ void HapticTissueBands::Show(
     double values[2];
     property->GetTissueRange(i, values);
     std::transform(values, values + 2, values,
-      [&](double value)
-      { return (property->ValueToScalar(value) + valueScale[0]) * valueScale[1]; });
+      [&](double value) { return toValue(property->ValueToScalar(value)); });
     const double low = i == 0 ? range[0] : values[0];
     const double high = i + 1 == tissues ? range[1] : values[1];
     if (high > range[0] && low < range[1])

@@ -11,6 +11,8 @@
 #ifndef HapticTissueBands_h
 #define HapticTissueBands_h
 
+#include "VTK/Charts/HapticValueScale.h"
+
 #include "vtkPlot.h"
 
 #include <array>
@@ -28,11 +30,11 @@ public:
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
   /**
-   * The tissues of a property, or none; what the axis of values has for a scalar, as shift and
-   * scale; the ends of the axis; the size of letters.
+   * The tissues of a property, or none; which values the axis shows for scalars; the ends of the
+   * axis; the size of letters.
    */
-  void Show(
-    vtkHapticProperty* property, const double valueScale[2], const double range[2], int letters);
+  void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
+    const double range[2], int letters);
 
   ///@{
   /** For the chart. */

@@ -188,11 +188,15 @@ void UseOutside(Volume& volume)
 /// the thresholds and the kind of the volume, too.
 void UseHounsfieldUnits(Volume& volume)
 {
+  if (volume.IsField)
+  {
+    return;
+  }
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
   const int* const size = volume.Image->GetDimensions();
   const std::int64_t dimensions[3] = { size[0], size[1], size[2] };
   const VolumeHaptics::StoredShift found = VolumeHaptics::FindStoredShift(scalars, dimensions, 0);
-  if (volume.IsField || found.Shift == 0.0)
+  if (found.Shift == 0.0)
   {
     return;
   }
