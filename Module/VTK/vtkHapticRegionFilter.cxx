@@ -166,20 +166,6 @@ bool vtkHapticRegionFilter::GatherRegion(vtkImageData* piece, vtkDataArray* arra
 }
 
 //------------------------------------------------------------------------------
-void vtkHapticRegionFilter::WarnOfOutside(vtkDataArray* array)
-{
-  for (const VolumeHaptics::OutsideSamples& outside : this->Outside)
-  {
-    const std::string notice = VolumeHaptics::DescribeOutside(outside, array);
-    if (!notice.empty())
-    {
-      vtkWarningMacro(<< VolumeHaptics::Printable(notice));
-      return;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
 {
   VolumeHaptics::WholeFields facts;
@@ -188,6 +174,7 @@ void vtkHapticRegionFilter::WriteFacts(const int whole[6], vtkImageData* output)
   facts.BorderValues = this->BorderValues;
   facts.Solids = this->Solids;
   facts.Shifts = this->Shifts;
+  facts.Outside = this->Outside;
   facts.Time = static_cast<double>(this->GatheredTime);
   VolumeHaptics::WriteWholeFacts(facts, output);
 }
@@ -231,7 +218,8 @@ int vtkHapticRegionFilter::RequestData(
     this->Outside.clear();
     for (VolumeHaptics::NoiseSamples& component : samples)
     {
-      const auto outside = array && VolumeHaptics::AreScalars(array)
+      // Of all pieces: this process may have none, and no array.
+      const auto outside = VolumeHaptics::AreScalars(static_cast<int>(samples.size()))
         ? VolumeHaptics::FindOutside(component)
         : VolumeHaptics::OutsideSamples{};
       VolumeHaptics::FillOutside(outside, component);
@@ -242,7 +230,6 @@ int vtkHapticRegionFilter::RequestData(
       this->Shifts.push_back(VolumeHaptics::StoredShift::Find(component));
     }
     this->GatheredTime = time;
-    this->WarnOfOutside(array);
   }
   output->SetExtent(region);
   output->SetOrigin(piece->GetOrigin());
@@ -253,11 +240,6 @@ int vtkHapticRegionFilter::RequestData(
   {
     if (this->GatherRegion(piece, array, region, output, error))
     {
-      vtkDataArray* const gathered = output->GetPointData()->GetScalars();
-      for (std::size_t c = 0; gathered && c < this->Outside.size(); ++c)
-      {
-        VolumeHaptics::FillOutside(this->Outside[c], gathered, static_cast<int>(c));
-      }
       this->WriteFacts(whole, output);
       return 1;
     }

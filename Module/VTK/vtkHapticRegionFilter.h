@@ -36,10 +36,11 @@
  *
  *   HapticShare         above 0 and at most 1; the share of the force that is felt there
  *
- * and, if its samples outside do not have the least value yet (vtkHapticRegionSource::ReadRegion),
+ * and, if samples are outside, or no numbers, and still as they were read,
  *
- *   HapticOutside       three numbers a component: 1 if NaN and infinity are outside, the number
- *                       for missing values or NaN, and the value with which both are felt
+ *   HapticOutside       four numbers a component: 1 if NaN and infinity are outside, the number for
+ *                       missing values or NaN, the value with which both are felt, but of labels,
+ *                       and the share of the samples that are no numbers, if these are holes
  *
  * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
  * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
@@ -150,7 +151,6 @@ protected:
 
 private:
   void WriteFacts(const int whole[6], vtkImageData* output);
-  void WarnOfOutside(vtkDataArray* array);
   bool ClipRegion(const int whole[6], int region[6]) const;
 
   std::vector<double> Noise; // one for each component

@@ -308,6 +308,7 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
   std::copy_n(this->WholeExtent, 6, key.Extent.begin());
   key.ScalarType = this->ScalarType;
   key.Version = this->Version;
+  key.AreLabels = this->AreLabels;
   if (!this->Function)
   {
     key.File = this->FileName;
@@ -321,6 +322,7 @@ bool vtkHapticRegionSource::Prepare(std::string& error)
     volume->Extent = key.Extent;
     volume->ScalarType = key.ScalarType;
     volume->SampleSize = static_cast<std::size_t>(size);
+    volume->AreLabels = key.AreLabels;
     if (this->Sampler)
     {
       volume->ValuesPerSample = this->CountValues();
@@ -383,7 +385,7 @@ bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
   std::shared_ptr<const CoarseLevel> level;
   if (this->CoarseImage)
   {
-    level = CoarseLevel::Make(this->CoarseImage, key.IndexToWorld, error);
+    level = CoarseLevel::Make(this->CoarseImage, this->AreLabels, key.IndexToWorld, error);
     if (!level)
     {
       return false;
@@ -435,6 +437,11 @@ void vtkHapticRegionSource::UseSettingsOf(vtkVolumeHapticsFilter* filter)
       this->Modified(); // the placeholder has another size
     }
   }
+  if (filter && this->AreLabels != filter->GetProperty()->GetScalarsAreLabels())
+  {
+    this->AreLabels = !this->AreLabels;
+    this->Modified(); // what is outside has another value
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -446,11 +453,11 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHa
     vtkErrorMacro("Follow() needs a tip and a filter, but got a null pointer.");
     return false;
   }
+  this->UseSettingsOf(filter);
   if (!this->Prepare(error))
   {
     return false; // the pipeline tells why
   }
-  this->UseSettingsOf(filter);
   const std::string before = this->Store->GetTrouble();
   const bool hasCome = this->Store->Follow(tip, time);
   const std::string& trouble = this->Store->GetTrouble();

@@ -307,7 +307,8 @@ private:
   bool IsAwaited = true;
   vtkSmartPointer<vtkImageData> CoarseImage;
   int KernelRadius = 2;
-  int Version = 0; // of the samples
+  bool AreLabels = false; // of the filter
+  int Version = 0;        // of the samples
 
   vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;
   void operator=(const vtkHapticRegionSource&) = delete;

@@ -137,9 +137,9 @@ vtkSmartPointer<vtkDataArray> CopyFilled(
 std::string DescribeOutside(const OutsideSamples& outside, vtkDataArray* scalars)
 {
   const bool hasHoles = outside.Holes > MostHoles;
-  if (!scalars || !(outside.HasAny() || hasHoles))
+  if (!outside.HasAny() && !hasHoles)
   {
-    return {}; // a process may have no piece of the array
+    return {};
   }
   std::ostringstream text;
   text << "The " << DescribeArray(scalars) << " of the input image has ";
@@ -171,9 +171,8 @@ std::string DescribeOutside(const OutsideSamples& outside, vtkDataArray* scalars
   return text.str();
 }
 
-bool AreScalars(vtkDataArray* array)
+bool AreScalars(int components)
 {
-  const int components = array->GetNumberOfComponents();
   return components != 3 && components != 6 && components != 9;
 }
 

@@ -46,8 +46,8 @@ VTKVOLUMEHAPTICS_EXPORT vtkSmartPointer<vtkDataArray> CopyFilled(
 VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
   const OutsideSamples& outside, vtkDataArray* scalars);
 
-/** Vectors and tensors are read as they are. */
-bool AreScalars(vtkDataArray* array);
+/** Whether an array of so many components has scalars; vectors and tensors are read as they are. */
+bool AreScalars(int components);
 
 /** Keeps the last filled copy, which all bakes of an array share. */
 class OutsideFiller

@@ -28,6 +28,7 @@ constexpr vtkIdType NumbersOfSolid = 3;
 
 /** The shift, the value of air, whether it is strange, and the range. */
 constexpr int NumbersOfShift = 5;
+constexpr int NumbersOfOutside = 4;
 
 /** One number of an array, counted through its tuples. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
@@ -109,10 +110,11 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   vtkDataArray* const share = fields->GetArray(Names::GetShareName());
   facts.Share = share && share->GetNumberOfTuples() > 0 ? share->GetComponent(0, 0) : 1.0;
   vtkDataArray* const outside = fields->GetArray(Names::GetOutsideName());
-  if (outside && outside->GetNumberOfComponents() == 3 && outside->GetNumberOfTuples() > component)
+  if (outside && outside->GetNumberOfComponents() == NumbersOfOutside &&
+    outside->GetNumberOfTuples() > component)
   {
-    facts.Outside = { outside->GetComponent(component, 0) != 0.0,
-      outside->GetComponent(component, 1), outside->GetComponent(component, 2) };
+    const auto at = [&](int i) { return outside->GetComponent(component, i); };
+    facts.Outside = { at(0) != 0.0, at(1), at(2), at(3) };
   }
   facts.Noise = NumberOf(noise, component);
   facts.BorderValue = NumberOf(border, component);
@@ -202,13 +204,15 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   }
   const vtkNew<vtkDoubleArray> outside;
   outside->SetName(Names::GetOutsideName());
-  outside->SetNumberOfComponents(3);
+  outside->SetNumberOfComponents(NumbersOfOutside);
+  bool isAny = false;
   for (const OutsideSamples& component : facts.Outside)
   {
-    outside->InsertNextTuple3(
-      component.AreNonFinite ? 1.0 : 0.0, component.Missing, component.Fill);
+    outside->InsertNextTuple4(
+      component.AreNonFinite ? 1.0 : 0.0, component.Missing, component.Fill, component.Holes);
+    isAny = isAny || component.HasAny() || component.Holes > 0.0;
   }
-  if (!facts.Outside.empty())
+  if (isAny)
   {
     region->GetFieldData()->AddArray(outside);
   }

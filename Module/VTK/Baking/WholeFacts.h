@@ -30,7 +30,7 @@ struct WholeFacts
   StoredShift Shift;      ///< 0 if the image does not carry it
   double Time = 0.0;      ///< changes when the whole changes
   double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
-  OutsideSamples Outside; ///< which samples are yet to be filled
+  OutsideSamples Outside; ///< which samples are yet to be filled, and how many are holes
 };
 
 /** Reads the field arrays. False, with the cure in `error`, if they are malformed. */

@@ -66,7 +66,8 @@ void BakePreparation::EndPreparing()
 vtkSmartPointer<vtkDataArray> BakePreparation::FillOutside(
   vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames)
 {
-  if (this->Filter->GetProperty()->GetScalarsAreLabels() || !(areFrames || AreScalars(scalars)))
+  const bool areScalars = areFrames || AreScalars(scalars->GetNumberOfComponents());
+  if (this->Filter->GetProperty()->GetScalarsAreLabels() || !areScalars)
   {
     this->Outside = OutsideFiller{};
     return scalars;

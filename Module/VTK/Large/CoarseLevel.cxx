@@ -60,7 +60,7 @@ void PutRow(const std::vector<double>& values, T* samples)
 } // namespace
 
 std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
-  vtkImageData* image, const Affine3& indexToWorld, std::string& error)
+  vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error)
 {
   std::shared_ptr<CoarseLevel> level(new CoarseLevel);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
@@ -71,8 +71,8 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
     error = "The CoarseImage has no point scalars. Give its point data active scalars.";
     return nullptr;
   }
-  const vtkSmartPointer<vtkDataArray> filled =
-    CopyFilled(FindOutside(image, scalars, 0), scalars, 0);
+  const OutsideSamples outside = areLabels ? OutsideSamples{} : FindOutside(image, scalars, 0);
+  const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, 0);
   if (!ReadVolume(image, filled, 0, kernelRadius, volume, error))
   {
     error = "The CoarseImage can't stand in for the volume. " + error;

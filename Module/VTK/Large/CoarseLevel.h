@@ -27,11 +27,11 @@ class CoarseLevel
 {
 public:
   /**
-   * The first component of an image's scalars, for a volume that lies in the same world. Null, with
-   * the cure in `error`, if there is none.
+   * The first component of an image's scalars, for a volume that lies in the same world; what is
+   * outside is filled, unless they are labels. Null, with the cure in `error`, if there is none.
    */
   static std::shared_ptr<const CoarseLevel> Make(
-    vtkImageData* image, const Affine3& indexToWorld, std::string& error);
+    vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
 
   /**
    * Fills a box of the volume, x fastest, with samples of a VTK type: trilinear between the samples

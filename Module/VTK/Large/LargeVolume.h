@@ -38,6 +38,7 @@ struct LargeVolume
   std::array<std::int64_t, 3> ChunkSize{};
   /** Whether it is known to be without noise, and the value outside: then nothing is surveyed. */
   bool IsSmooth = false;
+  bool AreLabels = false; ///< none of which is taken for outside
   double BorderValue = 0.0;
 };
 

@@ -147,7 +147,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
   fields.Share = this->StandsIn && image->GetPointData()->GetScalars() == this->Samples.Get()
     ? StandInShare
     : 1.0;
-  if (!isFilled && facts.Outside.HasAny())
+  if (!isFilled)
   {
     fields.Outside = { facts.Outside };
   }

@@ -40,12 +40,14 @@ struct LargeVolumeKey
   vtkTypeInt64 HeaderSize = 0;
   int ByteOrder = 0;
   int Version = 0;
+  bool AreLabels = false;
 
   bool operator==(const LargeVolumeKey& other) const
   {
     return this->Extent == other.Extent && this->ScalarType == other.ScalarType &&
       this->File == other.File && this->HeaderSize == other.HeaderSize &&
-      this->ByteOrder == other.ByteOrder && this->Version == other.Version;
+      this->ByteOrder == other.ByteOrder && this->Version == other.Version &&
+      this->AreLabels == other.AreLabels;
   }
 };
 

@@ -109,7 +109,7 @@ bool VolumeSurvey::Advance(std::string& error)
 VolumeFacts VolumeSurvey::GetFacts() const
 {
   NoiseSamples filled = this->Samples;
-  const OutsideSamples outside = FindOutside(filled);
+  const OutsideSamples outside = this->Volume.AreLabels ? OutsideSamples{} : FindOutside(filled);
   FillOutside(outside, filled);
   return { EstimateNoise(filled), FindBorderValue(filled), outside, BackgroundLevel::Find(filled),
     StoredShift::Find(filled) };

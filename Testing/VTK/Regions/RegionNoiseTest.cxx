@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The noise of a volume in pieces is that of the whole, to the bit, and is collected once.
+ * The noise of a volume in pieces is that of the whole, to the bit, and is collected once; what is
+ * outside is found in all of them.
  */
 
 #include "RegionRig.h"
@@ -11,6 +12,7 @@
 
 #include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
+#include <vtkTrivialProducer.h>
 
 using namespace apitest;
 
@@ -60,13 +62,53 @@ protected:
 };
 vtkStandardNewMacro(SlabFilter);
 
+/// Gathers the samples of all pieces, as a process of a server that has no piece itself does.
+class FilterWithoutPiece : public vtkHapticRegionFilter
+{
+public:
+  static FilterWithoutPiece* New();
+  vtkTypeMacro(FilterWithoutPiece, vtkHapticRegionFilter);
+
+  void SetOthers(vtkImageData* image)
+  {
+    this->Others = image;
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(vtkNew<vtkImageData>());
+    int whole[6];
+    image->GetExtent(whole);
+    producer->SetWholeExtent(whole[0], whole[1], whole[2], whole[3], whole[4], whole[5]);
+    this->SetInputConnection(producer->GetOutputPort());
+  }
+
+protected:
+  void GatherSamples(SamplesOfComponents& samples) override
+  {
+    ASSERT_TRUE(samples.empty());
+    const int* const whole = this->Others->GetExtent();
+    samples = CollectSamples(this->Others->GetPointData()->GetScalars(), whole, whole);
+  }
+  bool GatherRegion(vtkImageData*, vtkDataArray* array, const int region[6], vtkImageData* output,
+    std::string& error) override
+  {
+    EXPECT_EQ(array, nullptr);
+    vtkDataArray* const scalars = this->Others->GetPointData()->GetScalars();
+    return this->Superclass::GatherRegion(this->Others, scalars, region, output, error);
+  }
+
+private:
+  vtkSmartPointer<vtkImageData> Others;
+};
+vtkStandardNewMacro(FilterWithoutPiece);
+
 class RegionNoise : public testing::Test
 {
 protected:
-  double Number(vtkHapticRegionFilter* filter, const char* name, int component = 0)
+  double Number(vtkHapticRegionFilter* filter, const char* name, int i = 0)
   {
     filter->Update();
-    return filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(component, 0);
+    vtkDataArray* const numbers = filter->GetOutput()->GetFieldData()->GetArray(name);
+    const int components = numbers ? numbers->GetNumberOfComponents() : 1;
+    return numbers ? numbers->GetComponent(i / components, i % components) : NAN;
   }
 };
 } // namespace
@@ -124,4 +166,28 @@ TEST_F(RegionNoise, IsCollectedOnceUntilTheImageChanges)
   EXPECT_EQ(this->Number(pieces, "HapticNoise"), 0.0);
   EXPECT_NE(this->Number(pieces, "HapticWholeTime"), time);
   EXPECT_EQ(pieces->Gathered, 2);
+}
+
+TEST_F(RegionNoise, OutsideIsFoundInPiecesOfOtherProcesses)
+{
+  const auto image = MakeBall(VTK_FLOAT);
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const double value = scalars->GetComponent(i, 0);
+    scalars->SetComponent(i, 0, value < 500.0 ? -9999.0 : value);
+  }
+  int middle[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    middle[a] = (image->GetExtent()[2 * a] + image->GetExtent()[2 * a + 1]) / 2;
+  }
+  image->SetScalarComponentFromDouble(middle[0], middle[1], middle[2], 0, 400.0);
+  vtkNew<FilterWithoutPiece> first;
+  first->SetOthers(image);
+  EXPECT_EQ(this->Number(first, "HapticOutside", 0), 0.0);
+  EXPECT_EQ(this->Number(first, "HapticOutside", 1), -9999.0);
+  EXPECT_EQ(this->Number(first, "HapticOutside", 2), 400.0);
+  EXPECT_EQ(this->Number(first, "HapticBorderValue"), 400.0);
+  EXPECT_EQ(first->GetOutput()->GetPointData()->GetScalars()->GetComponent(0, 0), -9999.0);
 }

@@ -495,3 +495,40 @@ TEST_F(RegionSource, FollowsNothingWithoutATipOrAFilter)
   ASSERT_TRUE(Eventually([&] { return this->Source->Follow(nowhere, 1.0, this->Filter); }));
   EXPECT_EQ(this->SourceLog.Errors.size(), 2U);
 }
+
+// Where a segmentation has -32768 in its corners, as in memory: see FilterOutsideTest.cxx.
+TEST_F(RegionSource, LabelsAreReadAsTheyAre)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  MessageLog log(source);
+  source->SetWholeExtent(0, 63, 0, 63, 0, 63);
+  source->SetScalarType(VTK_SHORT);
+  source->SetReader(
+    [](const int box[6], void* samples)
+    {
+      auto* to = static_cast<short*>(samples);
+      for (int k = box[4]; k <= box[5]; ++k)
+      {
+        for (int j = box[2]; j <= box[3]; ++j)
+        {
+          for (int i = box[0]; i <= box[1]; ++i)
+          {
+            *to++ = static_cast<short>(i < 20 ? -32768 : i < 40 ? 1 : 2);
+          }
+        }
+      }
+      return true;
+    });
+  const double tip[3] = { 30.0, 30.0, 30.0 };
+  for (const bool areLabels : { true, false, true })
+  {
+    this->Filter->GetProperty()->SetScalarsAreLabels(areLabels);
+    ASSERT_TRUE(Eventually([&] { return source->Follow(tip, 1.0, this->Filter); }));
+    source->Update();
+    EXPECT_EQ(
+      source->GetOutput()->GetScalarComponentAsDouble(5, 30, 30, 0), areLabels ? -32768.0 : 1.0);
+    EXPECT_EQ(source->GetOutput()->GetScalarComponentAsDouble(50, 30, 30, 0), 2.0);
+    EXPECT_EQ(log.Warnings.empty(), areLabels);
+    log.Warnings.clear();
+  }
+}
