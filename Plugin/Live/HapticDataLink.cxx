@@ -16,6 +16,7 @@
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeProperty.h"
 
+#include <new>
 #include <utility>
 
 namespace VolumeHapticsLive
@@ -63,7 +64,7 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   this->FollowTime(proxy, volume);
   if (IsLocal(proxy))
   {
-    this->FollowImage(volume, port, device);
+    this->FollowImage(volume, port, device, report);
     this->Surface.Follow(surface, surfacePort, filter, 2);
     this->Labels.Follow(labels, labelPort, filter, 3);
   }
@@ -111,7 +112,7 @@ void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 }
 
 void HapticDataLink::FollowImage(
-  vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device)
+  vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device, HapticReport& report)
 {
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   if (volume)
@@ -120,7 +121,15 @@ void HapticDataLink::FollowImage(
   }
   if (HapticFrameLink::IsMoving(volume, port, filter))
   {
-    this->Image.FollowFrames(volume, port, this->ViewTime, filter, device, this->Frames);
+    try
+    {
+      this->Image.FollowFrames(volume, port, this->ViewTime, filter, device, this->Frames);
+    }
+    catch (const std::bad_alloc&) // it is tried again
+    {
+      report.SetProblem("This computer has no memory for a copy of the volume at this time, so it "
+                        "is felt as it was before. Close other programs that need memory.");
+    }
     return;
   }
   if (this->Frames.HasBegun(filter))

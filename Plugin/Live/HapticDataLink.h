@@ -62,7 +62,8 @@ public:
 
 private:
   void FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume);
-  void FollowImage(vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device);
+  void FollowImage(
+    vtkSMSourceProxy* volume, unsigned int port, vtkHapticDevice* device, HapticReport& report);
   void FollowRegion(vtkSMProxy* proxy, vtkSMSourceProxy* volume, unsigned int port,
     vtkHapticDevice* device, HapticReport& report);
 

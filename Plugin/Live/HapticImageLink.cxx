@@ -146,11 +146,12 @@ void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, 
   {
     return; // what is new comes when the servo is ready for it
   }
+  const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, frames.GetImage()));
+  vtkNew<vtkImageData> copy;
+  isInPlace ? VolumeHaptics::CopyData(image, copy) : copy->ShallowCopy(image);
   this->See(image, filter);
   this->PipelineTime = pipelineTime;
-  this->IsInPlace = isBegun && (this->IsInPlace || SharesArrays(image, frames.GetImage()));
-  vtkNew<vtkImageData> copy;
-  this->IsInPlace ? copy->DeepCopy(image) : copy->ShallowCopy(image);
+  this->IsInPlace = isInPlace;
   // Displacements lead to the next step only.
   const bool isStep =
     filter->GetDisplacementArrayName().empty() || AreNeighbours(output, frames.GetTime(), time);

@@ -35,7 +35,8 @@ public:
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
    * The same with an image that has times, as frames of input port 0. Its source was updated at a
-   * time. Another pipeline, or other settings in it, are another volume.
+   * time. Another pipeline, or other settings in it, are another volume. Throws std::bad_alloc if
+   * there is no memory for a frame that has to be copied.
    */
   void FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);

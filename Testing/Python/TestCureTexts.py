@@ -31,6 +31,7 @@ TRIED = {
     "VTK/Baking/PresetsTest.cxx": {"those of vtkHapticProperty that begin with": "GetCuttingForce()"},
     "VTK/Filter/MemoryTest.cxx": {
         "Use a smaller image, or a region of it": "SURFACE_PROXY",
+        "or an image of it, which vtkResampleToImage makes": "which vtkResampleToImage makes",
         "VTK can't run it again: connect a new source": "connect a new source",
         "VTK can't run it again after this": "connect a new source",
         "Give the path in pieces, or lower ServoRate": "in pieces",

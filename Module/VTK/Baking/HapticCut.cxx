@@ -4,6 +4,7 @@
 
 #include "Core/Model/CutAway.h"
 #include "VTK/Baking/HapticTuples.h"
+#include "VTK/Work/ArrayMemory.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -101,7 +102,7 @@ HiddenVoxels FindBlanked(vtkImageData* image, const int extent[6])
   if (hasCells)
   {
     vtkNew<vtkUnsignedCharArray> both;
-    both->SetNumberOfTuples(image->GetNumberOfPoints());
+    AllocateTuples(both, image->GetNumberOfPoints());
     hasPoints ? both->DeepCopy(points) : both->FillValue(0);
     HideByCells(image, cells, both);
     points = both;

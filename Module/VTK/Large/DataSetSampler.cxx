@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Large/DataSetSampler.h"
 
+#include "VTK/Work/ArrayMemory.h"
+
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkCompositeDataProbeFilter.h"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 
@@ -22,6 +25,9 @@ namespace VolumeHaptics
 {
 namespace
 {
+
+/** The copy, and what averages its cell arrays. */
+constexpr std::size_t CopiesAtOnce = 2;
 
 bool CanBeSampled(vtkDataArray* array)
 {
@@ -100,7 +106,18 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   }
   vtkNew<vtkCellDataToPointData> average;
   const auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  copy->DeepCopy(data);
+  try
+  {
+    CopyData(data, copy, CopiesAtOnce);
+  }
+  catch (const std::bad_alloc&)
+  {
+    error = std::string("There is not enough memory to touch the ") + data->GetClassName() +
+      " on input port 0, which takes " + std::to_string(data->GetActualMemorySize() / 1024) +
+      " MiB and has to be copied. Touch a smaller part of it, or an image of it, which "
+      "vtkResampleToImage makes.";
+    return nullptr;
+  }
   average->SetInputData(copy);
   average->PassCellDataOff();
   average->Update();

@@ -10,10 +10,12 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -54,25 +56,45 @@ inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdTyp
   return array;
 }
 
-/** A copy as VTK's DeepCopy() makes it, with tuple after tuple in memory. */
-inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from, int type)
+///@{
+/**
+ * A copy as VTK's DeepCopy() makes it, with tuple after tuple in memory: of the class of the array
+ * if that keeps them so, or of a type.
+ */
+inline vtkSmartPointer<vtkDataArray> CopyArray(
+  vtkDataArray* from, vtkSmartPointer<vtkDataArray> copy)
 {
-  const auto copy = NewArray(type, from->GetNumberOfComponents(), from->GetNumberOfTuples());
-  copy->DeepCopy(from);
-  return copy;
-}
-/** The same, of the class of the array if that keeps tuple after tuple. */
-inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
-{
-  if (!from->HasStandardMemoryLayout())
-  {
-    return CopyArray(from, from->GetDataType());
-  }
-  const auto copy = vtk::TakeSmartPointer(from->NewInstance());
   copy->SetNumberOfComponents(from->GetNumberOfComponents());
   AllocateTuples(copy, from->GetNumberOfTuples());
   copy->DeepCopy(from);
   return copy;
+}
+inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from, int type)
+{
+  return CopyArray(from, vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type)));
+}
+inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
+{
+  return from->HasStandardMemoryLayout()
+    ? CopyArray(from, vtk::TakeSmartPointer(from->NewInstance()))
+    : CopyArray(from, from->GetDataType());
+}
+///@}
+
+/**
+ * VTK's DeepCopy() of whole data, which is not begun unless there is memory for so many copies at
+ * once: what is made of the copy next takes memory of VTK's own, too.
+ */
+inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies = 1)
+{
+  const std::size_t bytes = copies * from->GetActualMemorySize() * 1024; // it counts in KiB
+  void* const room = ::operator new(bytes, std::nothrow);
+  ::operator delete(room);
+  if (!room)
+  {
+    throw std::bad_alloc();
+  }
+  to->DeepCopy(from);
 }
 
 /** The scalars of an image, with the name that VTK's AllocateScalars() gives them. */

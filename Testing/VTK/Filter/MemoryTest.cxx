@@ -8,12 +8,16 @@
 #include "Rigs/ApiRig.h"
 #include "Rigs/TemporaryFolder.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticPathSource.h>
 #include <vtkImageAlgorithm.h>
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkResampleToImage.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -106,6 +110,34 @@ TEST_F(Memory, OfAnImageThatIsMadeReady)
   this->ExpectError({ "not enough memory", "port 0", "16 x 16 x 16", "MiB" });
   IsPlenty();
   this->Filter->Modified();
+  this->Run(51);
+}
+
+TEST_F(Memory, OfDataThatHaveToBeCopied)
+{
+  vtkNew<vtkRectilinearGrid> grid;
+  vtkNew<vtkDoubleArray> places;
+  for (int i = 0; i < 16; ++i)
+  {
+    places->InsertNextValue(i);
+  }
+  grid->SetDimensions(16, 16, 16);
+  grid->SetXCoordinates(places);
+  grid->SetYCoordinates(places);
+  grid->SetZCoordinates(places);
+  grid->GetPointData()->ShallowCopy(this->Image->GetPointData()); // 32 KiB
+  this->Filter->SetInputDataObject(0, grid);
+  IsScarceFrom(64 << 10);
+  this->ExpectError({ "not enough memory to touch the vtkRectilinearGrid", "has to be copied",
+    "which vtkResampleToImage makes" });
+  vtkNew<vtkResampleToImage> image;
+  image->SetInputDataObject(grid);
+  image->SetSamplingDimensions(16, 16, 16);
+  this->Filter->SetInputConnection(0, image->GetOutputPort());
+  this->Run(51);
+  IsPlenty();
+  grid->Modified();
+  this->Filter->SetInputDataObject(0, grid);
   this->Run(51);
 }
 

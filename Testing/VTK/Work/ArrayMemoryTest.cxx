@@ -112,6 +112,22 @@ TEST(ArrayMemory, CopiesAsVtkDoes)
   }
 }
 
+TEST(ArrayMemory, CopiesDataIfThereIsRoom)
+{
+  vtkNew<vtkImageData> from;
+  from->SetDimensions(2, 3, 4);
+  from->AllocateScalars(VTK_SHORT, 1);
+  from->GetPointData()->GetScalars()->Fill(7.0);
+  vtkNew<vtkImageData> to;
+  CopyData(from, to);
+  ASSERT_EQ(to->GetNumberOfPoints(), 24);
+  EXPECT_NE(to->GetPointData()->GetScalars(), from->GetPointData()->GetScalars());
+  EXPECT_EQ(to->GetPointData()->GetScalars()->GetComponent(23, 0), 7.0);
+  vtkNew<vtkImageData> none;
+  EXPECT_THROW(CopyData(from, none, std::size_t{ 1 } << 40), std::bad_alloc);
+  EXPECT_EQ(none->GetNumberOfPoints(), 0);
+}
+
 TEST(ArrayMemory, NamesScalarsAsVtkDoes)
 {
   vtkNew<vtkImageData> image, vtks;
