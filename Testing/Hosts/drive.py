@@ -46,9 +46,18 @@ class Program:
         self.log = open(self.folder / "program.log", "w+", encoding="utf-8")
         self.process = subprocess.Popen(
             [python, "-B", str(HERE / "program.py"), name, folder, *volume], stdout=self.log, stderr=subprocess.STDOUT)
+        self.find()
+
+    def find(self):
         self.window = self.wait("a window", lambda: xdotool("search", "--onlyvisible", "--name", "^host").split()[:1])[0]
         self.wait("a first look", (self.folder / "state.json").exists)
-        self.place = self.state()["middle"]
+
+        def is_placed():
+            self.place = self.state()["middle"]
+            time.sleep(0.5)
+            return self.state()["middle"] == self.place
+
+        self.wait("a window at its place", is_placed)
 
     def state(self):
         return json.loads((self.folder / "state.json").read_text())
@@ -104,7 +113,7 @@ class Program:
         self.wait_state("the touch mode", lambda state: state["touch"])
         time.sleep(0.8)  # what is pressed before all of the force may flow feels soft
         for _ in range(12):
-            if norm(self.state()["force"]) > 0.8:
+            if norm(self.state()["force"]) > 0.8 and "feels soft" not in self.state()["status"]:
                 break
             xdotool("click", 4)
             time.sleep(0.15)
@@ -154,8 +163,11 @@ class Program:
         xdotool("key", key)
         self.wait_state(f"the program's key {key}", lambda state: state["keys"][before:] == [key])
 
-    def close(self):
+    def close_window(self):
         subprocess.run(["wmctrl", "-i", "-c", self.window], check=True)
+
+    def close(self):
+        self.close_window()
         end = time.monotonic() + PATIENCE
         while self.process.poll() is None and time.monotonic() < end:
             time.sleep(0.1)
@@ -215,13 +227,11 @@ def main(python, name, folder):
     program.drag(back=True)
     step("Escape lets go, and the program has all of them again")
 
-    follows = program.state()["follows"]
     program.touch()
-    if follows:
-        program.run("exec(change_style)")
-        time.sleep(0.3)
-        program.is_felt()
-        step("the touch goes on with another style of the program")
+    program.run("exec(change_style)")
+    time.sleep(0.3)
+    program.is_felt()
+    step("the touch goes on with another style of the program")
     program.run("renderer, volume = probe.volume(); volume.VisibilityOff(); probe.draw()")
     program.feels_nothing("hidden")
     program.run("volume.VisibilityOn(); probe.draw()")
@@ -233,9 +243,8 @@ def main(python, name, folder):
     step("hidden, nothing is felt; shown, it is touched again")
     program.run("renderer.RemoveVolume(volume); probe.draw()")
     program.feels_nothing("removed")
-    radius = 20.0 if follows else RADIUS
-    if follows:
-        program.run("volume = make_volume(make_ball(20.0, probe.center))")
+    radius = 20.0
+    program.run("volume = make_volume(make_ball(20.0, probe.center))")
     program.run("renderer.AddVolume(volume); probe.draw()")
     if program.state()["touch"]:
         program.let_go()
@@ -250,6 +259,26 @@ def main(python, name, folder):
         program.let_go()
     program.touch(radius)
     step("minimised, nothing is felt; then it is touched again")
+    if program.state()["again"]:
+        program.close_window()
+        program.feels_nothing("closed")
+        program.wait_state("the end of the touch mode", lambda state: not state["touch"])
+        program.run("exec(again)")
+        program.find()
+        # The first motions only enter the window.
+        xdotool("mousemove", 5, 5)
+        program.focus()
+        for _ in range(3):
+            time.sleep(0.5)
+            xdotool("mousemove_relative", 2, 2)
+        program.point()
+        xdotool("click", 1)
+        time.sleep(0.5)
+        program.hears("u")
+        program.touch()
+        program.let_go()
+        program.touch()
+        step("closed while it is touched, nothing is felt; another window of the program is touched")
     program.close()
     step("closed while it is touched, the program ends")
     print("1 passed, 0 failed")

@@ -14,8 +14,8 @@ hear(key)   what the program calls from its own handler of keys
 make_volume a vtkVolume of an image
 page        the lines
 change_style  what sets another style, as the program does it
-follows     whether the touch lives through another style, and takes another volume (default True)
 lets_go     key that ends the touch (optional)
+again       what opens another window of the program, which goes on when the first one is closed (optional)
 probe       has watch_widget(), for lines that have no add_haptics()
 
 While it runs, FOLDER/state.json has what is felt, and FOLDER/command the next statement that it runs, in its own thread of
@@ -115,7 +115,10 @@ class Probe:
 
     def volume(self):
         """What the window shows."""
-        renderers = self.interactor.GetRenderWindow().GetRenderers()
+        window = self.interactor.GetRenderWindow()
+        if window is None:  # it was closed
+            return None, None
+        renderers = window.GetRenderers()
         for i in range(renderers.GetNumberOfItems()):
             for j in range(renderers.GetItemAsObject(i).GetVolumes().GetNumberOfItems()):
                 return renderers.GetItemAsObject(i), renderers.GetItemAsObject(i).GetVolumes().GetItemAsObject(j)
@@ -125,6 +128,8 @@ class Probe:
         """Of a place in the window, in shares of its width and height from below: the id of X11, and pixels from above.
         Without an id they are of the screen."""
         window = self.interactor.GetRenderWindow()
+        if window is None:
+            return 0, 0, 0
         width, height = window.GetSize()
         x, y = int(x * width), int((1.0 - y) * height)
         if hasattr(self.target, "mapToGlobal"):
@@ -164,8 +169,6 @@ class Probe:
         self.interactor.GetRenderWindow().Render()
 
     def look(self):
-        if self.interactor.GetRenderWindow() is None:
-            return  # it was closed
         command = self.folder / "command"
         if command.exists():
             text = command.read_text()
@@ -182,8 +185,7 @@ class Probe:
             "tip": list(device.GetTipPosition()), "proxy": list(device.GetProxyPosition()), "keys": self.keys,
             "status": device.GetStatusText(), "answer": self.answer, "runs": self.runs,
             "said": self.names.get("said", []), "middle": self.middle(),
-            "center": self.center, "follows": self.names.get("follows", True),
-            "lets_go": self.names.get("lets_go", "Escape"),
+            "center": self.center, "again": "again" in self.names, "lets_go": self.names.get("lets_go", "Escape"),
         }
         if "drag" in self.names:
             state["drag"] = [self.on_screen(*place) for place in self.names["drag"]]

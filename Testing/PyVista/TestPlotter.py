@@ -171,25 +171,104 @@ def test_closing_the_plotter_stops_everything(window, hands):
     hand.haptics.close()  # again
 
 
-def test_another_style_ends_the_touch(window, hands):
+def test_another_style_of_the_plotter_ends_nothing(window, hands):
     hand = hands()
     hand.push()
-    hand.plotter.enable_trackball_style()
-    assert not hand.haptics.style.GetTouchMode() and not hand.haptics.closed
-    hand.wait(lambda: hand.device.GetStatus() == vtkHapticDevice.READY)
-    hand.plotter.iren.style = hand.haptics.style
-    hand.push()
-    hand.plotter.enable_trackball_style()
+    hand.plotter.enable_trackball_actor_style()
+    assert hand.haptics.style.GetTouchMode() and not hand.haptics.closed
+    tick = hand.device.GetTick()
+    hand.wait(lambda: hand.device.GetTick() > tick + 20)
+    assert np.linalg.norm(hand.device.GetForce()) > 0.1
+    hand.press("Escape")
+    hand.wait(lambda: hand.device.GetForce() == (0, 0, 0))
     hand.plotter.close()
     assert hand.haptics.closed and not hand.device.IsOpen()
 
 
+def test_the_plotters_style_lives_on(window, hands):
+    """PyVista's own: a drag with the left button turns the camera, but not while the hand has the mouse."""
+    hand = hands()
+    style = hand.plotter.iren.style
+    assert not isinstance(style, vtkInteractorStyleHaptic) and style is not None
+
+    def drag():
+        interactor, before = hand.plotter.iren.interactor, hand.plotter.camera.position
+        for event, x in (("LeftButtonPressEvent", 100), ("MouseMoveEvent", 140), ("LeftButtonReleaseEvent", 140)):
+            interactor.SetEventInformation(x, 100, 0, 0)
+            interactor.InvokeEvent(event)
+        return hand.plotter.camera.position != before
+
+    hand.plotter.show(auto_close=False)
+    assert drag()
+    hand.push()
+    assert not drag()
+    hand.press("Escape")
+    assert drag()
+    assert hand.plotter.iren.style is style
+
+
+def test_the_volume_under_the_pointer_is_touched(window):
+    """Two balls beside each other, and then one that the program puts in the place of both: 500 N/m in each."""
+    plotter = pv.Plotter(off_screen=True, window_size=(300, 200))
+
+    def add(x):
+        grid = ball(20.0)
+        grid.origin = (x - 32.0, -32.0, -32.0)
+        return plotter.add_volume(grid, clim=(-1, 1), opacity=[0, 0, 1, 1], show_scalar_bar=False)
+
+    actors = [add(x) for x in (-40.0, 40.0)]
+    haptics = add_haptics(plotter)
+    plotter.view_xy()
+    plotter.show(auto_close=False)
+    interactor, device = plotter.iren.interactor, haptics.device
+
+    def feel(x):
+        """Waits for the force of a spring; where the proxy is then."""
+        renderer = plotter.renderer
+        renderer.SetWorldPoint(x, 0.0, 20.0, 1.0)
+        renderer.WorldToDisplay()
+        interactor.SetEventInformation(*(int(part) for part in renderer.GetDisplayPoint()[:2]), 0, 0)
+        interactor.SetKeySym("t")
+        interactor.KeyPressEvent()
+        interactor.KeyReleaseEvent()
+        assert haptics.widget.GetTouchMode()
+        # Out and in again: what is pressed before all of the force may flow feels soft.
+        for turn in [interactor.MouseWheelBackwardEvent] * 3 + [interactor.MouseWheelForwardEvent] * 5:
+            wait(haptics, lambda: "100 % of the force" in device.GetStatusText())
+            tick = device.GetTick()
+            turn()
+            wait(haptics, lambda: device.GetTick() > tick + 50)
+
+        def is_spring():
+            force, proxy, tip = map(np.array, (device.GetForce(), device.GetProxyPosition(), device.GetTipPosition()))
+            return np.linalg.norm(force) > 0.5 and np.abs(force - 0.5 * (proxy - tip)).max() < 0.02
+
+        wait(haptics, is_spring)
+        proxy = np.array(device.GetProxyPosition())
+        haptics.widget.SetTouchMode(False)
+        wait(haptics, lambda: device.GetForce() == (0, 0, 0))
+        return proxy
+
+    for x in (-40.0, 40.0):
+        assert np.linalg.norm(feel(x) - (x, 0.0, 0.0)) == pytest.approx(22.5, abs=3.0)
+    for actor in actors:
+        plotter.remove_actor(actor)
+    add(0.0)
+    assert np.linalg.norm(feel(0.0)) == pytest.approx(22.5, abs=3.0)
+    plotter.clear()
+    interactor.SetKeySym("t")
+    with pytest.warns(UserWarning, match="shows no volume.*Cure: "):
+        interactor.KeyPressEvent()
+    assert not haptics.widget.GetTouchMode()
+    plotter.close()
+
+
 def test_close_gives_the_plotter_back(window, hands):
     hand = hands()
-    assert isinstance(hand.plotter.iren.style, vtkInteractorStyleHaptic)
+    style = hand.plotter.iren.style
     with hand.haptics as haptics:
         assert hand.plotter.renderer.HasViewProp(haptics.representation)
-    assert not isinstance(hand.plotter.iren.style, vtkInteractorStyleHaptic) and hand.plotter.iren.style is not None
+    assert hand.plotter.iren.style is style
     for prop in (haptics.representation, haptics.head_up_display):
         assert not hand.plotter.renderer.HasViewProp(prop)
     with add_haptics(hand.plotter) as again:  # finds the only volume

@@ -54,7 +54,7 @@ def none(plotter):
 def several(plotter):
     one = plotter.add_volume(grid(), name="one")
     plotter.add_volume(grid(), name="two")
-    return lambda: add_haptics(plotter), [lambda: add_haptics(plotter, one)]
+    return lambda: add_haptics(plotter, visibility=False), [lambda: add_haptics(plotter, one, visibility=False)]
 
 
 def twice(plotter):

@@ -45,7 +45,7 @@ def test_no_volume_or_several(plotter):
     refused(ValueError, r"no volume. Cure: .*add_volume", plotter)
     plotter.add_volume(grid(), name="one")
     plotter.add_volume(grid(), name="two")
-    refused(ValueError, "2 volumes: one, two", plotter)
+    refused(ValueError, "2 volumes: one, two", plotter, visibility=False)
 
 
 def test_twice(plotter):

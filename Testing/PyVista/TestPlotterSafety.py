@@ -34,7 +34,7 @@ def test_other_actors_may_come_and_go(window, hands):
     assert hand.haptics.style.GetTouchMode() and hand.device.GetStatus() == vtkHapticDevice.ACTIVE
 
 
-@pytest.mark.parametrize("step", ("_prepare", "_start", "_attach"))
+@pytest.mark.parametrize("step", ("_prepare", "_choose_device", "_attach"))
 def test_nothing_runs_while_the_exception_is_kept(window, hands, monkeypatch, step):
     hand, made = hands(), []
 
@@ -48,7 +48,7 @@ def test_nothing_runs_while_the_exception_is_kept(window, hands, monkeypatch, st
 
     hand.haptics.close()
     monkeypatch.setattr(_plotting, "Haptics", Noted)
-    monkeypatch.setattr(*((Noted, step) if step == "_attach" else (_plotting, step)), fail)
+    monkeypatch.setattr(_plotting if step == "_prepare" else Noted, step, fail)
     with pytest.raises(KeyboardInterrupt) as kept:
         add_haptics(hand.plotter)
     device = made[0].device

@@ -13,11 +13,14 @@ os.environ.setdefault("QT_API", "pyqt5")
 pyvistaqt = pytest.importorskip("pyvistaqt", reason="needs pyvistaqt: pip install pyvistaqt")
 
 import pyvista as pv  # noqa: E402
-from PyQt5 import QtWidgets  # noqa: E402
+import volumehaptics  # noqa: E402
+from PyQt5 import QtWidgets, sip  # noqa: E402
 from conftest import Hand  # noqa: E402
 from volumehaptics import vtkHapticDevice  # noqa: E402
 from volumehaptics._qt import watch_widget  # noqa: E402
 from volumehaptics.pyvista import add_haptics  # noqa: E402
+from vtkmodules.qt.QVTKRenderWindowInteractor import QVTKRenderWindowInteractor  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkRenderer  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -129,6 +132,29 @@ def test_a_widget_is_followed_to_another_window_and_kept_by_nobody(window, appli
     assert alone() is None and end
     first.close()
     second.close()
+
+
+def test_a_widget_that_qt_has_deleted_is_closed_quietly(window, application, capfd):
+    """Its timer, which VTK's widget stops, is gone with it."""
+    frame = QtWidgets.QMainWindow()
+    widget = QVTKRenderWindowInteractor(frame)
+    frame.setCentralWidget(widget)
+    grid = pv.ImageData(dimensions=(33, 33, 33))
+    grid["value"] = 100.0 * grid.points[:, 2]
+    plotter = pv.Plotter(off_screen=True)
+    renderer = vtkRenderer()
+    renderer.AddVolume(plotter.add_volume(grid))
+    widget.GetRenderWindow().AddRenderer(renderer)
+    frame.show()
+    widget.Initialize()
+    haptics = volumehaptics.add_haptics(widget)
+    application.processEvents()
+    frame.close()
+    sip.delete(frame)
+    haptics.close()
+    assert haptics.closed and not haptics.device.IsRunning()
+    assert "Traceback" not in capfd.readouterr().err
+    plotter.close()
 
 
 def test_what_is_no_widget_is_not_watched():

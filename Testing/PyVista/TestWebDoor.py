@@ -367,7 +367,8 @@ def test_a_page_that_arms_a_device_holds_it(window, hands, monkeypatch):
 
     async def steps(view, connect):
         first, second = await (await connect()).show(view), await (await connect()).show(view)
-        await first.act("KeyDown", key="a")
+        await first.act("MouseMove", x=10, y=10, w=200, h=200)
+        haptics.device.Arm()  # by the program, for that user
         assert haptics.device.IsArmOrdered() and not haptics.style.GetTouchMode()
         first.answers = False
         await wait(lambda: not haptics.device.IsArmOrdered(), "force stays on")

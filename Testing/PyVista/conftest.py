@@ -50,6 +50,8 @@ class Hand:
         interactor.SetKeyCode(key if len(key) == 1 else "\0")
         interactor.KeyPressEvent()
         interactor.CharEvent()
+        interactor.KeyReleaseEvent()
+        time.sleep(0.02)  # what comes sooner is what a window system repeats while a key is held
 
     def push(self, steps=4):
         """Touches in the middle of the ball, and presses."""

@@ -30,24 +30,50 @@ _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "re
 _DEPTH = 4  # of these, such as figure.scene.interactor
 
 
-class Touchable:
-    """What both kinds of add_haptics() return: a device and a style, until close() is called or this object goes."""
+class Haptics:
+    """What add_haptics() has added to a window, until close() is called, the window ends, or this object goes.
 
-    device: vtkHapticDevice
-    style: vtkInteractorStyleHaptic
-    closed = True  # until they are there
-    _leave_widget: Callable[[], None] | None = None
+    widget: the vtkHapticWidget that observes the window's interactor.
+    device: the vtkHapticDevice in the hand, whose servo runs once there is a volume.
+    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
+    style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
+    representation: the vtkHapticRepresentation, the hand in the scene.
+    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
+    """
+
+    closed = True  # until its parts are there
+    _leave_widget: Callable[[], bool] | None = None
+
+    def __init__(self) -> None:
+        self.widget = vtkHapticWidget()
+        self.device: vtkHapticDevice = self.widget.GetDevice()
+        self.filter: vtkVolumeHapticsFilter = self.widget.GetVolumeHaptics()
+        self.style: vtkInteractorStyleHaptic = self.widget.GetStyle()
+        self.representation: vtkHapticRepresentation = self.widget.GetRepresentation()
+        self.head_up_display: vtkHapticHeadUpDisplay = self.widget.GetHeadUpDisplay()
+        self._owns_device = True
+        self.closed = False
 
     def update(self) -> bool:
         """One step of the window's timer, for programs whose loop has none. True: there is something new to draw."""
         return not self.closed and self.style.UpdateHaptics()
 
     def close(self) -> None:
-        """Ends all force. May be called twice."""
+        """Ends all force, stops the device, and gives the window back as it was. May be called twice."""
+        if self.closed:
+            return
         self.closed = True
         if self._leave_widget is not None:
-            self._leave_widget()
+            if not self._leave_widget():
+                # Its timer is gone with it, which VTK's widget would stop.
+                interactor = self.widget.GetInteractor()
+                if interactor is not None:
+                    interactor.RemoveObservers("DestroyTimerEvent")
             self._leave_widget = None
+        self.widget.SetInteractor(None)
+        self.device.Stop()
+        if self._owns_device:
+            self.device.Close()
 
     def __del__(self) -> None:
         self.close()
@@ -57,6 +83,20 @@ class Touchable:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def _choose_device(self, wanted: str | vtkHapticDevice | None) -> None:
+        """One of the user's own stays open when this is closed."""
+        if isinstance(wanted, vtkHapticDevice):
+            with Errors(wanted) as errors:
+                if not wanted.IsOpen() and not wanted.Start():  # which says so
+                    raise ValueError("; ".join(errors))
+            wanted.Stop()  # it may be armed, on another volume
+            self.widget.SetDevice(wanted)
+            self.device, self._owns_device = wanted, False
+        elif wanted is not None:
+            with Errors(self.device) as errors:
+                if not self.device.Open(wanted):
+                    raise RuntimeError("; ".join(errors))
 
     def _watch_widget(self, target: Any) -> None:
         """Ends the touch when the view is no longer seen, if it is one of Qt."""
@@ -68,33 +108,6 @@ class Touchable:
                 haptics.style.FadeOut()
 
         self._leave_widget = watch_widget(target, let_go)
-
-
-class Haptics(Touchable):
-    """What add_haptics() has added to a window, until close() is called, the window ends, or this object goes.
-
-    widget: the vtkHapticWidget that observes the window's interactor.
-    device: the vtkHapticDevice in the hand, whose servo runs once there is a volume.
-    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
-    style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
-    representation: the vtkHapticRepresentation, the hand in the scene.
-    head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
-    """
-
-    def __init__(self, widget: vtkHapticWidget) -> None:
-        self.widget = widget
-        self.device = widget.GetDevice()
-        self.filter: vtkVolumeHapticsFilter = widget.GetVolumeHaptics()
-        self.style = widget.GetStyle()
-        self.representation: vtkHapticRepresentation = widget.GetRepresentation()
-        self.head_up_display: vtkHapticHeadUpDisplay = widget.GetHeadUpDisplay()
-        self.closed = False
-
-    def close(self) -> None:
-        """Ends all force, and gives the window back as it was. May be called twice."""
-        if not self.closed:
-            super().close()
-            self.widget.SetInteractor(None)
 
 
 def _plain_vtk(wrapped: Any) -> Any:
@@ -181,8 +194,8 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
         raise TypeError(f"haptics are added to a window, and {_describe(target)} leads to none that has an interactor. "
                         "Cure: give the vtkRenderWindowInteractor, after SetRenderWindow() of it. What draws without VTK, "
                         "as FURY 2 does, can't be touched: show its volume in a window of VTK")
-    widget = vtkHapticWidget()
-    haptics = Haptics(widget)
+    haptics = Haptics()
+    widget = haptics.widget
     touched = None if volume is None else _find_volume(volume)
     image = _image_of(interactor, touched)
     try:
@@ -193,7 +206,7 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
                                      "Cure: add_haptics() after the volume was added")
                 configure(haptics.filter, image, preset, settings, errors, "add_haptics")
             widget.SetVolume(touched)
-            _choose_device(haptics, device)
+            haptics._choose_device(device)
             widget.SetInteractor(interactor)
             widget.On()
         if errors:
@@ -205,13 +218,3 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
     if _trame.is_view(target):
         _trame.drive(target, haptics)
     return haptics
-
-
-def _choose_device(haptics: Haptics, wanted: Any) -> None:
-    if isinstance(wanted, vtkHapticDevice):
-        haptics.widget.SetDevice(wanted)
-        haptics.device = wanted
-    elif wanted is not None:
-        with Errors(haptics.device) as errors:
-            if not haptics.device.Open(wanted):
-                raise RuntimeError("; ".join(errors))

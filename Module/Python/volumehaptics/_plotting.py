@@ -17,21 +17,18 @@ from vtkmodules.vtkFiltersModeling import vtkOutlineFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkVolume
 
 from ._grids import is_grid, overview
-from ._hosts import Touchable
+from ._hosts import Haptics as HostHaptics
 from ._labels import Labels, Materials, set_labels
 from ._touch import Errors, choose_mode, configure, frame_of, plain
 from .vtkVolumeHaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
-    vtkHapticHeadUpDisplay,
     vtkHapticMeasurementRepresentation,
     vtkHapticMeasurements,
     vtkHapticRegionPicture,
     vtkHapticRegionSource,
-    vtkHapticRepresentation,
     vtkHapticSliceView,
     vtkInteractorStyleHaptic,
-    vtkVolumeHapticsFilter,
 )
 
 if TYPE_CHECKING:
@@ -42,17 +39,15 @@ _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDict
 
 SIZE = 0.007  # of the proxy, as a share of the volume's diagonal
 ARROW = 0.05  # of a newton, likewise
-# What is printed on keys, where it is not their name.
-LABELS = {"question": "?", "plus": "+", "minus": "-", "comma": ",", "period": ".", "BackSpace": "Backspace"}
-ATTENTION = 10.0  # s without the plotter's timer, after which force fades out: no frame takes as long
 
 
-class Haptics(Touchable):
+class Haptics(HostHaptics):
     """The objects that add_haptics() has added to a plotter, until the plotter is closed, or close() is called.
 
+    widget: the vtkHapticWidget, which observes the plotter's mouse and keys beside the plotter's own style.
     device: the vtkHapticDevice in the hand, whose servo runs.
     filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
-    style: the vtkInteractorStyleHaptic that has the plotter's mouse and keys.
+    style: the vtkInteractorStyleHaptic of the widget, for keys, slices and events. It is not the plotter's style.
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
     frames: the vtkHapticFrameSource of a volume that moves; None without one.
@@ -60,25 +55,17 @@ class Haptics(Touchable):
     measurements: the vtkHapticMeasurements that keys fill with what is measured by touch.
     measured: the vtkHapticMeasurementRepresentation, which shows them in the scene.
 
-    PyVista's enable_*_style() and a chart that takes the mouse put another style in the place of this one: that
-    ends the touch mode and all force. plotter.iren.style = haptics.style brings it back.
+    PyVista's enable_*_style() and a chart that takes the mouse end nothing.
     """
 
     def __init__(self, plotter: pv.Plotter, renderer: pv.Renderer | None = None) -> None:
-        self.device = vtkHapticDevice()
-        self.filter = vtkVolumeHapticsFilter()
-        self.style = vtkInteractorStyleHaptic()
-        self.representation = vtkHapticRepresentation()
-        self.head_up_display = vtkHapticHeadUpDisplay()
+        super().__init__()
         self.frames: vtkHapticFrameSource | None = None
         self.slices: vtkHapticSliceView | None = None
         self.measurements = vtkHapticMeasurements()
         self.measured = vtkHapticMeasurementRepresentation()
-        self.closed = False
-        self._owns_device = True
         self._plotter = weakref.ref(plotter)
         self._renderer = weakref.ref(renderer or plotter.renderer)
-        self._style_before = None
         self._in_scene: list[Any] = []
         self._missing = 0  # of these, when they were last looked at
         self._feels_hidden = False  # what is invisible, too
@@ -90,13 +77,8 @@ class Haptics(Touchable):
         if self.closed:
             return
         super().close()
-        self.device.Stop()
-        if self._owns_device:
-            self.device.Close()
         plotter, renderer = self._plotter(), self._renderer()
         if renderer is not None:
-            renderer.RemoveViewProp(self.representation)
-            renderer.RemoveViewProp(self.head_up_display)
             renderer.RemoveViewProp(self.measured)
             if self._outline is not None:
                 renderer.RemoveViewProp(self._outline)
@@ -107,30 +89,25 @@ class Haptics(Touchable):
         if plotter is not None:
             _touchable.pop(plotter, None)
             if plotter.iren is not None:
-                vars(plotter.iren).pop("key_press_event", None)
-                if plotter.iren.style is self.style:
-                    plotter.iren.style = self._style_before
+                vars(plotter.iren).pop("close", None)
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
-        for prop in (self.representation, self.head_up_display):
-            prop.SetDevice(self.device)
-            prop.UseBoundsOff()  # cameras and axes frame the volume, wherever the hand is
-            renderer.AddViewProp(prop)
-        self.measured.UseBoundsOff()
+        self.measured.UseBoundsOff()  # cameras and axes frame the volume, whatever is measured
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
         self.head_up_display.SetMeasurements(self.measurements)
         renderer.AddViewProp(self.measured)
         self.style.SetMeasurements(self.measurements)
-        self.style.SetDevice(self.device)
-        self.style.SetHeadUpDisplay(self.head_up_display)
-        self.style.SetDefaultRenderer(renderer)
-        self._style_before = plotter.iren.style
-        plotter.iren.style = self.style
-        self._in_scene = [prop for prop in (self.representation, *touched) if renderer.HasViewProp(prop)]
+        self.widget.SetInteractor(plotter.iren.interactor)
+        self.widget.SetDefaultRenderer(renderer)
+        with Errors(self.widget, self.style, self.device, self.filter) as errors:
+            self.widget.On()
+        if errors:
+            raise ValueError("; ".join(errors))
+        self.widget.AddObserver("ErrorEvent", _warn)  # later: what t can't touch
+        self._in_scene = [prop for prop in (self.representation, *touched) if self._is_in_scene(prop)]
         self._watch(plotter)
-        self._keep_keys(plotter)
         _touchable[plotter] = self
 
     def _frame(self, large: vtkHapticRegionSource) -> None:
@@ -164,44 +141,20 @@ class Haptics(Touchable):
         """Ends the touch if the volume or the hand was taken out of the scene."""
         before, self._missing = self._missing, self._count_missing()
         if self._missing > before:
-            self._let_go()
+            self.style.FadeOut()
 
-    def _let_go(self) -> None:
-        """Ends the touch; the force fades."""
-        self.style.FadeOut()
-
-    def _has_key(self, pressed: str) -> bool:
-        """Whether a key does something in the scene as it is: those that the style lists."""
-        listed = {label for line in self.style.GetKeys().splitlines() for label in line.split("\t")[0].split("  ")}
-        actions = self.style.GetKeyActions()
-        for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
-            keys = self.style.GetKey(action).split()
-            if pressed in keys:
-                return any(LABELS.get(key, key) in listed for key in keys)
-        return False
-
-    def _keep_keys(self, plotter: pv.Plotter) -> None:
-        """A key of the style is that of PyVista no more: C would begin to pick, with another style in the place of this one."""
-        itself, interactor = weakref.ref(self), plotter.iren
-        press = type(interactor).key_press_event
-
-        def press_others(*arguments: Any) -> None:
-            haptics = itself()
-            if not (haptics and not haptics.closed and interactor.style is haptics.style
-                    and haptics._has_key(interactor.interactor.GetKeySym())):
-                press(interactor, *arguments)
-
-        interactor.key_press_event = press_others
+    def _is_in_scene(self, prop: Any) -> bool:
+        plotter = self._plotter()
+        return plotter is not None and any(renderer.HasViewProp(prop) for renderer in plotter.renderers)
 
     def _count_missing(self) -> int:
-        renderer = self._renderer()
-        return sum(renderer is None or not renderer.HasViewProp(prop) or
-                   not (self._feels_hidden or prop.GetVisibility()) for prop in self._in_scene)
+        return sum(not self._is_in_scene(prop) or not (self._feels_hidden or prop.GetVisibility())
+                   for prop in self._in_scene)
 
     def _refuse(self) -> None:
         """Lets nobody touch what is not in the scene, or invisible."""
         if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
-            self._let_go()
+            self.style.FadeOut()
             warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
                           "VisibilityOn() of the actor, or close() of what add_haptics() has returned, and add_haptics() "
                           "with what is shown now", stacklevel=2)
@@ -215,17 +168,16 @@ class Haptics(Touchable):
             if haptics is not None:
                 haptics.close()
 
-        def look(style: vtkInteractorStyleHaptic, _event: str) -> None:
+        def look(*_: object) -> None:
             haptics = itself()
-            if haptics is None or style is None:
-                return
-            if style.GetInteractor() is not None:
+            if haptics is not None and not haptics.closed:
                 haptics._refuse()
-                return
-            plotter = haptics._plotter()
-            # Another style in its place has ended the touch mode; none is what a plotter has that closes.
-            if plotter is None or plotter.iren is None or plotter.iren.style is None:
-                haptics.close()
+
+        interactor, end = plotter.iren, type(plotter.iren).close
+
+        def close_first() -> None:
+            close()
+            end(interactor)
 
         def check(*_: object) -> None:
             haptics = itself()
@@ -236,7 +188,8 @@ class Haptics(Touchable):
         self.style.AddObserver("ModifiedEvent", look)
         self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
         self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
-        plotter.iren.interactor.AddObserver("DeleteEvent", close)
+        interactor.close = close_first  # others may hold the interactor of VTK, which then outlives the plotter
+        interactor.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
         self._watch_widget(plotter)
 
@@ -248,7 +201,7 @@ class Haptics(Touchable):
         return found
 
 
-def _warn(_style: vtkInteractorStyleHaptic, _event: str, text: str) -> None:
+def _warn(_caller: Any, _event: str, text: str) -> None:
     warnings.warn(plain(text), stacklevel=2)
 
 
@@ -273,13 +226,15 @@ def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
                      "plotter.add_actor(volume) before it")
 
 
-def _find_volume(plotter: pv.Plotter) -> vtkVolume:
+def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
+    """The plotter's volume, or the first one; if there is to be one alone, that."""
     volumes = {name: actor for name, actor in plotter.actors.items() if isinstance(actor, vtkVolume)}
     if not volumes:
         raise ValueError("the plotter has no volume. Cure: add_haptics(plotter, plotter.add_volume(image))")
-    if len(volumes) > 1:
-        raise ValueError(f"the plotter has {len(volumes)} volumes: {', '.join(volumes)}. Cure: give the one to be "
-                         "touched, as plotter.add_volume() returned it")
+    if len(volumes) > 1 and is_alone:
+        raise ValueError(f"the plotter has {len(volumes)} volumes: {', '.join(volumes)}, and mode, labels, visibility and "
+                         "a preset that is proposed are for one. Cure: give the one to be touched, as "
+                         "plotter.add_volume() returned it")
     return next(iter(volumes.values()))
 
 
@@ -363,9 +318,10 @@ def add_haptics(
     """Makes a volume in a plotter one to be touched: press t with the pointer on it.
 
     plotter: a pyvista.Plotter with a window of its own, not shown yet or already. The subplot that shows the given
-        actor is the one that is touched, and that has the mouse; for anything else, the active one.
+        actor is the one that is touched; for an image, grid or frames the active one, which also shows measurements.
     volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
-        show it, such as an isosurface. Default: the plotter's only volume. Or a list of images of one geometry,
+        show it, such as an isosurface. Default: the volume under the pointer, whichever the plotter shows when t is
+        pressed; with mode, labels, visibility or "propose" its only one. Or a list of images of one geometry,
         the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
         is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory,
         of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
@@ -391,12 +347,12 @@ def add_haptics(
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...,
         tool=vtkHapticNeedle(), tool="drill.stl" or a mesh: Alt + mouse turns it
 
-    The servo starts at once, without force. Force flows when the user arms, with the keys t or a: see
-    vtkInteractorStyleHaptic for all keys. It fades out when the plotter's timer stands still for 10 s (for a
+    The servo starts at once, without force. Force flows when the user presses t: see vtkInteractorStyleHaptic for the
+    keys from then on. It fades out when the plotter's timer stands still for 10 s (for a
     device that you pass, its own AttentionTime), and ends when the volume's actor is removed or, in pyvistaqt, when the
-    widget or its window is hidden, minimised or closed. Closing the plotter stops everything. The plotter's camera keys
-    and mouse remain, except for the keys that the style lists (key ?): haptics.style.SetKey("Compare", "") gives C, for
-    example, back to PyVista.
+    widget or its window is hidden, minimised or closed. Closing the plotter stops everything. The plotter's style,
+    keys and mouse remain its own until t is pressed, and then all that the touch does not use: haptics.style.SetKey("Compare",
+    "") gives C, for example, back to PyVista.
 
     TypeError: no plotter or nothing that can be touched, or no such setting. ValueError: data or settings that
     can't be touched; the text says why, and what helps. RuntimeError: the device does not open. UserWarning: the
@@ -421,7 +377,9 @@ def add_haptics(
         volume = _actor_of(plotter, frames.GetFrame(0))
     elif times is not None:
         raise TypeError("times are those of frames. Cure: add_haptics(plotter, [first, second, ...], times)")
-    volume = _find_volume(plotter) if volume is None else volume
+    is_alone = mode is not None or labels is not None or visibility is not True or preset == "propose"
+    takes_any = volume is None and not is_alone
+    volume = _find_volume(plotter, is_alone) if volume is None else volume
     large = volume if isinstance(volume, vtkHapticRegionSource) else None
     if large is not None:
         volume = _show_coarse(plotter, large)
@@ -440,8 +398,8 @@ def add_haptics(
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter, _renderer_of(plotter, volume))
     haptics._feels_hidden = visibility is not True
-    if isinstance(device, vtkHapticDevice):
-        haptics.device, haptics._owns_device = device, False
+    # What the widget finds in the window; what else is felt, is what the filter has.
+    is_found = isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None
     look = volume if visibility is True else visibility
     try:
         _prepare(haptics, large or (image if grid is None else grid), image, preset, mode, look.GetProperty() if isinstance(look, vtkVolume) else None,
@@ -449,14 +407,18 @@ def add_haptics(
         if frames is not None:
             haptics.frames = frames
             haptics.filter.SetInputConnection(0, frames.GetOutputPort())
-        _start(haptics, device)
+        haptics._choose_device(device)
         length = image.GetLength()
-        haptics.representation.SetRadius(SIZE * length)
         haptics.measured.SetRadius(0.6 * SIZE * length)
         haptics.measurements.SetPathSpacing(0.5 * min(image.GetSpacing()))
-        haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
-        haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) else [])
-        if isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None:
+        if is_found:
+            haptics.filter.SetInputDataObject(0, None)
+            haptics.widget.SetVolume(None if takes_any else volume)
+        else:
+            haptics.representation.SetRadius(SIZE * length)
+            haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
+        haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) and not takes_any else [])
+        if is_found and haptics.style.GetTouchedVolume() is None:  # hidden; or it can't be touched
             with Errors(haptics.style) as errors:
                 haptics.style.TouchVolume(volume)
             if errors:
@@ -503,16 +465,3 @@ def _prepare(
         touch.Update()  # without a path, only checks
     if errors:
         raise ValueError("; ".join(errors))
-
-
-def _start(haptics: Haptics, wanted: str | vtkHapticDevice) -> None:
-    device = haptics.device
-    with Errors(device, haptics.filter) as errors:  # of a device of the user's own no longer than this
-        device.Stop()  # one of the user's own may be armed, on another volume
-        device.SetVolumeHaptics(haptics.filter)
-        if haptics._owns_device and not device.Open(wanted):
-            raise RuntimeError("; ".join(errors))
-        if haptics._owns_device:
-            device.SetAttentionTime(ATTENTION)
-        if not device.Start():
-            raise ValueError("; ".join(errors))

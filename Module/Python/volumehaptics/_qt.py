@@ -22,10 +22,10 @@ def _binding_of(widget: Any) -> str | None:
     return None
 
 
-def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], None] | None:
+def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] | None:
     """Calls let_go whenever the widget, or the window that it is in, is no longer seen. Of what is no widget: None.
 
-    Returns what ends the watch, which keeps the watch, and not the widget, alive.
+    Returns what ends the watch, which keeps the watch, and not the widget, alive, and is False if Qt has deleted the widget.
     """
     binding = _binding_of(widget)
     if binding is None:
@@ -51,7 +51,7 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], None] 
         def leave_window(self) -> None:
             window = self.window()
             if window is not None and window is not widget_of():
-                _quietly(window.removeEventFilter, self)
+                _try(window.removeEventFilter, self)
 
         def eventFilter(self, watched: Any, event: Any) -> bool:  # noqa: N802 (Qt's name)
             kind = event.type()
@@ -66,18 +66,20 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], None] 
     widget.installEventFilter(watch)
     watch.follow()
 
-    def end() -> None:
+    def end() -> bool:
         watched = widget_of()
-        if watched is not None:
-            watch.leave_window()
-            _quietly(watched.removeEventFilter, watch)
+        if watched is None:
+            return False
+        watch.leave_window()
+        return _try(watched.removeEventFilter, watch)
 
     return end
 
 
-def _quietly(function: Callable[[Any], None], argument: Any) -> None:
-    """Of an object that Qt may have deleted already."""
+def _try(function: Callable[[Any], None], argument: Any) -> bool:
+    """Of an object that Qt may have deleted already: then it is False."""
     try:
         function(argument)
     except RuntimeError:
-        pass
+        return False
+    return True

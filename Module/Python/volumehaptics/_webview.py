@@ -195,7 +195,7 @@ class View:
                                items=(self._key(f"{word}s"), items), hide_details=True, variant="outlined",
                                style=f"max-width: {width}px", classes="mx-1", data_id=word,
                                __properties=[("data_id", "data-id")])
-                v3.VBtn("Keys", click=lambda: self.press_key("question"), variant="text", data_id="keys",
+                v3.VBtn("Keys", click=self.list_keys, variant="text", data_id="keys",
                         __properties=[("data_id", "data-id")])
                 v3.VSpacer()
                 html.Span(f"{{{{ {self._key('status')} }}}}", classes="text-caption mx-3 text-right", data_id="status",
@@ -261,7 +261,7 @@ class View:
         """The hand lets go."""
         self.leader = self._move = None
         if not self.haptics.closed:
-            self.haptics._let_go()
+            self.haptics.style.FadeOut()
 
     def _ask(self, number: int) -> None:
         for page, heard in list(self._heard.items()):
@@ -367,13 +367,13 @@ class View:
                 interactor.InvokeEvent("CharEvent")
         self._lead(page)
 
-    def press_key(self, name: str) -> None:
-        """A key by its name, for buttons of the page."""
-        if not self._may_lead(page_now()):
-            return
-        for event in ("KeyPressEvent", "KeyReleaseEvent"):
-            self.interactor.SetKeyEventInformation(0, 0, "\0", 0, name)
-            self.interactor.InvokeEvent(event)
+    def list_keys(self) -> None:
+        """The list of keys, shown or hidden, by a button of the page: before the touch the key is the plotter's."""
+        if self._may_lead(page_now()):
+            display = self.haptics.head_up_display
+            display.SetHelpText(self.haptics.style.GetKeys())
+            display.SetHelpVisibility(not display.GetHelpVisibility())
+            self.interactor.Render()
 
     # -- the loop --
 
