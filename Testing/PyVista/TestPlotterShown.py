@@ -110,6 +110,7 @@ def test_actors_are_felt_as_they_are_shown(scene):
         warnings.simplefilter("error")
         haptics = add_haptics(plotter, actor)
         assert strongest_force(haptics) > 1.0
+        haptics.filter.FeelCutFacesOn()
         clip(grid, actor)
         actor.mapper.GetClippingPlanes().GetItem(0).SetNormal(-1, 0, 0)
         assert strongest_force(haptics) == 0.0  # x = 10 is hidden
@@ -118,7 +119,6 @@ def test_actors_are_felt_as_they_are_shown(scene):
         crop(grid, actor)  # beyond x = 8
         assert strongest_force(haptics) == 0.0
         actor.mapper.CroppingOff()
-        haptics.filter.FeelCutFacesOn()
         mask(grid, actor)
         assert strongest_force(haptics) > 1.0  # which shows all
         pv.wrap(actor.mapper.GetMaskInput())["mask"][grid.points[:, 0] > 8] = 0

@@ -15,7 +15,7 @@ import TestFileCures
 import TestLargeCures
 import TestModuleCures
 import TestSceneCures
-import TestShownAndFelt
+import TestShownAndTold
 import volumehaptics
 from vtkmodules import all as vtk
 
@@ -295,7 +295,7 @@ TEXTS = [one for folder in FOLDERS for one in find_cures(ROOT, folder)]
 def test_each_cure_is_tried():
     tried = [word for module in (TestModuleCures, TestBakingCures) for word in module.case]
     tried += [word for words in TestLargeCures.FILES for word in words] + list(TestLargeCures.CONVERTED)
-    tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndFelt.TOLD]
+    tried += [*TestFileCures.TABLES, *TestSceneCures.SHOWN, *TestShownAndTold.TOLD]
     tried += [word for module in MODULES for words in module.result for word in words]
     tried += [words for _, words, _ in (*TestExplorerCures.OPTIONS, *TestExplorerCures.COMMANDS)]
     tried += [word for tests in TRIED.values() for word in tests]

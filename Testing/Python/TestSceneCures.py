@@ -86,6 +86,11 @@ def touch(s):
     s.style.TouchVolume(s.volume)
 
 
+def touch_with_faces(s):
+    touch(s)
+    s.haptics.FeelCutFacesOn()
+
+
 def moved_image(s):
     change = vtkImageChangeInformation()
     change.SetInputData(s.image)
@@ -106,13 +111,14 @@ def crop(s):
     s.haptics.SetCroppingRegionPlanes(s.mapper.GetCroppingRegionPlanes())
 
 
-@shown("or give vtkVolumeHapticsFilter the same regions with CroppingOn() and SetCroppingRegionPlanes()", touch, crop, 0.0)
+@shown("or give vtkVolumeHapticsFilter the same regions with CroppingOn() and SetCroppingRegionPlanes()", touch_with_faces, crop,
+       0.0)
 def _(s):
     s.mapper.CroppingOn()
     s.mapper.SetCroppingRegionPlanes(10.0, 23.0, 0.0, 16.0, 0.0, 31.0)
 
 
-@shown("or give vtkVolumeHapticsFilter the mapper's planes with SetClippingPlanes()", touch,
+@shown("or give vtkVolumeHapticsFilter the mapper's planes with SetClippingPlanes()", touch_with_faces,
        lambda s: s.haptics.SetClippingPlanes(s.mapper.GetClippingPlanes()), 0.0)
 def _(s):
     plane = vtkPlane()
@@ -142,11 +148,6 @@ def masked(s):
     s.mapper.SetInputData(mask.GetOutput())
     s.mapper.SetMaskInput(None)
     s.haptics.SetInputData(mask.GetOutput())
-
-
-def touch_with_faces(s):
-    touch(s)
-    s.haptics.FeelCutFacesOn()
 
 
 @shown("or, with vtkImageMask, a value that is not felt", touch_with_faces, labels, masked, 0.0)

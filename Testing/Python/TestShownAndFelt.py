@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What volume mappers can show is felt where it is seen, to within a voxel, or it is told with a cure that works.
+"""What volume mappers can show is felt where it is seen, to within a voxel. What isn't: TestShownAndTold.py.
 
 Each volume has a wall across x, seen from the side: the first red pixel of the row at y = 7.5 is where it begins. The
 tip goes along x at y = z = 7.5, and what is felt begins at the first force. The values are V = 100 (x - x0) / 2 + 50,
@@ -15,19 +15,15 @@ import pytest
 import vtkmodules.vtkInteractionStyle  # noqa: F401 - the interactors of windows
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - the windows
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPiecewiseFunction,
     vtkPlane,
     vtkRectilinearGrid,
 )
-from vtkmodules.vtkFiltersCore import vtkResampleToImage
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
-from vtkmodules.vtkImagingCore import vtkImageConstantPad, vtkImageExtractComponents
-from vtkmodules.vtkImagingMath import vtkImageMagnitude
 from vtkmodules.vtkRenderingCore import (
     vtkColorTransferFunction,
     vtkRenderer,
@@ -526,7 +522,7 @@ def label_that_alone_has_opacity():
 
 
 def blanked(s, first, flags, flag):
-    shape = (Y, Y, X) if flag == 2 else (Y - 1, Y - 1, X - 1)
+    shape = (Y, Y, X) if flags.GetNumberOfTuples() == Y * Y * X else (Y - 1, Y - 1, X - 1)
     vtk_to_numpy(flags)[:] = np.broadcast_to(np.where(np.arange(shape[2]) < first, flag, 0), shape).ravel()
     s.filter.FeelCutFacesOn()
     return s
@@ -542,6 +538,32 @@ def blanked_points():
 def blanked_cells():
     s = gpu_mapper()
     return blanked(s, 14, s.data.AllocateCellGhostArray(), 32)
+
+
+@felt(18.5 if vtkVersion().GetVTKVersion() >= "9.2" else 15.0)
+def blanked_cells_of_cell_data():
+    """VTK 9.1 draws them."""
+    s = cell_data()
+    return blanked(s, 18, s.data.AllocateCellGhostArray(), 32)
+
+
+@felt(15.0)
+def blanked_points_of_cell_data():
+    s = cell_data()
+    return blanked(s, 18, s.data.AllocatePointGhostArray(), 2)
+
+
+@felt(15.0)
+def blanked_cells_of_cell_data_in_front_of_the_wall():
+    s = cell_data()
+    return blanked(s, 5, s.data.AllocateCellGhostArray(), 32)
+
+
+@felt(15.0)
+def other_flags_of_cells():
+    """HIGHCONNECTIVITYCELL is the number of HIDDENPOINT."""
+    s = cell_data()
+    return blanked(s, 18, s.data.AllocateCellGhostArray(), 2)
 
 
 @felt(8.0)
@@ -564,201 +586,6 @@ def test_is_felt_where_it_is_seen(row):
     # Halves of a voxel: VTK draws none of the cells around a blanked point.
     assert s.felt() == pytest.approx(x0, abs=0.55)
     s.end()
-
-
-# What is told, with its cures.
-
-TOLD = {}
-
-
-def told(words, *cures):
-    def keep(make):
-        TOLD.setdefault(words, []).append((make, cures))
-        return make
-    return keep
-
-
-def unfollowed(s):
-    """The filter has the image by itself."""
-    s.follows = False
-    s.filter.SetInputData(s.data)
-    s.filter.GetProperty().SetVisibilityFrom(s.look)
-    return s
-
-
-def follow(s):
-    s.follows = True
-
-
-def touch_array(s):
-    s.filter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "B")
-
-
-@told("Its mapper draws another array than the one that is felt. Cure: TouchVolume()", follow, touch_array)
-def _():
-    return unfollowed(array_by_name())
-
-
-@told("Its mapper draws another component of its array than the one that is felt", follow,
-      lambda s: s.filter.GetProperty().SetComponent(1))
-def _():
-    return unfollowed(one_component_with_opacity())
-
-
-def weight(s):
-    s.look.SetComponentWeight(1, 0.0)
-
-
-def both(s):
-    """A volume for each; the first one is pressed."""
-    touched = s.style
-    s.extracts, s.others = [], [s.volume, vtkVolume()]
-    for component, volume in enumerate(s.others):
-        extract, mapper = vtkImageExtractComponents(), vtkGPUMapper()
-        extract.SetInputData(s.data)
-        extract.SetComponents(component)
-        extract.Update()
-        mapper.SetInputConnection(extract.GetOutputPort())
-        volume.SetMapper(mapper)
-        volume.SetProperty(look(step(127.0, 128.0)))
-        s.extracts.append(extract)
-    s.renderer.AddVolume(s.others[1])
-    s.second = vtkVolumeHapticsFilter()
-    assert touched.TouchVolume(s.volume) and touched.AddTouchedVolume(s.others[1], s.second)
-    s.follows = False
-
-
-@told("Several components of its array have opacity, of which only one is felt", weight, both)
-def _():
-    return components((8.0, 15.0))
-
-
-def magnitude(s):
-    s.magnitude = vtkImageMagnitude()
-    s.magnitude.SetInputData(s.data)
-    s.mapper.SetInputConnection(s.magnitude.GetOutputPort())
-    s.mapper.SetVectorMode(vtkSmartVolumeMapper.DISABLED)
-
-
-@told("Its mapper draws the magnitude of vectors, but a component of them is felt. Cure: vtkImageMagnitude", magnitude)
-def _():
-    s = components((13.0, 9.0, 17.0), vtkSmartVolumeMapper())
-    s.mapper.SetVectorMode(vtkSmartVolumeMapper.MAGNITUDE)
-    return s
-
-
-for mode in ("MaximumIntensity", "MinimumIntensity", "AverageIntensity", "Additive", "Slice"):
-    @told("Its mapper projects or slices, so that what lies in front of what is seen is felt",
-          lambda s: s.mapper.SetBlendModeToComposite())
-    def _(mode=mode):
-        s = gpu_mapper()
-        getattr(s.mapper, f"SetBlendModeTo{mode}")()
-        return s
-
-
-def surface(s):
-    s.filter.SetMethodToSurfaceProxy()
-    s.filter.SetIsoValue(s.look.GetIsoSurfaceValues().GetValue(0))
-
-
-def cylinder(values, iso):
-    """Around an axis along y at x = 15, since a flat wall can't be seen from the side. The values are those at 6 - radius."""
-    x, z = np.meshgrid(np.arange(X), np.arange(Y))
-    s = Scene(image(np.broadcast_to(values(6.0 - np.hypot(x - 15.0, z - 7.5))[:, None, :], (Y, Y, X))))
-    s.mapper.SetBlendModeToIsoSurface()
-    s.look.GetIsoSurfaceValues().SetValue(0, iso)
-    s.look.SetScalarOpacity(step(iso - 0.2, iso))
-    return s
-
-
-@told("Its mapper draws isosurfaces, but all of its edges are felt", surface, lambda s: s.mapper.SetBlendModeToComposite())
-def _():
-    return cylinder(lambda depth: 100.0 * np.clip(depth / 2.0 + 0.5, 0.0, 1.0), 50.0)
-
-
-def test_nothing_is_felt_in_front_of_the_isosurfaces():
-    """Of a ramp, which is steep everywhere."""
-    s = cylinder(lambda depth: 60.0 + 5.0 * depth, 60.0)
-    assert len(s.told()) == 1
-    assert s.seen() == pytest.approx(9.0, abs=0.25)
-    assert s.felt() == pytest.approx(9.0, abs=0.75)
-    s.end()
-
-
-def pad(s):
-    s.pad, extra = vtkImageConstantPad(), s.filter.GetKernelRadius() + 1
-    s.pad.SetInputData(s.data)
-    s.pad.SetOutputWholeExtent(-extra, X - 1 + extra, -extra, Y - 1 + extra, -extra, Y - 1 + extra)
-    s.pad.SetConstant(0.0)
-    s.pad.Update()
-    s.mapper.SetInputConnection(s.pad.GetOutputPort())
-
-
-@told("It is opaque up to all faces of its image, behind which there is no surface to feel", pad)
-def _():
-    return Scene(image(wall(-9.0)))
-
-
-def faces(s):
-    s.filter.FeelCutFacesOn()
-
-
-def passing(make):
-    def made():
-        s = make()
-        s.filter.FeelCutFacesOff()
-        return s
-    return made
-
-
-for row in (mask_behind_the_wall, label_without_opacity, label_that_alone_has_opacity, blanked_points, blanked_cells):
-    told("its faces are not felt. Cure: FeelCutFacesOn() of vtkVolumeHapticsFilter", faces)(passing(row))
-
-
-@told("Points or cells of the image are blanked (array vtkGhostType) and not felt, but its mapper draws them", follow,
-      lambda s: s.data.GetPointData().RemoveArray("vtkGhostType"))
-def _():
-    return unfollowed(blanked_points_that_cpu_draws())
-
-
-def resampled(s):
-    s.resample = vtkResampleToImage()
-    s.resample.SetInputDataObject(s.data)
-    s.resample.SetSamplingDimensions(X, Y, Y)
-    s.resample.Update()
-    s.mapper.SetInputConnection(s.resample.GetOutputPort())
-
-
-@told("but its data are no image and felt where they are. Cure: vtkResampleToImage", resampled)
-def _():
-    s = rectilinear_grid()
-    s.volume.SetPosition(4.0, 0.0, 0.0)
-    return s
-
-
-@told("Its property has a 2-D transfer function, but voxels that this hides are still felt",
-      lambda s: s.look.SetTransferFunctionMode(vtkVolumeProperty.TF_1D))
-def _():
-    s, function = gpu_mapper(), vtkImageData()
-    function.SetDimensions(64, 64, 1)
-    function.AllocateScalars(VTK_FLOAT, 4)
-    vtk_to_numpy(function.GetPointData().GetScalars())[:] = 1.0
-    s.look.SetTransferFunction2D(function)
-    s.look.SetTransferFunctionMode(vtkVolumeProperty.TF_2D)
-    return s
-
-
-@pytest.mark.parametrize("words,number", [(words, number) for words, rows in TOLD.items() for number in range(len(rows))])
-def test_is_told_or_cured(words, number):
-    make, cures = TOLD[words][number]
-    for cure in cures:
-        s = set_up(make)
-        texts = s.told()
-        assert len(texts) == 1 and words in texts[0] and "Cure:" in texts[0], texts
-        assert texts == [*texts, *s.told()], "once"
-        cure(s)
-        s.check()
-        s.end()
 
 
 def test_is_followed_when_it_changes():

@@ -178,7 +178,8 @@ std::string DescribeCut(vtkHapticDevice* device)
   {
     return {};
   }
-  return filter->GetFeelCutFaces() ? "Cut open, its faces are felt" : "Cut open";
+  return filter->GetFeelCutFaces() ? "Cut open, its faces are felt"
+                                   : "Cut open, its faces are not felt";
 }
 
 double FindFeltValue(vtkHapticDevice* device)

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartVolumeMapper.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -29,7 +30,8 @@ enum Kind
   Nothing,
   Binary,
   Labels,
-  Isosurfaces
+  Isosurfaces,
+  Cells
 };
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
@@ -147,10 +149,11 @@ bool IsMaskOf(vtkImageData* mask, vtkImageData* image)
     std::equal(mask->GetDimensions(), mask->GetDimensions() + 3, image->GetDimensions());
 }
 
-bool HidesBlanked(vtkAbstractVolumeMapper* mapper)
+bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells)
 {
+  constexpr bool hidesCells = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
-  return !mapper->IsA("vtkFixedPointVolumeRayCastMapper") &&
+  return (hidesCells || !areCells) && !mapper->IsA("vtkFixedPointVolumeRayCastMapper") &&
     !(smart && smart->GetLastUsedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode);
 }
 
@@ -160,12 +163,45 @@ bool DrawnVoxels::Source::operator==(const Source& other) const
     this->Time == other.Time && this->Kind == other.Kind && this->Component == other.Component;
 }
 
+vtkUnsignedCharArray* DrawnVoxels::FindCells(const DrawnImage& drawn)
+{
+  vtkUnsignedCharArray* const own = drawn.Image->GetCellGhostArray();
+  Source now;
+  if (own && HidesBlanked(drawn.Mapper, true))
+  {
+    now.Kind = Cells;
+    now.Own = own;
+    now.Time = own->GetMTime();
+  }
+  if (!(now == this->From))
+  {
+    this->From = now;
+    this->Flags = nullptr;
+  }
+  this->HasOpacity = false;
+  if (now.Kind == Cells && !this->Flags)
+  {
+    this->Flags = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->Flags->SetName(vtkDataSetAttributes::GhostArrayName());
+    this->Flags->SetNumberOfValues(own->GetNumberOfValues());
+    std::transform(own->GetPointer(0), own->GetPointer(0) + own->GetNumberOfValues(),
+      this->Flags->GetPointer(0),
+      [](unsigned char flag) -> unsigned char
+      { return (flag & vtkDataSetAttributes::HIDDENCELL) != 0 ? Hidden : 0; });
+  }
+  return this->Flags;
+}
+
 vtkUnsignedCharArray* DrawnVoxels::Find(const DrawnImage& drawn)
 {
+  if (drawn.AreCells)
+  {
+    return this->FindCells(drawn);
+  }
   vtkImageData* const binary = FindBinaryMask(drawn.Mapper);
   vtkImageData* const labels = FindOpacityMask(drawn.Mapper, drawn.Property);
   vtkUnsignedCharArray* const own = drawn.Image->GetPointGhostArray();
-  const bool hides = HidesBlanked(drawn.Mapper);
+  const bool hides = HidesBlanked(drawn.Mapper, false);
   const bool hasFlags = own && hides;
   const bool hasValues = drawn.Array &&
     drawn.Array->GetNumberOfTuples() == drawn.Image->GetNumberOfPoints() &&

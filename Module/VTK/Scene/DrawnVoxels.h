@@ -28,6 +28,7 @@ struct DrawnImage
   vtkVolumeProperty* Property;
   vtkImageData* Image;
   vtkDataArray* Array; ///< that is drawn; null if there is none
+  bool AreCells;       ///< whether it is one of cells
   int Component;
   bool IsIsosurface; ///< whether an isosurface is felt, and needs no help
 };
@@ -36,9 +37,9 @@ class DrawnVoxels
 {
 public:
   /**
-   * Flags of the image's points, of which those that are hidden are vtkDataSetAttributes::
-   * HIDDENPOINT; null if the image's own flags say what is hidden. It is the same array until
-   * something changes.
+   * Flags of the image's points, or of its cells if these are drawn, of which those that are hidden
+   * are vtkDataSetAttributes::HIDDENPOINT; null if the image's own flags say what is hidden. It is
+   * the same array until something changes.
    */
   vtkUnsignedCharArray* Find(const DrawnImage& drawn);
   /** Whether the flags say all, and not the property's scalar opacity. */
@@ -55,6 +56,8 @@ private:
     int Component = 0;
     bool operator==(const Source& other) const;
   };
+  /** The same of the cells. */
+  vtkUnsignedCharArray* FindCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 
   Source From;
@@ -73,8 +76,11 @@ vtkImageData* FindOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty
  */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
-/** Whether a mapper hides points and cells that are blanked. */
-bool HidesBlanked(vtkAbstractVolumeMapper* mapper);
+/**
+ * Whether a mapper hides points and cells that are blanked; if it draws cell data, blanked cells
+ * alone, since VTK 9.2.
+ */
+bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells);
 
 } // namespace VolumeHaptics
 

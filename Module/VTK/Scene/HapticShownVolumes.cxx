@@ -96,8 +96,9 @@ const Difference Differences[] = {
     "vtkImageConstantPad with as many voxels as KernelRadius + 1 on each side, of a value that is "
     "not opaque, as the input of the mapper." },
   { 8192,
-    "Voxels of it are hidden by a mask or because they are blanked, and where that cuts through "
-    "even tissue, its faces are not felt. Cure: FeelCutFacesOn() of vtkVolumeHapticsFilter." },
+    "A part of it is hidden by clipping planes, cropping or a mask, or because it is blanked, and "
+    "where that cuts through even tissue, its faces are not felt. Cure: FeelCutFacesOn() of "
+    "vtkVolumeHapticsFilter." },
   { 16384,
     "It is moved, turned or scaled in the scene, but its data are no image and felt where they "
     "are. Cure: vtkResampleToImage as the input of the mapper." },
@@ -333,21 +334,25 @@ unsigned int HapticShownVolumes::FindDifferences(const DrawnVolume& drawn, vtkIm
   const int blend = mapper ? mapper->GetBlendMode() : vtkVolumeMapper::COMPOSITE_BLEND;
   const bool isIso = blend == vtkVolumeMapper::ISOSURFACE_BLEND;
   const bool isMagnitude = HasMagnitude(drawn.Mapper) && hasComponents;
+  const bool isCropped = mapper && shown && IsCropped(mapper, shown);
+  const bool isClipped = IsClipped(drawn.Mapper, volume);
   const bool isTrue[] = { shown && !areCells && IsPlacedElsewhere(drawn.Matrix, shown, image),
-    mapper && shown && IsCropped(mapper, shown) && !FeelsCropping(filter, mapper, shown, image),
-    IsClipped(drawn.Mapper, volume) && !FeelsClipping(filter, drawn.Mapper),
+    isCropped && !FeelsCropping(filter, mapper, shown, image),
+    isClipped && !FeelsClipping(filter, drawn.Mapper),
     mask && !(isFollowed && !areCells && shown && IsMaskOf(mask, shown)) &&
       !FeelsMask(filter, drawn.Mapper),
     HasTransferFunction2D(property),
-    shown && !isFollowed && !HidesBlanked(drawn.Mapper) && this->HasBlanks(shown),
+    shown && !isFollowed && !HidesBlanked(drawn.Mapper, areCells) && this->HasBlanks(shown, false),
     array && shown && !isPicture && !areCells && !FeelsArray(filter, array),
     hasComponents && !isMagnitude &&
       FindDrawnComponent(drawn.Mapper, property, array, felt) != felt,
     hasComponents && !isMagnitude && AreSeveralDrawn(drawn.Mapper, property, array), isMagnitude,
     blend != vtkVolumeMapper::COMPOSITE_BLEND && !isIso, isIso && !FeelsIso(filter, property),
     isFollowed && shown && !isIso && !mapper->GetCropping() && this->IsFull(image, filter),
-    isFollowed && shown && !filter->GetFeelCutFaces() &&
-      (mask || (HidesBlanked(drawn.Mapper) && this->HasBlanks(shown))),
+    isFollowed && !filter->GetFeelCutFaces() &&
+      (isCropped || isClipped ||
+        (shown &&
+          (mask || (HidesBlanked(drawn.Mapper, areCells) && this->HasBlanks(shown, areCells))))),
     !shown && !drawn.Matrix->IsIdentity() };
   static_assert(std::size(isTrue) == std::size(Differences));
   unsigned int differences = 0;
@@ -382,9 +387,10 @@ bool HapticShownVolumes::IsFull(vtkImageData* image, vtkVolumeHapticsFilter* fil
   return this->LastFilled.IsTrue;
 }
 
-bool HapticShownVolumes::HasBlanks(vtkImageData* image)
+bool HapticShownVolumes::HasBlanks(vtkImageData* image, bool areCells)
 {
-  return this->HasBlanks(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, 0) ||
+  return (!areCells &&
+           this->HasBlanks(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT, 0)) ||
     this->HasBlanks(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL, 1);
 }
 

@@ -52,7 +52,8 @@ private:
   unsigned int FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
     vtkVolume* followed);
-  bool HasBlanks(vtkImageData* image);
+  /** Of what is drawn: cells alone, or points and cells. */
+  bool HasBlanks(vtkImageData* image, bool areCells);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
   /** Whether the followed volume is opaque up to all faces of its image. */
   bool IsFull(vtkImageData* image, vtkVolumeHapticsFilter* filter);

@@ -10,6 +10,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
 #include "vtkInformation.h"
@@ -287,29 +288,34 @@ void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCha
   this->PlacedTime = shown->GetMTime();
   this->ArePlacedCells = areCells;
   this->PlacedFlags = flags;
-  this->Placed->ShallowCopy(shown);
+  vtkPointData* const points = this->Placed->GetPointData();
+  const char* const name = vtkDataSetAttributes::GhostArrayName();
+  if (areCells)
+  {
+    int extent[6];
+    shown->GetExtent(extent);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      --extent[2 * axis + 1];
+    }
+    this->Placed->Initialize();
+    this->Placed->SetExtent(extent);
+    points->ShallowCopy(shown->GetCellData());
+    points->RemoveArray(name); // flags of points are others
+  }
+  else
+  {
+    this->Placed->ShallowCopy(shown);
+  }
   if (flags)
   {
-    this->Placed->GetPointData()->RemoveArray(flags->GetName());
-    this->Placed->GetPointData()->AddArray(flags);
+    points->RemoveArray(name);
+    points->AddArray(flags);
   }
-  if (flags && !HidesBlanked(this->Drawn.Mapper))
+  if (flags && !HidesBlanked(this->Drawn.Mapper, areCells))
   {
-    this->Placed->GetCellData()->RemoveArray(flags->GetName());
+    this->Placed->GetCellData()->RemoveArray(name);
   }
-  if (!areCells)
-  {
-    return;
-  }
-  int extent[6];
-  shown->GetExtent(extent);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    --extent[2 * axis + 1];
-  }
-  this->Placed->Initialize();
-  this->Placed->SetExtent(extent);
-  this->Placed->GetPointData()->ShallowCopy(shown->GetCellData());
 }
 
 void TouchedVolume::Place(
@@ -317,10 +323,9 @@ void TouchedVolume::Place(
 {
   bool areCells = false;
   vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, shown, areCells);
-  const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array,
+  const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array, areCells,
     array ? this->FindComponent(array, filter) : 0, TouchesIsosurface(filter) };
-  vtkUnsignedCharArray* const flags =
-    areCells || this->Drawn.Port != 0 ? nullptr : this->Voxels.Find(drawn);
+  vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Find(drawn);
   vtkNew<vtkImageData> place;
   place->SetExtent(shown->GetExtent());
   // What is sheared stays where its image is: the style warns of it.
