@@ -103,6 +103,56 @@ double SpreadOf(const std::vector<TickRecord>& trace)
 }
 } // namespace
 
+TEST(FarSideContact, BeforeAnEdgeNothingHolds)
+{
+  // An edge without noise, through places between the samples. It rises by less than a quarter of
+  // its height before 0.7 of its blur; interpolation shifts that by a voxel at most.
+  const std::int64_t n = 40;
+  for (const double blur : { 0.05, 0.3, 0.6, 1.3 })
+  {
+    for (const Vector3& normal : { Vector3{ 0, 0, 1 }, { 0.6, 0, 0.8 }, { 0.48, 0.6, 0.64 } })
+    {
+      for (const double sign : { 1.0, -1.0 })
+      {
+        const Vector3 centre{ 20.3, 20.2 + 0.2 * sign, 20.1 + 0.3 * sign };
+        TestVolume volume(ScalarType::Float64, { n, n, n });
+        volume.Fill<double>(
+          [&](std::int64_t i, std::int64_t j, std::int64_t k)
+          {
+            const Vector3 from = Vector3{ double(i), double(j), double(k) } - centre;
+            return sign * (Air + 1060.0 * Phi(Dot(from, normal) / blur));
+          });
+        HapticModelDescription description = DescribeFar(volume);
+        description.Settings.Side = sign > 0.0 ? SurfaceSide::Higher : SurfaceSide::Lower;
+        for (const GradientEstimator estimator : { GradientEstimator::CentralDifference,
+               GradientEstimator::Gaussian, GradientEstimator::CubicBSpline })
+        {
+          for (const int radius : { 1, 2, 3, 6 })
+          {
+            SCOPED_TRACE(testing::Message()
+              << "blur " << blur << ", normal " << normal.X << " " << normal.Y << " " << normal.Z
+              << ", sign " << sign << ", estimator " << int(estimator) << ", radius " << radius);
+            description.Estimator = estimator;
+            description.KernelRadius = radius;
+            const HapticModel model(description);
+            ServoState state;
+            TickRecord record;
+            double before = 0.0;
+            for (double at = -9.0; at < 1.5; at += 0.1)
+            {
+              Tick(model, state, 0.001 * (centre + at * normal), record);
+              const double proxy = Dot(1000.0 * record.Proxy - centre, normal);
+              before = proxy < -1.0 - 0.7 * blur ? std::max(before, Norm(record.Force)) : before;
+            }
+            EXPECT_EQ(before, 0.0) << "N";
+            EXPECT_GT(Norm(record.Force), 0.1) << "behind it";
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(FarSideContact, SkinIsWhatLiesBehindItFromItsFirstTouchOn)
 {
   const double height = 1060.0;

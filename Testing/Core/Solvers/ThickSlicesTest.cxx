@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -45,13 +46,18 @@ Vector3 Thick(double ratio, int axis)
 /// A wall through a point between the samples in the middle of a volume.
 struct Wall
 {
-  /// @param normal along the axes of the volume
-  Wall(const Vector3& spacing, const Matrix3& turn, const Vector3& normal)
+  /**
+   * @param normal along the axes of the volume
+   * @param place between the slices of its middle
+   */
+  Wall(const Vector3& spacing, const Matrix3& turn, const Vector3& normal, double place = 0.6,
+    double blur = Blur)
     : IndexToWorld{ turn *
         Matrix3{ { { spacing.X, 0, 0 }, { 0, spacing.Y, 0 }, { 0, 0, spacing.Z } } },
       { 3.0, -7.0, 11.0 } }
     , Normal((1.0 / Norm(normal)) * (turn * normal))
-    , Centre(IndexToWorld({ 13.3, 14.2, 13.6 }))
+    , Centre(IndexToWorld({ 13.3, 14.2, 13.0 + place }))
+    , Width(blur)
     , Volume(ScalarType::Float64, { Samples, Samples, Samples })
   {
     this->Volume.Fill<double>(
@@ -63,7 +69,7 @@ struct Wall
   double At(const Vector3& index) const
   {
     const Vector3 from = this->IndexToWorld(index) - this->Centre;
-    return Low + (High - Low) * Phi(Dot(from, this->Normal) / Blur);
+    return Low + (High - Low) * Phi(Dot(from, this->Normal) / this->Width);
   }
 
   /// As "CT contrast" for air, lung, fat and muscle, without friction and drag.
@@ -83,8 +89,31 @@ struct Wall
   const Affine3 IndexToWorld;
   const Vector3 Normal;
   const Vector3 Centre;
+  const double Width;
   TestVolume Volume;
 };
+
+/**
+ * How far the middle of (1 - t) Phi(u) + t Phi(u - shift), the linear interpolation between two
+ * edges, is at most from where the edge goes over from the one to the other: u = t shift. Of edges
+ * of blur 1; by bisection.
+ */
+double FarthestMiddle(double shift)
+{
+  double farthest = 0.0;
+  for (double t = 0.005; t < 1.0; t += 0.005)
+  {
+    double low = -1.0;
+    double high = shift + 1.0;
+    for (int i = 0; i < 50; ++i)
+    {
+      const double u = 0.5 * (low + high);
+      ((1.0 - t) * Phi(u) + t * Phi(u - shift) > 0.5 ? high : low) = u;
+    }
+    farthest = std::max(farthest, std::abs(low - t * shift));
+  }
+  return farthest;
+}
 
 /// The linear interpolation of the samples around a position, as a share of the wall's height.
 double InterpolatedShare(const Wall& wall, const Vector3& world)
@@ -198,6 +227,71 @@ TEST(ThickSlices, ALeaningWallThatIsResolvedIsWhereItIs)
             EXPECT_NEAR(felt.Force, expected.Force, 0.02 * expected.Force);
           }
         }
+      }
+    }
+  }
+}
+
+TEST(ThickSlices, ALeaningWallIsNoFartherOffThanItsInterpolation)
+{
+  constexpr double stiffness = 0.4; // N/mm
+  for (const double ratio : { 2.0, 3.0, 5.0, 10.0 })
+  {
+    for (const double degrees : { 15.0, 30.0, 45.0, 60.0, 75.0, 90.0 })
+    {
+      const double angle = degrees / 57.29577951308232;
+      const double shift = ratio * Fine * std::sin(angle) / Blur;
+      // Edges that are up to 2 blurs apart have one steepest place in their sum. Farther apart they
+      // are two edges, of which the first one may be felt; a spline is wider than that for longer.
+      const bool isOne = shift <= 2.0;
+      if (shift > 3.4)
+      {
+        continue;
+      }
+      const double off = Blur * FarthestMiddle(shift);
+      const Vector3 normal{ std::cos(angle), 0.0, std::sin(angle) };
+      const Wall cubes({ Fine, Fine, Fine }, Slanted(), normal);
+      for (const double place : { 0.0, 0.23, 0.5, 0.77 })
+      {
+        const Wall wall(Thick(ratio, 2), Slanted(), normal, place);
+        for (const GradientEstimator estimator : Estimators)
+        {
+          for (const int radius : { 1, 2, 3 })
+          {
+            if (!isOne && estimator != GradientEstimator::CubicBSpline)
+            {
+              continue;
+            }
+            SCOPED_TRACE(testing::Message()
+              << "1:" << ratio << ", " << degrees << " degrees, place " << place << ", estimator "
+              << int(estimator) << ", radius " << radius);
+            const Press expected = PressInto(cubes, cubes.Describe(estimator, radius));
+            const Press felt = PressInto(wall, wall.Describe(estimator, radius));
+            EXPECT_NEAR(felt.Contact, 0.0, off + 0.05) << "a tick of the press";
+            EXPECT_NEAR(felt.Force, expected.Force, stiffness * off + 0.02 * expected.Force);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
+{
+  // A spline reads 64 samples, whatever the radius is; so are its middle and what it holds there.
+  for (const double blur : { 0.05, Blur })
+  {
+    for (const Vector3& normal : { Vector3{ 1, 0, 0 }, Vector3{ 1, 2, 3 } })
+    {
+      const Wall wall({ Fine, Fine, Fine }, Slanted(), normal, 0.0, blur);
+      const Press one = PressInto(wall, wall.Describe(GradientEstimator::CubicBSpline, 1));
+      for (const int radius : { 2, 3, 6 })
+      {
+        SCOPED_TRACE(testing::Message()
+          << "blur " << blur << " mm, normal " << normal.Y << ", radius " << radius);
+        const Press felt = PressInto(wall, wall.Describe(GradientEstimator::CubicBSpline, radius));
+        EXPECT_NEAR(felt.Contact, one.Contact, 0.05);
+        EXPECT_NEAR(felt.Force, one.Force, 0.02 * one.Force);
       }
     }
   }

@@ -23,6 +23,8 @@ constexpr double EdgeTolerance = 1e-3;
 constexpr double EdgeWidth = 0.5;
 /** N; how steeply it gains it at the beginning, per share of EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
+/** The share of the edge's height by which the estimator's own value counts beyond V(x_p). */
+constexpr double OwnLead = 0.25;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
 double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
@@ -39,18 +41,22 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *
  * and 0 before the middle: so the strength does not step if the middle wanders along a surface. If
- * h is less than the gradient's `rise` over the kernel radius, then the edge is elsewhere, and s
- * falls to 0.
+ * h is less than the `rise` that the gradient promises, then the edge is elsewhere, and s falls to
+ * 0.
  *
  * V is V(x_p) or the estimator's own value, the one that is farther inside: the latter carries less
- * noise, but in a sheet that is thinner than the kernel it does not reach the middle.
+ * noise, but in a sheet that is thinner than the kernel it does not reach the middle. It leads by
+ * OwnLead h at most: at the foot of an edge, which the walk finds in part only, the mean of a wide
+ * kernel is past that part's middle, though the proxy has the whole edge before it.
  */
 double GradedStrength(const ValuePair& sides, double strength, double own, double value,
   double rise, bool isDescending) noexcept
 {
-  const double inside = isDescending ? std::min(value, own) : std::max(value, own);
   const double middle = 0.5 * (sides.Ahead + sides.Behind);
   const double height = std::abs(sides.Ahead - sides.Behind);
+  const double lead = OwnLead * height;
+  const double inside = isDescending ? std::min(value, std::max(own, value - lead))
+                                     : std::max(value, std::min(own, value + lead));
   const double above = isDescending ? middle - inside : inside - middle;
   const double past = std::clamp(above / std::max(EdgeWidth * height, 1e-300), 0.0, 1.0);
   const double share = past * std::clamp(2.0 * height / std::max(rise, 1e-300) - 1.0, 0.0, 1.0);
@@ -178,7 +184,7 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
   if (even < 1.0)
   {
     const double edge = GradedStrength(sides, point.SurfaceStrength, point.Value,
-      this->Field.Value(index), this->FindRise(slope), isDescending);
+      this->Field.Value(index), this->FindPromise(slope), isDescending);
     // An even ramp has no middle: it holds as with the kernel's values.
     MaterialPoint ramp;
     if (even > 0.0)
@@ -193,6 +199,13 @@ double PreciseSurroundings::FindRise(const Law::Slope& slope) const noexcept
 {
   return slope.Magnitude * this->Model.KernelLengthAlong(slope.Normal) *
     this->Model.WorldUnitsPerMeter;
+}
+
+double PreciseSurroundings::FindPromise(const Law::Slope& slope) const noexcept
+{
+  const GradientKernel& kernel = this->Model.Baked->Kernel;
+  const bool isSpline = kernel.Estimator == GradientEstimator::CubicBSpline;
+  return (isSpline ? this->Model.InverseRadius : 1.0) * this->FindRise(slope);
 }
 
 ValuePair PreciseSurroundings::FindValues(const Vector3& index, const Law::Slope& slope,

@@ -163,6 +163,11 @@ private:
   /** The change of V over the kernel radius, by the gradient. */
   double FindRise(const Law::Slope& slope) const noexcept;
   /**
+   * The rise that the gradient promises of an edge: over the kernel radius, or over one voxel if
+   * the estimator is a spline. That is as wide as the Gaussian of radius 1, whatever the radius is.
+   */
+  double FindPromise(const Law::Slope& slope) const noexcept;
+  /**
    * The values from which the material of a surface is read, by MaterialPlacement; those of the
    * kernel for a share of 0. Writes the walk of a point if there is one.
    */
