@@ -171,16 +171,12 @@ private:
 
 BackgroundLevel BackgroundLevel::Find(const NoiseSamples& samples)
 {
-  ValueHeaps heaps;
-  VisitNoiseBlocks(samples, [&](const double* block) { heaps.Add(block); });
-  return heaps.Find();
+  return FindInNoiseBlocks<ValueHeaps>(samples);
 }
 
 BackgroundLevel BackgroundLevel::Find(const SampleReader& read, const std::int64_t dimensions[3])
 {
-  ValueHeaps heaps;
-  VisitNoiseBlocks(read, dimensions, [&](const double* block) { heaps.Add(block); });
-  return heaps.Find();
+  return FindInNoiseBlocks<ValueHeaps>(read, dimensions);
 }
 
 } // namespace VolumeHaptics

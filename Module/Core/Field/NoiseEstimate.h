@@ -74,6 +74,15 @@ void VisitNoiseBlocks(
   const SampleReader& read, const std::int64_t dimensions[3], const BlockVisitor& visit);
 ///@}
 
+/** What a finder finds in the noise blocks of a volume, which are the first arguments above. */
+template <typename Finder, typename... Volume>
+auto FindInNoiseBlocks(const Volume&... volume)
+{
+  Finder finder;
+  VisitNoiseBlocks(volume..., [&finder](const double* block) { finder.Add(block); });
+  return finder.Find();
+}
+
 /**
  * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
  * the best quadratic is subtracted, in the flattest tenth of the noise blocks.

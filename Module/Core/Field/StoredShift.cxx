@@ -168,16 +168,12 @@ private:
 
 StoredShift StoredShift::Find(const NoiseSamples& samples)
 {
-  SortedValues values;
-  VisitNoiseBlocks(samples, [&](const double* block) { values.Add(block); });
-  return values.Find();
+  return FindInNoiseBlocks<SortedValues>(samples);
 }
 
 StoredShift StoredShift::Find(const SampleReader& read, const std::int64_t dimensions[3])
 {
-  SortedValues values;
-  VisitNoiseBlocks(read, dimensions, [&](const double* block) { values.Add(block); });
-  return values.Find();
+  return FindInNoiseBlocks<SortedValues>(read, dimensions);
 }
 
 } // namespace VolumeHaptics
