@@ -62,6 +62,23 @@ double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
 }
+/** The lower left corner (pixels) of a panel with its margins at the left and below. */
+std::array<int, 2> FindPlotCorner(
+  int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
+{
+  constexpr int scaleHeight = 30; // pixels at the lower right: "1 N = 10 mm"
+  switch (corner)
+  {
+    case vtkHapticHeadUpDisplay::LOWER_LEFT_CORNER:
+      return { 0, 0 };
+    case vtkHapticHeadUpDisplay::LOWER_RIGHT_CORNER:
+      return { viewport->GetSize()[0] - panel[0] - Gap,
+        ScalePixels(PixelsPerPoint(viewport), scaleHeight) };
+    default:
+      return FindFreeCorner(viewport, panel[0], panel[1]);
+  }
+}
+
 } // namespace
 
 struct vtkHapticHeadUpDisplay::vtkInternals
@@ -109,7 +126,6 @@ vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
   vtkTextProperty* const hint = d.Hint->GetTextProperty();
   hint->SetColor(1.0, 1.0, 1.0);
   hint->SetBackgroundColor(0.06, 0.07, 0.09);
-  hint->SetBackgroundOpacity(0.75);
   hint->SetFrame(1);
   hint->SetFrameColor(0.06, 0.07, 0.09);
   hint->SetFrameWidth(4);
@@ -368,7 +384,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
     const std::array<int, 2> panel =
       HapticForceChart::PanelSize(view[0], view[1], PixelsPerPoint(viewport));
     const int plot =
-      self.PlotVisibility ? FindFreeCorner(viewport, panel[0], panel[1])[1] + panel[1] : 0;
+      self.PlotVisibility ? FindPlotCorner(self.PlotCorner, viewport, panel)[1] + panel[1] : 0;
     this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
     this->Text->GetSize(viewport, size);
     const double left = TextLeft * view[0];
@@ -404,6 +420,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   // It stands in the middle, and ends before what other renderers draw beside it.
   const double room = 2.0 * FindTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
+  this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
   double size[2];
   for (int letters = largest; letters >= smallest; --letters)
   {
@@ -457,8 +474,9 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
   const int* const size = viewport->GetSize();
   const double scale = PixelsPerPoint(viewport);
   const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1], scale);
-  const std::array<int, 2> from = FindFreeCorner(viewport, panel[0], panel[1]);
-  const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale);
+  const std::array<int, 2> from = FindPlotCorner(self.PlotCorner, viewport, panel);
+  const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
+  const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
   // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
   const auto now = std::chrono::steady_clock::now();
   const bool isDue = now >= this->Due;

@@ -71,6 +71,26 @@ public:
   vtkBooleanMacro(PlotVisibility, vtkTypeBool);
   ///@}
 
+  enum PlotCornerType
+  {
+    AUTOMATIC_CORNER = 0,
+    LOWER_LEFT_CORNER = 1,
+    LOWER_RIGHT_CORNER = 2
+  };
+
+  ///@{
+  /**
+   * Where the plot is. Automatic (default): at the lower left, or beside or above what the 2D
+   * actors of the program take up there. LowerLeft and LowerRight, above the scale of forces:
+   * there, whatever else is.
+   */
+  vtkSetClampMacro(PlotCorner, int, AUTOMATIC_CORNER, LOWER_RIGHT_CORNER);
+  vtkGetMacro(PlotCorner, int);
+  void SetPlotCornerToAutomatic() { this->SetPlotCorner(AUTOMATIC_CORNER); }
+  void SetPlotCornerToLowerLeft() { this->SetPlotCorner(LOWER_LEFT_CORNER); }
+  void SetPlotCornerToLowerRight() { this->SetPlotCorner(LOWER_RIGHT_CORNER); }
+  ///@}
+
   ///@{
   /** Whether the text is shown. Default on. */
   vtkSetMacro(TextVisibility, vtkTypeBool);
@@ -209,6 +229,7 @@ protected:
   ~vtkHapticHeadUpDisplay() override;
 
   double TimeSpan = 5.0;
+  int PlotCorner = AUTOMATIC_CORNER;
   vtkTypeBool PlotVisibility = 1;
   vtkTypeBool TextVisibility = 1;
   vtkTypeBool DetailsVisibility = 0;

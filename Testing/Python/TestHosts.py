@@ -338,6 +338,64 @@ def test_the_display_keeps_off_what_the_program_draws(program, make, corner):
                 f"{name} {ours} over {theirs}"
 
 
+def test_the_hint_names_each_key_that_lets_go(program):
+    """A program's toolkit may keep one of them to itself, as Mayavi's does with Escape."""
+    with volumehaptics.add_haptics(program.window) as haptics:
+        program.interactor.SetEventInformation(2, 2)  # beside the ball
+        program.interactor.SetKeySym("t")
+        program.interactor.InvokeEvent("KeyPressEvent")
+        for keys, words in ("Escape End", "Escape or End lets go"), ("F9", "F9 lets go"), ("", "to press"):
+            assert haptics.style.SetKey("LetGo", keys)
+            haptics.update()
+            assert haptics.head_up_display.GetHint().endswith(words)
+
+
+def luminance(color):
+    """Relative luminance of WCAG 2.1 (sRGB 0 to 255)."""
+    share = numpy.asarray(color) / 255.0
+    linear = numpy.where(share <= 0.03928, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)
+
+
+@pytest.mark.parametrize("part, letters", (("Plot", (230, 235, 242)), ("Hint", (255, 255, 255))))
+@pytest.mark.parametrize("ground", (0.0, 0.5, 1.0))
+def test_plot_and_hint_can_be_read_on_any_background(program, ground, part, letters):
+    """Of the letters and their ground: 4.5 to 1 at least, WCAG 2.1's contrast of text (1.4.3)."""
+    program.renderer.SetBackground(ground, ground, ground)
+    with volumehaptics.add_haptics(program.window) as haptics:
+        program.volume.VisibilityOff()  # only to have still pictures
+        haptics.head_up_display.SetHint("a hint")
+        left, right, bottom, top = changed(program, getattr(haptics.head_up_display, f"Set{part}Visibility"))
+        shot = vtkWindowToImageFilter()
+        shot.SetInput(program.window)
+        shot.ReadFrontBufferOff()
+        shot.Update()
+        width, height, _ = shot.GetOutput().GetDimensions()
+        picture = vtk_to_numpy(shot.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+        pixels = picture[bottom:top + 1, left:right + 1].reshape(-1, 3)
+        colors, counts = numpy.unique(pixels, axis=0, return_counts=True)
+        assert (luminance(letters) + 0.05) / (luminance(colors[counts.argmax()]) + 0.05) >= 4.5
+
+
+def test_the_plot_can_be_put_in_a_corner(program):
+    """Automatic, it keeps off a text at the lower left; otherwise it is where the program wants it, above the scale."""
+    with volumehaptics.add_haptics(program.window) as haptics:
+        end = time.monotonic() + 30.0
+        while not haptics.update() and time.monotonic() < end:  # the scale belongs to a state
+            time.sleep(0.001)
+        program.renderer.AddViewProp(make_text(10, 10))
+        program.volume.VisibilityOff()  # only to have still pictures
+        display = haptics.head_up_display
+        scale = changed(program, haptics.representation.SetScaleTextVisibility)
+        boxes = {}
+        for corner in ("Automatic", "LowerLeft", "LowerRight"):
+            getattr(display, f"SetPlotCornerTo{corner}")()
+            boxes[corner] = changed(program, display.SetPlotVisibility)
+        assert boxes["Automatic"][2] > 20  # above the text
+        assert boxes["LowerLeft"][0] < 20 and boxes["LowerLeft"][2] < 20
+        assert boxes["LowerRight"][1] > 280 and scale[3] < boxes["LowerRight"][2] < 60
+
+
 def test_a_click_on_a_slider_of_the_program_is_the_sliders(program):
     slider = vtkSliderWidget()
     slider.SetInteractor(program.interactor)

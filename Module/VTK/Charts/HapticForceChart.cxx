@@ -28,7 +28,9 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int Margin = 10; // pixels around a panel
+constexpr int Margin = 10;        // pixels around a panel
+constexpr int PanelOpacity = 150; // of 255
+constexpr int PanelOpacityOnLight = 240;
 constexpr int LeftTop = 3; // vtkChartXY's number of a plot on the left and the top axis
 
 struct Colour
@@ -144,8 +146,8 @@ void HapticForceChart::Build()
   {
     // The chart's own background is not used: VTK 9.1 draws it in the wrong place.
     this->Panel->SetAutoComputeDimensions(false);
-    this->Panel->GetBrush()->SetColor(15, 18, 24, 150);
-    this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, 150);
+    this->Panel->GetBrush()->SetColor(15, 18, 24, PanelOpacity);
+    this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, PanelOpacity);
     this->Panel->GetPen()->SetOpacity(0);
     this->Actor->GetScene()->AddItem(this->Panel);
     this->Actor->GetScene()->AddItem(this->Names);
@@ -271,6 +273,19 @@ std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double sca
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
   return { Margin + std::min(width - 2 * Margin, fit(width * 3 / 10, 210, 330)),
     Margin + fit(height * 22 / 100, 120, 180) };
+}
+
+bool HapticForceChart::SetOnLight(bool isOnLight)
+{
+  if (isOnLight == this->IsOnLight)
+  {
+    return false;
+  }
+  this->IsOnLight = isOnLight;
+  const int opacity = isOnLight ? PanelOpacityOnLight : PanelOpacity;
+  this->Panel->GetBrush()->SetOpacity(static_cast<unsigned char>(opacity));
+  this->Panel->GetMouseOverBrush()->SetOpacity(static_cast<unsigned char>(opacity));
+  return true;
 }
 
 bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from, double scale)

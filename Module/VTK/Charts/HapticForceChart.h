@@ -68,6 +68,8 @@ public:
    * with its margins. Returns whether that changes the chart.
    */
   bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
+  /** A panel on a light ground covers more of it. Returns whether that changes the chart. */
+  bool SetOnLight(bool isOnLight);
   /** The upper right corner of what it takes up (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
@@ -95,7 +97,8 @@ private:
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
   vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
   std::vector<std::string> Modes;
-  double Scale = 1.0;         ///< pixels for each point
+  double Scale = 1.0; ///< pixels for each point
+  bool IsOnLight = false;
   int Viewport[2] = { 0, 0 }; ///< pixels, as the next three
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };

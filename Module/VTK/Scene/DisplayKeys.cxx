@@ -121,10 +121,22 @@ std::string DisplayKeys::FindHint()
     return Join(
       begin, this->Scene.TurnsView ? this->Tell("", "question", " shows all keys") : std::string());
   }
-  return this->HasTouched || !this->Scene.IsVirtual()
-    ? ""
-    : Join(
-        "Move the mouse to stroke, turn the wheel to press", this->Tell("", "Escape", " lets go"));
+  if (this->HasTouched || !this->Scene.IsVirtual())
+  {
+    return "";
+  }
+  std::string end = this->Tell("", "Escape", "");
+  if (!this->Scene.TurnsView)
+  {
+    // A host may keep one of the keys to itself.
+    end = this->Keys.Describe({ "Escape" });
+    for (std::size_t at = end.find("  "); at != std::string::npos; at = end.find("  "))
+    {
+      end.replace(at, 2, " or ");
+    }
+  }
+  return Join("Move the mouse to stroke, turn the wheel to press",
+    end.empty() ? std::string() : end + " lets go");
 }
 
 void DisplayKeys::UpdateHint()

@@ -95,6 +95,9 @@ inline constexpr EditorSetting All[] = {
 };
 } // namespace EditorSettingRows
 
+inline constexpr SettingChoice PlotCornerNames[] = { { "Automatic", "Automatic" },
+  { "LowerLeft", "Lower left" }, { "LowerRight", "Lower right" } };
+
 namespace DisplaySettingRows
 {
 using Owner = vtkHapticHeadUpDisplay;
@@ -103,6 +106,10 @@ inline constexpr DisplaySetting All[] = {
   HapticNumberMacro(TimeSpan, 0.5, 60.0, 5.0, "s", NotBaked,
     "How far back the plot goes (s), 0.5 to 60. Default 5."),
   HapticFlagMacro(PlotVisibility, true, NotBaked, "Whether the plot is shown. Default on."),
+  HapticChoiceMacro(PlotCorner, Owner::AUTOMATIC_CORNER, NotBaked,
+    "Where the plot is. Automatic (default): at the lower left, or beside or above what the 2D "
+    "actors of the program take up there. LowerLeft and LowerRight, above the scale of forces: "
+    "there, whatever else is."),
   HapticFlagMacro(TextVisibility, true, NotBaked, "Whether the text is shown. Default on."),
   HapticFlagMacro(DetailsVisibility, false, NotBaked,
     "Whether the text has a line with the value in the surface, the rate of the servo and the "
