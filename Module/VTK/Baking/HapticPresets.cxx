@@ -76,15 +76,17 @@ const std::vector<Preset>& Presets()
       16, 48, vtkHapticProperty::HIGHER },
     // Fat is met from outside only, where it lies under skin: it has the stiffness of both. So have
     // the half-filled voxels of the skin, and those of skin, fat and muscle that have the values of
-    // fluid. What holds nothing has the stiffness of an organ, that springs begin without slack.
+    // fluid; to a finger that goes off a slope, their friction is that of skin. The skin's values
+    // reach 37 HU in a head CT: an organ's stiffness begins above. What holds nothing has the
+    // stiffness of an organ, that springs begin without slack.
     { "CT physical",
       {
         { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
         { "lung", -950, -700, 28, 0.46, 0.01, 0.00 },
         { "skin", -500, -200, 53, 0.46, 0.02, 0.30 },
         { "fat under skin", -150, -30, 53, 0.46, 0.02, 0.30 },
-        { "fluid", -10, 15, 53, 0.05, 0.02, 0.30 },
-        { "muscle, organ", 20, 80, 28, 0.46, 0.03, 0.40 },
+        { "fluid", -10, 15, 53, 0.46, 0.02, 0.30 },
+        { "muscle, organ", 40, 80, 28, 0.46, 0.03, 0.40 },
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
