@@ -6,21 +6,9 @@
 # interaction. VTK::RenderingCore stays: it has vtkVolumeProperty and vtkCamera, and needs no graphics library.
 option(VolumeHaptics_USE_RENDERING "Build what draws the scene and what follows the mouse" ON)
 
-set(VolumeHaptics_RENDERING_CLASSES
-  vtkHapticFunctionEditor
-  vtkHapticHeadUpDisplay
-  vtkHapticMeasurementRepresentation
-  vtkHapticRegionPicture
-  vtkHapticRepresentation
-  vtkHapticSliceView
-  vtkHapticWidget
-  vtkHapticXRController
-  vtkInteractorStyleHaptic)
 set(VolumeHaptics_RENDERING_ROOMS # in Module/VTK
-  Charts
-  Headset
-  Scene
-  Slices)
+  Experimental
+  Scene)
 set(VolumeHaptics_RENDERING_MODULES # of VTK
   ChartsCore
   CommonComputationalGeometry

@@ -116,7 +116,7 @@ check_tidy()
   find Module/Core -name '*.cxx' ! -name '*Kernels*' | sort |
     awk -v folder="$folder" '{ print "#include \"" $0 "\"" > (folder "/Unity" int((NR - 1) / 8) ".cxx") }'
   run_clang_tidy '-clang-analyzer-*,-bugprone-suspicious-include' "$folder"/*.cxx \
-    Module/Core/Field/*Kernels*.cxx || status=$?
+    Module/Core/Field/Kernels/*.cxx || status=$?
   rm -r "$folder"
   return $status
 }

@@ -303,7 +303,7 @@ test_sanitized()
   if [ $full = yes ]; then
     # Not VTK.Endings: its tests fork, which the thread sanitizer can't follow in a process with threads.
     run_tests "$build_dir-thread" "$jobs" \
-      -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Charts|Filter[.]FilterPaths|Large|Recording|Scene|Session|Setup|Work)[.])' ||
+      -R '^VolumeHaptics[.](Core[.]Servo|VTK[.](Base|Device|Filter[.]FilterPaths|Regions|Scene|Setup)[.])' ||
       status=$?
   else
     # No more than there are processors: a loop that is made to wait for long repeats what it tests.

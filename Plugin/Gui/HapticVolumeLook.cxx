@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticVolumeLook.h"
 
-#include "VTK/Scene/CTLook.h"
+#include "VTK/Scene/Volumes/CTLook.h"
 
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"

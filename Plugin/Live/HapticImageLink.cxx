@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticImageLink.h"
 
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
 
 #include "HapticFrameLink.h"
 

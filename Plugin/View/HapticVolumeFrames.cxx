@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticVolumeFrames.h"
 
-#include "VTK/Scene/SoftwareOpenGL.h"
+#include "VTK/Scene/Frames/SoftwareOpenGL.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkClientServerStream.h"

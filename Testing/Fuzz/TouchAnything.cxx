@@ -3,7 +3,7 @@
 #include "TouchAnything.h"
 
 #include "Core/Servo/ServoTick.h"
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Dealer.h"
 
 #include <algorithm>

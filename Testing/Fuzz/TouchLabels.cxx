@@ -3,12 +3,12 @@
 #include "TouchLabels.h"
 
 #include "Dealer.h"
-#include "VTK/Files/HapticFiles.h"
-#include "VTK/Labels/ColorTables.h"
-#include "VTK/Labels/CsvLabels.h"
-#include "VTK/Labels/NiftiLabels.h"
-#include "VTK/Labels/NrrdImage.h"
-#include "VTK/Labels/NrrdLabels.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Material/Labels/ColorTables.h"
+#include "VTK/Material/Labels/CsvLabels.h"
+#include "VTK/Material/Labels/NiftiLabels.h"
+#include "VTK/Material/Labels/NrrdImage.h"
+#include "VTK/Material/Labels/NrrdLabels.h"
 
 #include <cmath>
 #include <string_view>

@@ -45,7 +45,7 @@ options=(-std=c++17 -g -ffp-contract=off "-fsanitize=fuzzer-no-link,address,unde
   -fno-sanitize-recover=all -I"$root/Module")
 # The kernels are many: optimised they take minutes.
 clang++ "${options[@]}" -O0 -c -o "$build_dir/FieldKernels.o" \
-  "$root/Module/Core/Field/FieldKernelsBaseline.cxx" &
+  "$root/Module/Core/Field/Kernels/FieldKernelsBaseline.cxx" &
 objects=()
 # Without what needs a device library or VTK.
 while read -r source; do
@@ -57,7 +57,7 @@ while read -r source; do
     clang++ "${options[@]}" "$optimisation" -c -o "$build_dir/$file.o" "$source" &
     objects+=("$build_dir/$file.o")
   fi
-done < <(find "$root"/Module/VTK/Files/HapticFiles.cxx "$root"/Module/VTK/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
+done < <(find "$root"/Module/VTK/Base/HapticFiles.cxx "$root"/Module/VTK/Material/Labels/{Color,Csv,LabelText,Nifti,Nrrd[IL]}*.cxx \
   "$root"/Module/{Core,Devices} -name '*.cxx' -not -path '*/Transport/Usb/*' -not -path '*/WebSocket/*' -not -name '*Driver.cxx' \
   \( -name XrKind.cxx -o -not -name '*Kind.cxx' \) -not -name 'HaplyService.cxx' -not -name 'Hid[DP]*.cxx' -not -name 'FalconRounds.cxx' -not -name 'FalconSerial.cxx')
 # One after the other, so that a failure is seen.

@@ -99,7 +99,7 @@ fi
 # The headers that are installed are those of the public classes and of the seams for vendors' libraries, for volumes in
 # pieces and for Qt, and nothing internal.
 installed=$(find "$prefix/include" -name '*.h' -not -name '*Module.h' -exec basename {} \; | sort)
-expected=$({ cd "$source_dir/Module/VTK" && printf '%s\n' vtk*.h | grep -vE 'Compat|Internals'
+expected=$({ find "$source_dir/Module/VTK" -name 'vtk*.h' -printf '%f\n' | grep -vE 'Compat|Internals'
   printf '%s\n' DeviceBackend.h DeviceKind.h ForceCaps.h Vector3.h NoiseSamples.h Quaternion.h VendorPlugin.h \
     WidgetWatch.h; } | sort)
 if [ "$installed" != "$expected" ]; then

@@ -6,7 +6,7 @@
 usage: snippets.py REPOSITORY OUTPUT
 
 Whole programs are left out: Readme.cmake compares them with files that are built. So is what needs a VTK with OpenXR,
-which VTKHeadsetTest has.
+which VTKExperimentalTest has.
 """
 
 import pathlib
@@ -45,7 +45,7 @@ def main():
             functions.append(f"// {path.name}\nvoid {name}{number}()\n{{{GIVEN}  {{\n{block}  }}\n}}\n")
     if len(functions) < 8:
         sys.exit(f"only {len(functions)} blocks of C++ were found")
-    own = sorted(path.name for path in (root / "Module" / "VTK").glob("vtk*.h") if "Compat" not in path.name)
+    own = sorted(path.name for path in (root / "Module" / "VTK").rglob("vtk*.h") if "Compat" not in path.name)
     includes = [f"#include <{name}>" for name in [*own, *(f"{other}.h" for other in OTHERS)]]
     output.write_text("\n".join([*includes, "", *functions]), encoding="utf-8")
 

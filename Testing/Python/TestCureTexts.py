@@ -28,7 +28,7 @@ TRIED = {
     },
     "VTK/Filter/LabelsTest.cxx": {"keep fewer labels, or resample it to cubic voxels": "walls between labels are stairs"},
     "VTK/Filter/FilterShiftTest.cxx": {"of the input image can't be a CT in Hounsfield units": "can't be a CT"},
-    "VTK/Baking/PresetsTest.cxx": {"those of vtkHapticProperty that begin with": "GetCuttingForce()"},
+    "VTK/Material/PresetsTest.cxx": {"those of vtkHapticProperty that begin with": "GetCuttingForce()"},
     "VTK/Filter/MemoryTest.cxx": {
         "Use a smaller image, or a region of it": "SURFACE_PROXY",
         "or an image of it, which vtkResampleToImage makes": "which vtkResampleToImage makes",
@@ -36,28 +36,28 @@ TRIED = {
         "VTK can't run it again after this": "connect a new source",
         "Give the path in pieces, or lower ServoRate": "in pieces",
     },
-    "VTK/Recording/RecordingFailureTest.cxx": {
+    "VTK/Device/Recording/RecordingFailureTest.cxx": {
         "Choose another one, or change its permissions": "Choose another one",
         "Make room, or choose a folder on another disk": "Make room",
         "Change its permissions, or give another name": "permissions",
         "to a file of your choice": "RecoverRecording",
     },
-    "VTK/Recording/JournalTest.cxx": {"can't be written over itself: give the recording another name": "over itself"},
-    "VTK/Recording/TamperedTest.cxx": {"it was changed, or made with another volume. Record again": "Record again"},
-    "VTK/Trace/PathSourceFilesTest.cxx": {"holds no tip positions. Record again": "no tip positions"},
-    "VTK/Headset/XRActionsTest.cxx": {
+    "VTK/Device/Recording/JournalTest.cxx": {"can't be written over itself: give the recording another name": "over itself"},
+    "VTK/Device/Recording/TamperedTest.cxx": {"it was changed, or made with another volume. Record again": "Record again"},
+    "VTK/Trace/Paths/PathSourceFilesTest.cxx": {"holds no tip positions. Record again": "no tip positions"},
+    "VTK/Experimental/XRActionsTest.cxx": {
         "with the files of its bindings beside it": "can't be read: it", "…: … Give VTK's": "is no manifest of actions",
         "Name one that you may write": "can't be made", "has a binding without a binding_url": "has a binding without a binding_url",
     },
     "VTK/Emulated/PhantomConfirmTest.cxx": {
         "CalibrateForce() is for an open real device": "Open() it and Stop() it first",
     },
-    "VTK/Scene/StyleVolumesTest.cxx": {
+    "VTK/Scene/Interaction/StyleVolumesTest.cxx": {
         "Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume": "Cure: TouchVolume() with GetVolume(0)",
         "Cure: SetMapper() of the vtkVolume, and SetInputData()": "Cure: SetMapper() of the vtkVolume",
         "TouchVolume() of the interactor style with a vtkVolume that is there": "Cure: TouchVolume() of the interactor style",
     },
-    "VTK/Scene/HapticWidgetTest.cxx": {
+    "VTK/Scene/Interaction/HapticWidgetTest.cxx": {
         "with the window's vtkRenderWindowInteractor before On()": "SetInteractor()",
         "add a visible vtkVolume whose mapper has an input": "add a visible vtkVolume",
         "The widget is off. Cure: On()": "Cure: On()", "needs a device. Cure:": "needs a device",
@@ -65,11 +65,11 @@ TRIED = {
         "of a renderer of the window, and VisibilityOn()": "of a renderer of the window",
         "DrawHaptics() of this style 60 times a second": "Cure: call DrawHaptics()",
     },
-    "VTK/Scene/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
-    "VTK/Session/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},
-    "VTK/Session/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
-    "VTK/Session/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
-    "VTK/Session/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},
+    "VTK/Scene/Interaction/StyleMeasureTest.cxx": {"touch the volume where you want to measure": "Nothing is touched"},
+    "VTK/Device/RegionTest.cxx": {"Connect the whole volume to the filter, Publish() it": "can't be recorded"},
+    "VTK/Device/ObserversTest.cxx": {"replaced while it was being started: Start() again": "Start() again"},
+    "VTK/Device/AttentionTest.cxx": {"longer than AttentionTime. Arm() again": "Arm() again"},
+    "VTK/Device/StatusTest.cxx": {"leave it, or press deeper": "feels soft"},
     "Applications/Explorer/TestTouchKept.cxx": {
         "the measurements of this window first, then F11": "the measurements of this window first, then F11",
     },
@@ -78,8 +78,8 @@ TRIED = {
         "Convert it with h5repack --high=2 IN OUT": "--high=", "Read a smaller one": "Read a smaller one",
         "bytes. Lower MemoryLimit": "bytes. Lower MemoryLimit",
     },
-    "VTK/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
-    "VTK/Large/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
+    "VTK/Material/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
+    "VTK/Regions/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
     "Devices/Common/DeviceMemoryTest.cxx": {"Remove the line, then confirm and calibrate": "of the file of devices"},
     "Devices/Common/DeviceRegistryTest.cxx": {
         "already. Choose another name": "Choose another name", "Use letters only": "Use letters only",

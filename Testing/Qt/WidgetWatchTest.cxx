@@ -6,7 +6,7 @@
  * left. Qt draws off the screen here, and so does VTK, since the events are what counts.
  */
 
-#include "VTK/Scene/StyleRig.h"
+#include "VTK/Scene/Interaction/StyleRig.h"
 
 #include "Qt/WidgetWatch.h"
 

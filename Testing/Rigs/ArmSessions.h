@@ -30,7 +30,7 @@
 #ifndef ArmSessions_h
 #define ArmSessions_h
 
-#include "Core/Servo/SafetyStage.h"
+#include "Core/Safety/SafetyStage.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #ifndef GatedStage_h
 #define GatedStage_h
 
-#include "Core/Servo/SafetyStage.h"
+#include "Core/Safety/SafetyStage.h"
 
 namespace rigs
 {

@@ -16,7 +16,7 @@
 #ifndef PortSessions_h
 #define PortSessions_h
 
-#include "Core/Servo/SafetyStage.h"
+#include "Core/Safety/SafetyStage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #ifndef ReadTimes_h
 #define ReadTimes_h
 
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Realtime/ServoClock.h"
+#include "Core/Safety/DeviceBackend.h"
 #include "Core/Servo/LoopTiming.h"
-#include "Core/Servo/ServoClock.h"
 
 #include <functional>
 

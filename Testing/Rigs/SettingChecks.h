@@ -7,7 +7,7 @@
 #ifndef SettingChecks_h
 #define SettingChecks_h
 
-#include "VTK/Baking/HapticSetting.h"
+#include "VTK/Base/HapticSetting.h"
 
 #include <vtkNew.h>
 
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -45,10 +46,24 @@ inline bool BeginsWith(const std::string& text, const std::string& beginning)
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
+/// The path of a public header, which stands in the room of its parts.
+inline std::filesystem::path PublicHeader(const std::string& header)
+{
+  for (const std::filesystem::directory_entry& entry :
+    std::filesystem::recursive_directory_iterator(Root + "/Module/VTK"))
+  {
+    if (entry.path().filename() == header + ".h")
+    {
+      return entry.path();
+    }
+  }
+  return {};
+}
+
 /// The comment before the setter of a setting.
 inline std::string HeaderComment(const std::string& header, const std::string& name)
 {
-  std::ifstream file(Root + "/Module/VTK/" + header + ".h");
+  std::ifstream file(PublicHeader(header));
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   std::size_t setter = std::string::npos;
   for (const std::string& start : { "vtkSetMacro(" + name + ",", "vtkSetClampMacro(" + name + ",",
@@ -137,7 +152,7 @@ std::vector<std::string> Names(const Lists&... lists)
 /// Every macro of a header that sets something has a row, and the other way round.
 inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
 {
-  std::ifstream file(Root + "/Module/VTK/" + header + ".h");
+  std::ifstream file(PublicHeader(header));
   std::vector<std::string> found;
   for (std::string line; std::getline(file, line);)
   {

@@ -8,8 +8,8 @@
 #ifndef SignTrials_h
 #define SignTrials_h
 
-#include "Core/Servo/SafetyStage.h"
-#include "Core/Servo/SignCheck.h"
+#include "Core/Safety/SafetyStage.h"
+#include "Core/Safety/SignCheck.h"
 #include "HeldDevice.h"
 
 namespace signtest

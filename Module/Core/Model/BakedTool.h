@@ -24,7 +24,7 @@ namespace VolumeHaptics
 enum class ToolKind : std::uint8_t
 {
   Point,  ///< none: the method's own point
-  Needle, ///< see Core/Tools/NeedleTool.h
+  Needle, ///< see Core/Tools/Needle/NeedleTool.h
   Shell,  ///< see Core/Tools/ShellTool.h
   Burr    ///< see Core/Tools/BurrInServo.h
 };

@@ -5,7 +5,7 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "Core/Solvers/Precise/FarSide.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 namespace VolumeHaptics
 {

@@ -31,7 +31,7 @@
 #define DataClock_h
 
 #include "Core/Model/BakedVolume.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 #include <cstdint>
 

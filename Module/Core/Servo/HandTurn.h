@@ -9,7 +9,7 @@
 #define HandTurn_h
 
 #include "Core/Math/Quaternion.h"
-#include "Core/Servo/TripleBuffer.h"
+#include "Core/Realtime/TripleBuffer.h"
 
 namespace VolumeHaptics
 {

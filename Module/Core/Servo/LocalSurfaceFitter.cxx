@@ -3,9 +3,9 @@
 #include "Core/Servo/LocalSurfaceFitter.h"
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Core/Servo/ModelExchange.h"
-#include "Core/Servo/ServoClock.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 namespace VolumeHaptics
 {

@@ -11,7 +11,7 @@
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h
 
-#include "Core/Servo/TripleBuffer.h"
+#include "Core/Realtime/TripleBuffer.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 
 namespace VolumeHaptics

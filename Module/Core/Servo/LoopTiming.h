@@ -23,7 +23,7 @@
 #ifndef LoopTiming_h
 #define LoopTiming_h
 
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Safety/DeviceBackend.h"
 #include "Core/Servo/RecentDurations.h"
 
 namespace VolumeHaptics

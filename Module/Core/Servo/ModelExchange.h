@@ -14,7 +14,7 @@
 #ifndef ModelExchange_h
 #define ModelExchange_h
 
-#include "Core/Servo/MemoryLock.h"
+#include "Core/Realtime/MemoryLock.h"
 
 #include <atomic>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Regions/Residency.h"
-#include "Core/Servo/ForceGate.h"
+#include "Core/Safety/ForceGate.h"
 #include "Core/Servo/ServoTick.h"
 
 namespace VolumeHaptics

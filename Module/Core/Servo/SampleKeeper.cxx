@@ -4,9 +4,9 @@
 
 #include "Core/Field/WholeData.h"
 #include "Core/Model/HapticModel.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Core/Regions/Residency.h"
 #include "Core/Servo/ModelExchange.h"
-#include "Core/Servo/ServoClock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,8 +18,8 @@
 #define SampleKeeper_h
 
 #include "Core/Math/Vector3.h"
-#include "Core/Servo/MemoryLock.h"
-#include "Core/Servo/TripleBuffer.h"
+#include "Core/Realtime/MemoryLock.h"
+#include "Core/Realtime/TripleBuffer.h"
 
 #include <atomic>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/ServoLoop.h"
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Core/Tools/ShellTool.h"
 
 #include <algorithm>

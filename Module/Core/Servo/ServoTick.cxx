@@ -8,8 +8,8 @@
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "Core/Tools/BurrInServo.h"
-#include "Core/Tools/NeedleEntry.h"
-#include "Core/Tools/NeedleTool.h"
+#include "Core/Tools/Needle/NeedleEntry.h"
+#include "Core/Tools/Needle/NeedleTool.h"
 #include "Core/Tools/ShellTool.h"
 
 namespace VolumeHaptics

@@ -12,7 +12,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 #include "Core/Tools/ToolMemory.h"
 
 namespace VolumeHaptics

@@ -8,7 +8,7 @@
 #ifndef TraceRing_h
 #define TraceRing_h
 
-#include "Core/Servo/LargePages.h"
+#include "Core/Realtime/LargePages.h"
 
 #include <atomic>
 #include <cstddef>

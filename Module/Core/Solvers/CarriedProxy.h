@@ -29,9 +29,9 @@
 #ifndef CarriedProxy_h
 #define CarriedProxy_h
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Model/HapticModel.h"
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 #include <optional>
 

@@ -8,8 +8,8 @@
 #ifndef ProxyCarry_h
 #define ProxyCarry_h
 
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/Law/MaterialLaw.h"
+#include "Core/State/ServoState.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #define BurrInServo_h
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 namespace VolumeHaptics
 {

@@ -12,7 +12,7 @@
 #define ShellTool_h
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 namespace VolumeHaptics
 {

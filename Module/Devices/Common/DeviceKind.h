@@ -12,7 +12,7 @@
 #ifndef DeviceKind_h
 #define DeviceKind_h
 
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <functional>
 #include <memory>

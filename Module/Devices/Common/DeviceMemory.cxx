@@ -3,7 +3,7 @@
 #include "Devices/Common/DeviceMemory.h"
 
 #include "Core/Math/NumberText.h"
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 
 #include <cctype>
 #include <cmath>

@@ -7,7 +7,7 @@
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
 
-#include "Core/Servo/ServoPriority.h"
+#include "Core/Realtime/ServoPriority.h"
 #include "Devices/Common/HardwareExchange.h"
 #include "Devices/Common/TrueNewtons.h"
 

@@ -15,8 +15,8 @@
 #ifndef HardwareExchange_h
 #define HardwareExchange_h
 
-#include "Core/Servo/DeviceBackend.h"
-#include "Core/Servo/TripleBuffer.h"
+#include "Core/Realtime/TripleBuffer.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <atomic>
 

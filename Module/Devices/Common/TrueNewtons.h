@@ -7,7 +7,7 @@
 #ifndef TrueNewtons_h
 #define TrueNewtons_h
 
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <algorithm>
 #include <atomic>

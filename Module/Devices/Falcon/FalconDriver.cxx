@@ -3,7 +3,7 @@
 #include "Devices/Falcon/FalconDriver.h"
 
 #include "Core/Math/NumberText.h"
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Devices/Falcon/FalconController.h"
 #include "Devices/Falcon/FalconFirmware.h"
 #include "Devices/Falcon/FalconRounds.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Guard/GuardMain.h"
 
-#include "Core/Servo/ServoClock.h"
-#include "Core/Servo/ServoPriority.h"
+#include "Core/Realtime/ServoClock.h"
+#include "Core/Realtime/ServoPriority.h"
 #include "Devices/Guard/GuardMemory.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Guard/GuardProcess.h"
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/OwnFile.h"
 
 #include <cerrno>

@@ -23,7 +23,7 @@
 #define HfabModel_h
 
 #include "Core/Math/Quaternion.h"
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Pad/EvdevPadDriver.h"
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 
 #include <cerrno>
 

@@ -7,7 +7,7 @@
 #ifndef ReplayDevice_h
 #define ReplayDevice_h
 
-#include "Core/Servo/DeviceBackend.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <vector>
 

@@ -13,8 +13,8 @@
 #ifndef VirtualDevice_h
 #define VirtualDevice_h
 
-#include "Core/Servo/DeviceBackend.h"
-#include "Core/Servo/TripleBuffer.h"
+#include "Core/Realtime/TripleBuffer.h"
+#include "Core/Safety/DeviceBackend.h"
 
 #include <array>
 #include <atomic>

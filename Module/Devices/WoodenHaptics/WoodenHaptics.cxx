@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/WoodenHaptics/WoodenHaptics.h"
 
-#include "Core/Servo/SafetyStage.h"
+#include "Core/Safety/SafetyStage.h"
 
 #include <algorithm>
 #include <cmath>

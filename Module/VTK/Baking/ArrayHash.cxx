@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/ArrayHash.h"
 
-#include "VTK/Baking/HapticHash.h"
+#include "VTK/Base/HapticHash.h"
 
 #include <optional>
 

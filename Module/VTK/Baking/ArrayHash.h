@@ -7,8 +7,8 @@
 #ifndef ArrayHash_h
 #define ArrayHash_h
 
-#include "VTK/Baking/TouchedArray.h"
-#include "VTK/Work/BackgroundWork.h"
+#include "VTK/Base/BackgroundWork.h"
+#include "VTK/Base/TouchedArray.h"
 
 #include <functional>
 #include <string>

@@ -3,8 +3,8 @@
 #include "VTK/Baking/HapticCut.h"
 
 #include "Core/Model/CutAway.h"
-#include "VTK/Baking/HapticTuples.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/HapticTuples.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"

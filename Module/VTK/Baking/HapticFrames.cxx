@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticFrames.h"
 
-#include "Core/Field/EdgeMotion.h"
+#include "Core/Field/Estimates/EdgeMotion.h"
 #include "Core/Model/BakedVolume.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticLabels.h"
 
+#include "Core/Field/Estimates/NoiseEstimate.h"
 #include "Core/Field/LabelSamples.h"
-#include "Core/Field/NoiseEstimate.h"
-#include "VTK/Baking/HapticVolume.h"
 #include "VTK/Baking/ScalarLabels.h"
+#include "VTK/Base/HapticVolume.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"

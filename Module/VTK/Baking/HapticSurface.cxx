@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/HapticSurface.h"
 
-#include "Core/Field/IsoMotion.h"
+#include "Core/Field/Estimates/IsoMotion.h"
 #include "Core/Math/Vector3.h"
-#include "VTK/Baking/HapticNoise.h"
-#include "VTK/Baking/HapticTuples.h"
-#include "VTK/Baking/HapticVolume.h"
-#include "VTK/Baking/SampleRange.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/SampleRange.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -9,7 +9,7 @@
 
 #include "Core/Model/HapticModelDescription.h"
 #include "Core/Model/SurfaceMesh.h"
-#include "VTK/Work/BackgroundWork.h"
+#include "VTK/Base/BackgroundWork.h"
 
 #include "vtkType.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/BakePreparation.h"
 
-#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Filter/FilterSources.h"
 #include "VTK/Filter/HapticBaker.h"
-#include "vtkVolumeHapticsCompat.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"

@@ -9,8 +9,8 @@
 
 #include "VTK/Baking/HapticLabels.h"
 #include "VTK/Baking/HapticSurface.h"
-#include "VTK/Baking/OutsideFiller.h"
-#include "VTK/Baking/ShellPoints.h"
+#include "VTK/Base/OutsideFiller.h"
+#include "VTK/Tools/ShellPoints.h"
 
 #include <string>
 #include <utility>

@@ -3,11 +3,11 @@
 #include "VTK/Filter/FilterFrames.h"
 
 #include "Core/Model/BakedVolume.h"
-#include "VTK/Baking/HapticNoise.h"
-#include "VTK/Baking/HapticVolume.h"
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticVolume.h"
 #include "VTK/Filter/HapticBaker.h"
-#include "VTK/Trace/TipPaths.h"
+#include "VTK/Trace/Paths/TipPaths.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkDataArray.h"

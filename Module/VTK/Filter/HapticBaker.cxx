@@ -3,14 +3,14 @@
 #include "VTK/Filter/HapticBaker.h"
 
 #include "VTK/Baking/HapticCut.h"
-#include "VTK/Baking/HapticModelBuilder.h"
 #include "VTK/Baking/HapticPlacement.h"
-#include "VTK/Baking/HapticSettingLists.h"
-#include "VTK/Baking/WholeFacts.h"
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/WholeFacts.h"
 #include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
+#include "VTK/Filter/HapticModelBuilder.h"
 #include "VTK/Filter/ResampledInput.h"
+#include "VTK/Material/HapticSettingLists.h"
 #include "VTK/Trace/RecordedLabels.h"
 
 #include "vtkDataSetAttributes.h"

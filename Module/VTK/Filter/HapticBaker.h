@@ -6,7 +6,7 @@
 #include "Core/Model/ForceCaps.h"
 #include "VTK/Baking/HapticFrames.h"
 #include "VTK/Baking/SurfaceRegion.h"
-#include "VTK/Baking/TouchedArray.h"
+#include "VTK/Base/TouchedArray.h"
 #include "VTK/Filter/BakePreparation.h"
 #include "vtkVolumeHapticsFilter.h"
 #include "vtkVolumeHapticsModule.h" // for export macro

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/ResampledInput.h"
 
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Base/HapticFiles.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"

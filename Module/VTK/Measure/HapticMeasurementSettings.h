@@ -7,7 +7,7 @@
 #ifndef HapticMeasurementSettings_h
 #define HapticMeasurementSettings_h
 
-#include "VTK/Baking/HapticSetting.h"
+#include "VTK/Base/HapticSetting.h"
 
 #include "vtkHapticMeasurements.h"
 

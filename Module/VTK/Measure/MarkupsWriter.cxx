@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Measure/MarkupsJson.h"
 
-#include "VTK/Files/JsonText.h"
+#include "VTK/Base/JsonText.h"
 #include "VTK/Measure/MarkupsNames.h"
 #include "VTK/Measure/MeasurementUnits.h"
 #include "VTK/Measure/PatchBorder.h"

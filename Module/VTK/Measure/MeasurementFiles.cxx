@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Measure/MeasurementFiles.h"
 
-#include "VTK/Files/FileReplacement.h"
-#include "VTK/Files/HapticFiles.h"
+#include "VTK/Base/FileReplacement.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/PolyDataReading.h"
 #include "VTK/Measure/MeasurementPolyData.h"
 #include "VTK/Measure/MeasurementTable.h"
-#include "VTK/Trace/PolyDataReading.h"
 #include "VTK/Trace/TraceWriter.h"
 
 #include "vtkNew.h"

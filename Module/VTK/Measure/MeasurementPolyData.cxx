@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Measure/MeasurementPolyData.h"
 
-#include "VTK/Baking/HapticTuples.h"
+#include "VTK/Base/HapticTuples.h"
 #include "VTK/Measure/MeasurementUnits.h"
 
 #include "vtkCellArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Measure/MeasurementTable.h"
 
-#include "VTK/Labels/CsvRows.h"
-#include "VTK/Labels/LabelText.h"
+#include "VTK/Material/Labels/CsvRows.h"
+#include "VTK/Material/Labels/LabelText.h"
 #include "VTK/Measure/MeasurementUnits.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Measure/PaintedPatch.h"
 
-#include "VTK/Baking/HapticTuples.h"
-#include "VTK/Baking/HapticVolume.h"
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Base/HapticVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

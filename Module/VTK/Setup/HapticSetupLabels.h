@@ -7,7 +7,7 @@
 #ifndef HapticSetupLabels_h
 #define HapticSetupLabels_h
 
-#include "VTK/Setup/HapticSetupNode.h"
+#include "VTK/Base/HapticSetupNode.h"
 
 class vtkVolumeHapticsFilter;
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Setup/HapticSetupModes.h"
 
-#include "VTK/Baking/HapticModeSettings.h"
-#include "VTK/Setup/HapticSetupFunctions.h"
-#include "VTK/Setup/PassSettings.h"
+#include "VTK/Base/PassSettings.h"
+#include "VTK/Material/HapticSetupFunctions.h"
+#include "VTK/Modes/HapticModeSettings.h"
 
 #include "vtkHapticGuideMode.h"
 #include "vtkHapticMode.h"

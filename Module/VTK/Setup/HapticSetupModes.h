@@ -7,7 +7,7 @@
 #ifndef HapticSetupModes_h
 #define HapticSetupModes_h
 
-#include "VTK/Setup/HapticSetupNode.h"
+#include "VTK/Base/HapticSetupNode.h"
 
 class vtkVolumeHapticsAlgorithm;
 

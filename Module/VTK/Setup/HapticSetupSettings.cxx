@@ -4,13 +4,13 @@
 
 #include "Core/Model/HapticModel.h"
 #include "VTK/Baking/HapticPlacement.h"
-#include "VTK/Baking/HapticSettingLists.h"
-#include "VTK/Setup/HapticSetupFunctions.h"
+#include "VTK/Base/PassSettings.h"
+#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticSetupFunctions.h"
+#include "VTK/Material/HapticSetupMaterials.h"
 #include "VTK/Setup/HapticSetupLabels.h"
-#include "VTK/Setup/HapticSetupMaterials.h"
 #include "VTK/Setup/HapticSetupModes.h"
 #include "VTK/Setup/HapticSetupTool.h"
-#include "VTK/Setup/PassSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkHapticProperty.h"

@@ -7,7 +7,7 @@
 #ifndef HapticSetupSettings_h
 #define HapticSetupSettings_h
 
-#include "VTK/Setup/HapticSetupNode.h"
+#include "VTK/Base/HapticSetupNode.h"
 
 class vtkCamera;
 class vtkMatrix4x4;

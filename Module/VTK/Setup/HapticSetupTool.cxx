@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Setup/HapticSetupTool.h"
 
-#include "VTK/Baking/HapticToolSettings.h"
-#include "VTK/Setup/HapticSetupFunctions.h"
-#include "VTK/Setup/PassSettings.h"
+#include "VTK/Base/PassSettings.h"
+#include "VTK/Material/HapticSetupFunctions.h"
+#include "VTK/Tools/HapticToolSettings.h"
 
 #include "vtkVolumeHapticsAlgorithm.h"
 

@@ -7,7 +7,7 @@
 #ifndef HapticSetupTool_h
 #define HapticSetupTool_h
 
-#include "VTK/Setup/HapticSetupNode.h"
+#include "VTK/Base/HapticSetupNode.h"
 
 class vtkVolumeHapticsAlgorithm;
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceFiles.h"
 
-#include "VTK/Baking/HapticTuples.h"
-#include "VTK/Files/HapticFiles.h"
-#include "VTK/Trace/PolyDataReading.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Base/PolyDataReading.h"
 #include "VTK/Trace/RecordingNames.h"
 
 #include "vtkDataArray.h"

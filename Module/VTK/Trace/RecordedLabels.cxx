@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/RecordedLabels.h"
 
-#include "VTK/Files/HapticFiles.h"
-#include "VTK/Files/JsonText.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/JsonText.h"
 #include "VTK/Trace/RecordingNames.h"
 
 #include "vtkFieldData.h"

@@ -9,7 +9,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
-#include "Core/Solvers/TickRecord.h"
+#include "Core/State/TickRecord.h"
 #include "VTK/Trace/TraceRecords.h"
 
 #include "vtkType.h"

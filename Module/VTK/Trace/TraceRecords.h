@@ -8,7 +8,7 @@
 #define TraceRecords_h
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Solvers/TickRecord.h"
+#include "Core/State/TickRecord.h"
 #include "VTK/Trace/TraceRow.h"
 
 #include "vtkType.h"

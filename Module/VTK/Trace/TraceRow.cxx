@@ -3,7 +3,7 @@
 #include "VTK/Trace/TraceRow.h"
 
 #include "Core/Servo/ServoLoop.h"
-#include "VTK/Baking/HapticTuples.h"
+#include "VTK/Base/HapticTuples.h"
 
 namespace VolumeHaptics
 {

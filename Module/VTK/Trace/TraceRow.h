@@ -9,7 +9,7 @@
 
 #include "Core/Math/Quaternion.h"
 #include "Core/Math/Vector3.h"
-#include "Core/Solvers/TickRecord.h"
+#include "Core/State/TickRecord.h"
 
 #include <cmath>
 #include <cstdint>

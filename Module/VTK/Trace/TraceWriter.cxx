@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/TraceWriter.h"
 
-#include "VTK/Files/FileReplacement.h"
-#include "VTK/Files/XmlFiles.h"
+#include "VTK/Base/FileReplacement.h"
+#include "VTK/Base/XmlFiles.h"
 #include "VTK/Trace/TraceTable.h"
 
 #include "vtkDataArray.h"

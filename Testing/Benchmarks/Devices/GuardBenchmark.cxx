@@ -9,7 +9,7 @@
  * usage: volumehaptics-guard-benchmark [--seconds S]   (S a line of the table, 5 by default)
  */
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Devices/Guard/GuardMain.h"
 #include "Devices/Guard/GuardedDevice.h"
 

@@ -13,7 +13,7 @@
  * SIZE^3, 1024 by default: 1 GiB.
  */
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Core/Servo/ServoLoop.h"
 #include "Rigs/BusyThreads.h"
 #include "Rigs/CoreScene.h"

@@ -3,7 +3,7 @@
 
 /**
  * Quaternions turn as Rodrigues' formula says: v cos a + (n x v) sin a + n (n v) (1 - cos a).
- * Testing/VTK/Session/OrientationTest.cxx compares them with VTK's own.
+ * Testing/VTK/Device/OrientationTest.cxx compares them with VTK's own.
  */
 
 #include "Core/Math/Quaternion.h"

@@ -9,8 +9,8 @@
  * label in a map, voxel by voxel, and takes the slopes of the weights from central differences.
  */
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Model/LabelWalls.h"
-#include "Core/Solvers/MaterialLaw.h"
 #include "Rigs/CoreScene.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
  * Judged by what the kernel says: mincore(2), and VmLck of /proc/self/status.
  */
 
-#include "Core/Servo/MemoryLock.h"
+#include "Core/Realtime/MemoryLock.h"
 #include "Rigs/MappedFile.h"
 #include "Rigs/PlayedDevice.h"
 

@@ -7,7 +7,7 @@
 #ifndef RegionRig_h
 #define RegionRig_h
 
-#include "Core/Servo/ForceGate.h"
+#include "Core/Safety/ForceGate.h"
 #include "Core/Servo/ResidentServo.h"
 #include "Rigs/CoreScene.h"
 

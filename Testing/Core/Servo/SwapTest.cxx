@@ -5,7 +5,7 @@
  * A thousand models while the loop runs at 5 kHz, one thread reads states and another records.
  */
 
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/PlayedDevice.h"
 
 #include <cstring>

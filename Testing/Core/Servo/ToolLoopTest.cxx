@@ -7,7 +7,7 @@
  * replay to the bit; and a hand whose device measures no orientation is turned.
  */
 
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/PlayedDevice.h"
 #include "Rigs/ShellRig.h"
 

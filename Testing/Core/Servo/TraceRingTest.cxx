@@ -6,7 +6,7 @@
  */
 
 #include "Core/Servo/TraceRing.h"
-#include "SealedValue.h"
+#include "Core/Realtime/SealedValue.h"
 
 #include <gtest/gtest.h>
 

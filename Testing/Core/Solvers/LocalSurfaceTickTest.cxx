@@ -5,7 +5,7 @@
  * How the servo touches what the slow loop finds: 500 N/m at 1 kHz, a surface at z = 12 mm.
  */
 
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/LocalSurfaceRig.h"
 #include "Rigs/SurfaceRig.h"
 

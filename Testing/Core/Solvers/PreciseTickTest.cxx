@@ -7,7 +7,7 @@
  */
 
 #include "Core/Solvers/Precise/PreciseSolver.h"
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/CoreScene.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
  * the ticks of PAPER and PRECISE in random scenes.
  */
 
-#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Solvers/Primitives/MaterialPrimitives.h"
 #include "Core/Solvers/Primitives/PrimitiveSolver.h"
 #include "Rigs/CoreScene.h"

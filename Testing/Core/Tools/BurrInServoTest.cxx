@@ -6,9 +6,9 @@
  * next, and from a state that was kept.
  */
 
-#include "Core/Servo/EnergyObserver.h"
+#include "Core/Safety/EnergyObserver.h"
 #include "Core/Servo/ServoTick.h"
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/BurrRig.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
  */
 
 #include "Core/Servo/ServoTick.h"
-#include "Core/Solvers/ServoStateNumbers.h"
+#include "Core/State/ServoStateNumbers.h"
 #include "Rigs/ShellRig.h"
 
 #include <gtest/gtest.h>

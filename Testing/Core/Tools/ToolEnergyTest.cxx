@@ -5,10 +5,10 @@
  * A needle and a tool with a shape in a live loop: the observer of energy finds none that swings.
  */
 
-#include "Core/Servo/EnergyObserver.h"
+#include "Core/Safety/EnergyObserver.h"
 #include "Core/Servo/ServoTick.h"
+#include "Core/Tools/Needle/NeedleScene.h"
 #include "Core/Tools/ToolMemory.h"
-#include "NeedleScene.h"
 #include "Rigs/ShellRig.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
  */
 
 #include "Rigs/RandomFunctions.h"
-#include "VTK/Baking/HapticFunctions.h"
+#include "VTK/Material/HapticFunctions.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Report/ForcePicture.h"
 
-#include "VTK/Docks/RendererAspect.h"
+#include "VTK/Scene/Base/RendererAspect.h"
 
 #include "vtkContextActor.h"
 #include "vtkFloatArray.h"

@@ -4,8 +4,8 @@
 #define Explore_ForcePicture_h
 
 #include "Applications/Explorer/Path/TipPathPlanner.h"
-#include "VTK/Charts/HapticForceChart.h"
-#include "VTK/Charts/HapticForceTable.h"
+#include "VTK/Scene/Display/HapticForceChart.h"
+#include "VTK/Scene/Display/HapticForceTable.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

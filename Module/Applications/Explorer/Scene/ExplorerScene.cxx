@@ -5,8 +5,8 @@
 #include "Applications/Explorer/Scene/Trail.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Applications/Explorer/View/SceneCamera.h"
-#include "VTK/Docks/RendererAspect.h"
-#include "VTK/Scene/SoftwareOpenGL.h"
+#include "VTK/Scene/Base/RendererAspect.h"
+#include "VTK/Scene/Frames/SoftwareOpenGL.h"
 
 #include "vtkActor.h"
 #include "vtkAnnotatedCubeActor.h"

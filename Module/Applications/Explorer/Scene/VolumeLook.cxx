@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Scene/VolumeLook.h"
 
-#include "VTK/Scene/CTLook.h"
+#include "VTK/Scene/Volumes/CTLook.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkHapticLabelTable.h"

@@ -3,7 +3,7 @@
 #include "Applications/Explorer/View/Display.h"
 
 #include "Core/Math/NumberText.h"
-#include "VTK/Charts/HapticPixels.h"
+#include "VTK/Scene/Base/HapticPixels.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/ListOverlay.h"
 
-#include "VTK/Charts/HapticPixels.h"
+#include "VTK/Scene/Base/HapticPixels.h"
 
 #include "vtkTextProperty.h"
 

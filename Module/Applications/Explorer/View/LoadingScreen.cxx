@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/View/LoadingScreen.h"
 
-#include "VTK/Charts/HapticPixels.h"
-#include "VTK/Docks/RendererAspect.h"
+#include "VTK/Scene/Base/HapticPixels.h"
+#include "VTK/Scene/Base/RendererAspect.h"
 
 #include "vtkCoordinate.h"
 #include "vtkPolyDataMapper2D.h"

@@ -7,7 +7,7 @@
 #include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/DicomUnpacking.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

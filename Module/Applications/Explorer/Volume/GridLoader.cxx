@@ -6,7 +6,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/GridOutline.h"
 #include "Applications/Explorer/Volume/WholeFile.h"
-#include "VTK/Large/DataSetParts.h"
+#include "VTK/Regions/DataSetParts.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"

@@ -5,8 +5,8 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeLoader.h"
 
-#include "VTK/Baking/HapticNoise.h"
-#include "VTK/Baking/OutsideFiller.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/OutsideFiller.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"

@@ -4,7 +4,7 @@
 
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

@@ -13,8 +13,8 @@
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "Applications/Explorer/Volume/WholeFile.h"
 
-#include "VTK/Large/HeaderText.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Regions/Formats/HeaderText.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"

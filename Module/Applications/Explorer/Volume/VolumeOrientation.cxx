@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
-#include "VTK/Large/HeaderText.h"
-#include "VTK/Work/ArrayMemory.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Regions/Formats/HeaderText.h"
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"

@@ -21,7 +21,7 @@
 #ifndef LocalSurfaceFit_h
 #define LocalSurfaceFit_h
 
-#include "Core/Solvers/LocalState.h"
+#include "Core/State/LocalState.h"
 
 namespace VolumeHaptics
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/Law/MaterialLaw.h"
+#include "Core/State/ServoState.h"
 
 namespace VolumeHaptics
 {

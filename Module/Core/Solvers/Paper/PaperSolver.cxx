@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Paper/PaperSolver.h"
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Math/KernelInline.h"
 #include "Core/Solvers/CarriedProxy.h"
-#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/ProxyCarry.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 #include <optional>
 

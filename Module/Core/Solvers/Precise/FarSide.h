@@ -61,7 +61,7 @@
 #define FarSide_h
 
 #include "Core/Field/FieldAtTime.h"
-#include "Core/Solvers/PreciseState.h"
+#include "Core/State/PreciseState.h"
 
 #include <algorithm>
 

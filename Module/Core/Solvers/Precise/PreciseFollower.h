@@ -7,9 +7,9 @@
 #ifndef PreciseFollower_h
 #define PreciseFollower_h
 
-#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Solvers/Precise/PreciseSurroundings.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 #include <algorithm>
 #include <optional>

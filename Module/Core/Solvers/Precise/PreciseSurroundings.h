@@ -8,9 +8,9 @@
 #ifndef PreciseSurroundings_h
 #define PreciseSurroundings_h
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Model/HapticModel.h"
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/PreciseState.h"
+#include "Core/State/PreciseState.h"
 
 namespace VolumeHaptics
 {

@@ -9,9 +9,9 @@
 #ifndef ProxyDisplacement_h
 #define ProxyDisplacement_h
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Math/KernelInline.h"
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/PreciseState.h"
+#include "Core/State/PreciseState.h"
 
 #include <algorithm>
 

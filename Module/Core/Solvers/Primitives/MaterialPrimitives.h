@@ -16,7 +16,7 @@
 #ifndef MaterialPrimitives_h
 #define MaterialPrimitives_h
 
-#include "Core/Solvers/MaterialPoint.h"
+#include "Core/Law/MaterialPoint.h"
 #include "Core/Solvers/Primitives/Primitive.h"
 
 #include <algorithm>

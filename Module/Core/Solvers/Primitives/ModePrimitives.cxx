@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/ModePrimitives.h"
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Math/SymmetricEigen.h"
-#include "Core/Solvers/MaterialLaw.h"
 #include "Core/Solvers/Primitives/MaterialPrimitives.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 #define Primitive_h
 
 #include "Core/Math/Vector3.h"
-#include "Core/Solvers/PrimitiveMemory.h"
+#include "Core/State/PrimitiveMemory.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
 
-#include "Core/Solvers/MaterialLaw.h"
+#include "Core/Law/MaterialLaw.h"
 
 namespace VolumeHaptics
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 
+#include "Core/Law/MaterialLaw.h"
 #include "Core/Math/HalfSpaces.h"
 #include "Core/Model/SurfaceMesh.h"
-#include "Core/Solvers/MaterialLaw.h"
-#include "Core/Solvers/ServoState.h"
+#include "Core/State/ServoState.h"
 
 #include <algorithm>
 #include <cmath>

@@ -31,7 +31,7 @@
 #ifndef BurrTool_h
 #define BurrTool_h
 
-#include "Core/Solvers/BurrState.h"
+#include "Core/State/BurrState.h"
 #include "Core/Tools/Burr/SphereCarver.h"
 #include "Core/Tools/PointShell/ShellCoupling.h"
 

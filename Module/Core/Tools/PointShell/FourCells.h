@@ -8,7 +8,7 @@
 #ifndef FourCells_h
 #define FourCells_h
 
-#include "Core/Field/LinearKernels.h"
+#include "Core/Field/Kernels/LinearKernels.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
 #include <cstddef>

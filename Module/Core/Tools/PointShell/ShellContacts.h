@@ -29,7 +29,7 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Model/PointShell.h"
-#include "Core/Solvers/ShellState.h"
+#include "Core/State/ShellState.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
 #include <cstdint>

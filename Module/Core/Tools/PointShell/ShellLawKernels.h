@@ -9,7 +9,7 @@
 #define ShellLawKernels_h
 
 #include "Core/Math/LowestBit.h"
-#include "Core/Solvers/ShellState.h"
+#include "Core/State/ShellState.h"
 #include "Core/Tools/PointShell/FourCells.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 

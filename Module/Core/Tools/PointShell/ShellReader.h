@@ -11,7 +11,7 @@
 #define ShellReader_h
 
 #include "Core/Field/FieldSampler.h"
-#include "Core/Solvers/ShellState.h"
+#include "Core/State/ShellState.h"
 #include "Core/Tools/PointShell/ShellBatch.h"
 
 #include <cstddef>

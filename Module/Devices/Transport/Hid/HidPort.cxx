@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Transport/Hid/HidPort.h"
 
-#include "Core/Servo/ServoClock.h"
+#include "Core/Realtime/ServoClock.h"
 #include "Devices/Common/DeviceRegistry.h"
 
 #include <chrono>

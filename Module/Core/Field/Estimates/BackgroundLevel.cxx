@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/Estimates/BackgroundLevel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace VolumeHaptics
+{
+namespace
+{
+/**
+ * There are a background and something solid if this share of the variance of all values is between
+ * the two. The halves of a normal distribution have 0.637.
+ */
+constexpr double ApartShare = 0.65;
+/** The values of a block that is even differ by this share of the rise from one to the other. */
+constexpr double EvenShare = 0.15;
+///@{
+/** A darker material stands out if so much of the variance of even places is between the two. */
+constexpr double DarkShare = 0.88;
+/** Its rise, of that of the brighter one, and its share of the even places. */
+constexpr double LeastRise = 0.1;
+constexpr double LeastPart = 0.01;
+///@}
+constexpr std::size_t LeastBlocks = 64;
+/** The share of even background means that may be brighter than Quiet. */
+constexpr double Rare = 0.005;
+/** From the threshold to Full, of the way to the solid's median. */
+constexpr double FullShare = 0.15;
+constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
+
+/** The means in a block, and how much they differ. */
+struct BlockMeans
+{
+  double Mean;
+  double Span;
+};
+
+class ValueHeaps
+{
+public:
+  void Add(const double* block)
+  {
+    double sum = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+    double means[Inner * Inner * Inner];
+    for (int i = 0; i < Inner * Inner * Inner; ++i)
+    {
+      const double mean = FindMean(block, i);
+      means[i] = mean;
+      sum += mean;
+      low = i == 0 ? mean : std::min(low, mean);
+      high = i == 0 ? mean : std::max(high, mean);
+    }
+    if (std::isfinite(sum))
+    {
+      this->All.insert(this->All.end(), std::begin(means), std::end(means));
+      this->Blocks.push_back({ sum / (Inner * Inner * Inner), high - low });
+    }
+  }
+
+  BackgroundLevel Find()
+  {
+    std::sort(this->All.begin(), this->All.end());
+    Split split = FindSplit(this->All);
+    if (split.Share < ApartShare)
+    {
+      return {};
+    }
+    double background = this->All[split.Below / 2];
+    double solid = this->All[(split.Below + this->All.size()) / 2];
+    BackgroundLevel level;
+    level.IsThere = true;
+    level.Threshold = 0.5 * (this->All[split.Below - 1] + this->All[split.Below]);
+    const double rise = solid - background;
+    // Values between the two may be those of an edge: only even blocks show a darker material.
+    std::vector<double> even;
+    for (const BlockMeans& block : this->Blocks)
+    {
+      if (block.Span <= EvenShare * rise && block.Mean < level.Threshold)
+      {
+        even.push_back(block.Mean);
+      }
+    }
+    std::sort(even.begin(), even.end());
+    while (even.size() >= LeastBlocks)
+    {
+      split = FindSplit(even);
+      const double low = even[split.Below / 2];
+      const double high = even[(split.Below + even.size()) / 2];
+      const auto all = static_cast<double>(even.size());
+      if (split.Share < DarkShare || high - low < LeastRise * rise ||
+        all - static_cast<double>(split.Below) < LeastPart * all)
+      {
+        break;
+      }
+      background = low;
+      solid = high;
+      level.Threshold = 0.5 * (low + high);
+      even.resize(split.Below);
+    }
+    level.Full = level.Threshold + FullShare * (solid - level.Threshold);
+    level.Quiet = even.size() < LeastBlocks
+      ? background
+      : even[static_cast<std::size_t>((1.0 - Rare) * static_cast<double>(even.size() - 1))];
+    return level;
+  }
+
+private:
+  /** The number of ascending values below a threshold, and the share of the variance between. */
+  struct Split
+  {
+    std::size_t Below = 0;
+    double Share = 0.0;
+  };
+
+  static double FindMean(const double* block, int i)
+  {
+    const int x = i % Inner;
+    const int y = i / Inner % Inner;
+    const int z = i / (Inner * Inner);
+    double sum = 0.0;
+    for (int c = z; c < z + 3; ++c)
+    {
+      for (int b = y; b < y + 3; ++b)
+      {
+        const double* const row = block + x + NoiseBlockSide * (b + NoiseBlockSide * c);
+        sum += row[0] + row[1] + row[2];
+      }
+    }
+    return sum / 27.0;
+  }
+
+  /** Otsu's split. */
+  static Split FindSplit(const std::vector<double>& values)
+  {
+    const double first = values.empty() ? 0.0 : values.front(); // so that no digits are lost
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const double value : values)
+    {
+      sum += value - first;
+      squares += (value - first) * (value - first);
+    }
+    const auto all = static_cast<double>(values.size());
+    const double variance = squares - sum * sum / all;
+    Split best;
+    double below = 0.0;
+    for (std::size_t i = 1; i < values.size() && variance > 0.0; ++i)
+    {
+      below += values[i - 1] - first;
+      const auto n = static_cast<double>(i);
+      const double gap = below / n - (sum - below) / (all - n);
+      const double share = n * (all - n) / all * gap * gap / variance;
+      if (values[i] > values[i - 1] && share > best.Share)
+      {
+        best = { i, share };
+      }
+    }
+    return best;
+  }
+
+  std::vector<double> All;
+  std::vector<BlockMeans> Blocks;
+};
+
+} // namespace
+
+BackgroundLevel BackgroundLevel::Find(const NoiseSamples& samples)
+{
+  return FindInNoiseBlocks<ValueHeaps>(samples);
+}
+
+BackgroundLevel BackgroundLevel::Find(const SampleReader& read, const std::int64_t dimensions[3])
+{
+  return FindInNoiseBlocks<ValueHeaps>(read, dimensions);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/Estimates/EdgeMotion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+using LatticePlace = std::array<std::int64_t, 3>;
+
+constexpr double MostPlaces = 8000.0;
+constexpr std::size_t MostEdges = 256;
+/** Samples to either side. */
+constexpr std::int64_t EdgeReach = 64;
+/** An edge rises by these shares of the values' range at least: in a sample, and on the whole. */
+constexpr double LeastEdgeSlope = 0.03;
+constexpr double LeastEdgeRise = 0.1;
+/** And by these multiples of the noise. */
+constexpr double SlopeOverNoise = 4.0;
+constexpr double RiseOverNoise = 10.0;
+/** A plateau begins where the rest of the rise is less than this share of the range. */
+constexpr double EdgeTail = 1e-3;
+/** The same plateau, in another frame (of the rise), and its distance from the middle (widths). */
+constexpr double SamePlateau = 0.3;
+constexpr double PlateauDistance = 3.0;
+constexpr double SqrtTwoPi = 2.50662827463100050242;
+
+/** Samples by their indices. */
+class EdgeSamples
+{
+public:
+  explicit EdgeSamples(const VolumeView& view)
+    : View(view)
+    , Read(WithSampleType(view.Type,
+        [](auto type) -> double (*)(const void*, std::int64_t)
+        {
+          using T = decltype(type);
+          return [](const void* data, std::int64_t element)
+          { return static_cast<double>(static_cast<const T*>(data)[element]); };
+        }))
+  {
+  }
+
+  double At(const LatticePlace& place) const
+  {
+    std::int64_t element = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      element += place[a] * this->View.Stride[a];
+    }
+    return this->Read(this->View.Data, element);
+  }
+
+  std::int64_t Size(std::size_t axis) const { return this->View.Dimensions[axis]; }
+
+private:
+  const VolumeView& View;
+  double (*const Read)(const void*, std::int64_t);
+};
+
+/** The samples along an axis through a place. */
+class SampleLine
+{
+public:
+  SampleLine(const EdgeSamples& samples, const LatticePlace& through, std::size_t axis)
+    : From(samples)
+    , Through(through)
+    , Axis(axis)
+  {
+  }
+  bool Has(std::int64_t i) const { return i >= 0 && i < this->From.Size(this->Axis); }
+  double operator()(std::int64_t i) const
+  {
+    LatticePlace place = this->Through;
+    place[this->Axis] = i;
+    return this->From.At(place);
+  }
+
+private:
+  const EdgeSamples& From;
+  const LatticePlace Through;
+  const std::size_t Axis;
+};
+
+/** An edge on a line. */
+struct FoundEdge
+{
+  double Low;    ///< V1, where the index is lower if it rises
+  double High;   ///< V2
+  double Middle; ///< an index
+  double Width;  ///< samples
+  double Rising; ///< 1, or -1
+};
+
+/** A place where the gradient is steep. */
+struct SteepPlace
+{
+  LatticePlace At;
+  std::size_t Axis; ///< along which it is steepest
+  double Rising;    ///< 1 or -1
+  double Cosine;    ///< of the angle between axis and gradient
+};
+
+/** From a steep place to where a plateau begins; false if there is none within reach. */
+bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward, double tolerance,
+  std::int64_t& at, double& steepest)
+{
+  const std::int64_t begin = at;
+  for (;;)
+  {
+    if (!line.Has(at + 2 * direction) || std::abs(at - begin) > EdgeReach)
+    {
+      return false;
+    }
+    const double here = line(at);
+    const double next = line(at + direction);
+    const double afterNext = line(at + 2 * direction);
+    if (!(std::max(upward * (next - here), upward * (afterNext - here)) > tolerance))
+    {
+      return std::isfinite(here);
+    }
+    steepest = std::max(steepest, upward * (next - here));
+    at += direction;
+  }
+}
+
+/** The index between i and i + 1 at which a line has a value. */
+double FindCrossing(const SampleLine& line, std::int64_t i, double value)
+{
+  const double a = line(i);
+  const double b = line(i + 1);
+  return static_cast<double>(i) + std::clamp((value - a) / (b - a), 0.0, 1.0);
+}
+
+bool IsCrossing(const SampleLine& line, std::int64_t i, double value, double rising)
+{
+  return line.Has(i) && line.Has(i + 1) && rising * (line(i) - value) < 0.0 &&
+    rising * (line(i + 1) - value) >= 0.0;
+}
+
+bool FindEdge(const SampleLine& line, const SteepPlace& steep, double tolerance, double leastRise,
+  FoundEdge& edge)
+{
+  const auto begin = steep.At[steep.Axis];
+  std::int64_t low = begin;
+  std::int64_t high = begin;
+  double steepest = 0.0;
+  if (!WalkToPlateau(line, -1, -steep.Rising, tolerance, low, steepest) ||
+    !WalkToPlateau(line, 1, steep.Rising, tolerance, high, steepest))
+  {
+    return false;
+  }
+  edge.Low = line(low);
+  edge.High = line(high);
+  edge.Rising = steep.Rising;
+  const double rise = steep.Rising * (edge.High - edge.Low);
+  if (!(rise > leastRise && steepest > 0.0))
+  {
+    return false;
+  }
+  edge.Width = rise / (steepest * SqrtTwoPi);
+  const double value = 0.5 * (edge.Low + edge.High);
+  for (std::int64_t i = low; i < high; ++i)
+  {
+    if (IsCrossing(line, i, value, edge.Rising))
+    {
+      edge.Middle = FindCrossing(line, i, value);
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether a crossing leads from the edge's one plateau to the other. */
+bool HasPlateaus(const SampleLine& line, const FoundEdge& edge, double middle)
+{
+  const auto distance = static_cast<std::int64_t>(std::ceil(PlateauDistance * edge.Width));
+  const auto before = static_cast<std::int64_t>(std::floor(middle)) - distance;
+  const auto behind = static_cast<std::int64_t>(std::ceil(middle)) + distance;
+  const double most = SamePlateau * std::abs(edge.High - edge.Low);
+  return line.Has(before) && line.Has(behind) && std::abs(line(before) - edge.Low) < most &&
+    std::abs(line(behind) - edge.High) < most;
+}
+
+/** The motion (samples) of an edge to the nearest place on a line that has it; -1 without one. */
+double FindMotion(const SampleLine& line, const FoundEdge& edge)
+{
+  const double value = 0.5 * (edge.Low + edge.High);
+  const auto begin = static_cast<std::int64_t>(std::floor(edge.Middle));
+  double nearest = std::numeric_limits<double>::max();
+  // The crossing one sample farther on the other side may be nearer.
+  for (std::int64_t i = 0; i <= EdgeReach && static_cast<double>(i) <= nearest + 1.0; ++i)
+  {
+    for (const std::int64_t at : { begin - i, begin + i })
+    {
+      if (!IsCrossing(line, at, value, edge.Rising))
+      {
+        continue;
+      }
+      const double middle = FindCrossing(line, at, value);
+      if (HasPlateaus(line, edge, middle))
+      {
+        nearest = std::min(nearest, std::abs(middle - edge.Middle));
+      }
+    }
+  }
+  return nearest < static_cast<double>(EdgeReach) ? nearest : -1.0;
+}
+
+double Median(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Where a lattice over the samples meets steep gradients. */
+std::vector<SteepPlace> FindSteepPlaces(
+  const EdgeSamples& samples, const Vector3& spacing, double noise, double& range)
+{
+  const double all = static_cast<double>(samples.Size(0)) * static_cast<double>(samples.Size(1)) *
+    static_cast<double>(samples.Size(2));
+  const auto step =
+    std::max(std::int64_t{ 1 }, static_cast<std::int64_t>(std::ceil(std::cbrt(all / MostPlaces))));
+  const double h[] = { spacing.X, spacing.Y, spacing.Z };
+  std::vector<SteepPlace> places;
+  std::vector<double> slopes;
+  double least = std::numeric_limits<double>::max();
+  double most = -least;
+  for (std::int64_t k = 1 + step / 2; k + 1 < samples.Size(2); k += step)
+  {
+    for (std::int64_t j = 1 + step / 2; j + 1 < samples.Size(1); j += step)
+    {
+      for (std::int64_t i = 1 + step / 2; i + 1 < samples.Size(0); i += step)
+      {
+        SteepPlace steep{ { i, j, k }, 0, 1.0, 0.0 };
+        double square = 0.0;
+        double steepest = 0.0;
+        double slope = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          LatticePlace next = steep.At;
+          LatticePlace before = steep.At;
+          ++next[axis];
+          --before[axis];
+          const double rise = 0.5 * (samples.At(next) - samples.At(before));
+          square += rise * rise / (h[axis] * h[axis]);
+          if (std::abs(rise) / h[axis] > steepest)
+          {
+            steepest = std::abs(rise) / h[axis];
+            slope = std::abs(rise);
+            steep.Axis = axis;
+            steep.Rising = rise > 0.0 ? 1.0 : -1.0;
+          }
+        }
+        const double value = samples.At(steep.At);
+        if (std::isfinite(value) && std::isfinite(square))
+        {
+          least = std::min(least, value);
+          most = std::max(most, value);
+          steep.Cosine = square > 0.0 ? steepest / std::sqrt(square) : 0.0;
+          places.push_back(steep);
+          slopes.push_back(slope);
+        }
+      }
+    }
+  }
+  range = std::max(0.0, most - least);
+  const double wanted = std::max(LeastEdgeSlope * range, SlopeOverNoise * noise);
+  std::vector<SteepPlace> found;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (slopes[i] > wanted)
+    {
+      found.push_back(places[i]);
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,
+  const Matrix3& indexToWorld, double blur, double noise)
+{
+  const EdgeSamples before(first);
+  const EdgeSamples after(second);
+  const Matrix3 columns = Transpose(indexToWorld);
+  const Vector3 spacing{ Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
+  const double h[] = { spacing.X, spacing.Y, spacing.Z };
+  double range = 0.0;
+  const std::vector<SteepPlace> places = FindSteepPlaces(before, spacing, noise, range);
+  const double tolerance = std::max(EdgeTail * range, noise);
+  const double leastRise = std::max(LeastEdgeRise * range, RiseOverNoise * noise);
+  EdgeMotion found;
+  std::vector<double> motions;
+  std::vector<double> widths;
+  const std::size_t step = places.size() / MostEdges + 1;
+  for (std::size_t i = 0; i < places.size(); i += step)
+  {
+    const SteepPlace& steep = places[i];
+    FoundEdge edge;
+    if (!FindEdge(SampleLine(before, steep.At, steep.Axis), steep, tolerance, leastRise, edge))
+    {
+      continue;
+    }
+    const double moved = FindMotion(SampleLine(after, steep.At, steep.Axis), edge);
+    if (moved < 0.0)
+    {
+      continue;
+    }
+    ++found.Edges;
+    const double across = h[steep.Axis] * steep.Cosine;
+    const double width = std::hypot(edge.Width * across, blur * h[steep.Axis]);
+    if (moved * across > 2.0 * width)
+    {
+      motions.push_back(moved * across);
+      widths.push_back(width);
+    }
+  }
+  found.Fast = static_cast<int>(motions.size());
+  if (found.Fast > 0)
+  {
+    found.Motion = Median(motions);
+    found.Width = Median(widths);
+  }
+  return found;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/Estimates/IsoMotion.h"
+
+#include "Core/Field/FieldAtTime.h"
+#include "Core/Field/GradientKernel.h"
+
+#include <cmath>
+#include <optional>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The blends that a point is followed through, and the steps to its level in each. */
+constexpr int Blends = 8;
+constexpr int MostSteps = 4;
+///@{
+/** Voxels: the longest step, one after which the level is found, and one after which it is lost. */
+constexpr double LongestStep = 0.5;
+constexpr double ShortStep = 1e-4;
+constexpr double LostStep = 0.1;
+///@}
+
+/** A step of Newton's method to a level, along the gradient. */
+Vector3 FindStep(const FieldAtTime& field, double value, const Vector3& index)
+{
+  const Vector3 slope = field.Gradient(index).Gradient;
+  return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
+}
+
+/** Moves an index to a level; not at all if there is no way to it. */
+Vector3 GoToLevel(
+  const FieldSampler& inside, const FieldAtTime& field, double value, const Vector3& start)
+{
+  Vector3 index = inside.Nearest(start);
+  double length = 0.0;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Vector3 whole = FindStep(field, value, index);
+    length = Norm(whole);
+    // Also false for NaN.
+    if (!(length < 1e9))
+    {
+      return start;
+    }
+    index = inside.Nearest(index + std::fmin(1.0, LongestStep / length) * whole);
+    if (length < ShortStep)
+    {
+      return index;
+    }
+  }
+  return length < LostStep ? index : start;
+}
+
+} // namespace
+
+std::vector<Vector3> FindIsoMotions(
+  const std::vector<Vector3>& points, double value, const IsoFrames& frames)
+{
+  const GradientKernel kernel(GradientEstimator::CentralDifference, 1);
+  const FieldSampler first(frames.First, kernel);
+  const FieldSampler second(frames.Second, kernel);
+  std::optional<DisplacementField> material;
+  if (frames.Displacements.Data)
+  {
+    material.emplace(frames.Displacements, frames.First, frames.IndexToWorld.Linear);
+  }
+  const Affine3 worldToIndex = Inverse(frames.IndexToWorld);
+  std::vector<Vector3> motions;
+  motions.reserve(points.size());
+  for (const Vector3& point : points)
+  {
+    const Vector3 begin = worldToIndex(point);
+    Vector3 end = material ? material->Find(begin, 0.0).Second : begin;
+    // A level that is near needs no blends in between.
+    const bool isNear =
+      material || Norm(FindStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
+    for (int blend = isNear ? Blends : 1; blend <= Blends; ++blend)
+    {
+      const double share = static_cast<double>(blend) / Blends;
+      end = GoToLevel(first, FieldAtTime(first, second, share), value, end);
+    }
+    const Vector3 motion = frames.IndexToWorld.Linear * (end - begin);
+    motions.push_back(IsFinite(motion) ? motion : Vector3{});
+  }
+  return motions;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/Estimates/OutsideSamples.h"
+
+#include "Core/Field/Estimates/NoiseEstimate.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -2147483648.0,
+  -2147483647.0, -33792.0, -31744.0, 63536.0 };
+/** Of either sign: NetCDF's, Ferret's and others', and the largest of both floating-point types. */
+constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
+  std::numeric_limits<float>::max() };
+/** Of the range of all others. */
+constexpr double LeastGap = 0.1;
+
+bool IsEnormous(double value)
+{
+  constexpr double mostFloat = std::numeric_limits<float>::max();
+  const double size = std::abs(value);
+  return size == std::numeric_limits<double>::max() ||
+    (size <= mostFloat &&
+      std::find(std::begin(EnormousNumbers), std::end(EnormousNumbers), static_cast<float>(size)) !=
+        std::end(EnormousNumbers));
+}
+
+/** Smallest and largest value of what stands for no missing value; the first is larger if none. */
+void FindInside(const NoiseSamples& samples, double range[2])
+{
+  std::copy_n(samples.Inside, 2, range);
+  if (HasRangeOfAll(samples.Dimensions))
+  {
+    return;
+  }
+  for (const double value : samples.Values)
+  {
+    if (std::isfinite(value) && !MayBeMissing(value))
+    {
+      const double both[2] = { value, value };
+      NoiseSamples::Extend(range, both);
+    }
+  }
+}
+
+} // namespace
+
+bool MayBeMissing(double value)
+{
+  return std::find(std::begin(MissingNumbers), std::end(MissingNumbers), value) !=
+    std::end(MissingNumbers) ||
+    IsEnormous(value);
+}
+
+OutsideSamples FindOutside(const NoiseSamples& samples)
+{
+  OutsideSamples outside;
+  double inside[2];
+  FindInside(samples, inside);
+  if (!(inside[0] <= inside[1]))
+  {
+    return outside; // nothing is inside
+  }
+  const bool isOneValue = inside[0] == inside[1];
+  std::size_t holes = 0;
+  for (std::size_t s = 0; s < samples.Indices.size(); ++s)
+  {
+    const double value = samples.Values[s];
+    const bool isNumber = std::isfinite(value);
+    holes += isNumber ? 0 : 1;
+    if ((isNumber && !MayBeMissing(value)) || samples.FindCorner(s) < 0)
+    {
+      continue;
+    }
+    const double gap = std::max(inside[0] - value, value - inside[1]);
+    if (!isNumber)
+    {
+      outside.AreNonFinite = true;
+    }
+    // The least one of several, in any order of the pieces. Of two values alone, both are measured.
+    else if (!isOneValue && gap > LeastGap * (inside[1] - inside[0]) && !(outside.Missing <= value))
+    {
+      outside.Missing = value;
+    }
+  }
+  outside.Holes = outside.AreNonFinite || holes == 0
+    ? 0.0
+    : static_cast<double>(holes) / static_cast<double>(samples.Values.size());
+  outside.Fill = !isOneValue ? inside[0] : inside[0] > 0.0 ? 0.0 : inside[0] - 1.0;
+  return outside;
+}
+
+void FillOutside(const OutsideSamples& outside, NoiseSamples& samples)
+{
+  if (!outside.HasAny())
+  {
+    return;
+  }
+  FindInside(samples, samples.Range);
+  samples.Range[0] = std::min(samples.Range[0], outside.Fill);
+  for (double& value : samples.Values)
+  {
+    value = outside.Has(value) ? outside.Fill : value;
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Field/Estimates/StoredShift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Values (HU) of air and lung, without padding: of unshifted data, LeastShare have them. */
+constexpr double SurelyAir[2] = { -1200.0, -200.0 };
+constexpr double LeastShare = 0.005;
+/** Values (HU) of air and of soft tissue, and those between them, which lungs and edges have. */
+constexpr double AirValues[2] = { -1030.0, -850.0 };
+constexpr double BrightestAir = -940.0; // without lung
+constexpr double BetweenValues[2] = { -700.0, -400.0 };
+constexpr double TissueValues[2] = { -150.0, 150.0 };
+/** A heap is so much larger than what lies between. */
+constexpr double HeapRatio = 2.0;
+constexpr double Air = -1000.0;
+constexpr double Offsets[] = { 1024.0, 32768.0 };
+/** Shifted data has hardly a value at or below this, since the shift makes values positive. */
+constexpr double Negative = -0.5;
+/** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
+constexpr double LeastSpread = 0.5;
+/** Nothing but padding is so much darker than air, which is so near to its place (HU). */
+constexpr double DarkerThanAir = -1100.0;
+constexpr double NearAir = 20.0;
+/** The other offset near the first: air that is nearer to it has been stored with that. */
+constexpr double OtherOffset = 1000.0;
+/** No Hounsfield unit is above it, with metal of an extended scale; and below it there is fat. */
+constexpr double MostUnits = 32767.0;
+constexpr double LeastOfTissue = 200.0;
+/** A CT has more levels than a picture; it may be masked, as a brain is. */
+constexpr double LeastSpan = 20.0;
+
+class SortedValues
+{
+public:
+  void Add(const double* block)
+  {
+    constexpr int size = NoiseBlockSide * NoiseBlockSide * NoiseBlockSide;
+    std::copy_if(block, block + size, std::back_inserter(this->All),
+      [](double value) { return std::isfinite(value); });
+  }
+
+  StoredShift Find()
+  {
+    std::vector<double>& all = this->All;
+    StoredShift found;
+    if (all.empty())
+    {
+      return found;
+    }
+    std::sort(all.begin(), all.end());
+    found.Range[0] = all.front();
+    found.Range[1] = all.back();
+    const auto count = static_cast<double>(all.size());
+    if (this->Count(SurelyAir[0], SurelyAir[1]) >= LeastShare * count)
+    {
+      found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan;
+      return found;
+    }
+    if (this->CountWithout(-HUGE_VAL, Negative) < LeastShare * count && this->FindShift(found))
+    {
+      return found;
+    }
+    found.IsStrange = found.Range[1] - found.Range[0] < LeastSpan ||
+      found.Range[0] > LeastOfTissue || found.Range[1] > MostUnits;
+    return found;
+  }
+
+private:
+  /** Whether air and soft tissue are where a shift puts them. */
+  bool FindShift(StoredShift& found) const
+  {
+    const auto count = static_cast<double>(this->All.size());
+    for (const double offset : Offsets)
+    {
+      const double heap = this->Count(AirValues[0] + offset, AirValues[1] + offset);
+      const double between = this->Count(BetweenValues[0] + offset, BetweenValues[1] + offset);
+      const double tissue = this->Count(TissueValues[0] + offset, TissueValues[1] + offset);
+      if (std::min(heap, tissue) < std::max(LeastShare * count, HeapRatio * between) ||
+        this->CountWithout(TissueValues[0] + offset, TissueValues[1] + offset) <
+          LeastSpread * tissue ||
+        this->CountWithout(-HUGE_VAL, DarkerThanAir + offset) >= LeastShare * count)
+      {
+        continue;
+      }
+      const double air = this->FindAir(AirValues[0] + offset, BrightestAir + offset);
+      const double usual = std::abs(air - (Air + offset));
+      const double other = offset == Offsets[0] ? std::abs(air - (Air + OtherOffset)) : HUGE_VAL;
+      if (std::min(usual, other) <= NearAir)
+      {
+        found.Air = air;
+        found.Shift = other < usual ? -OtherOffset : -offset;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The number of values from `low` to `high`. */
+  double Count(double low, double high) const
+  {
+    const auto from = std::lower_bound(this->All.begin(), this->All.end(), low);
+    return static_cast<double>(std::upper_bound(from, this->All.end(), high) - from);
+  }
+
+  /** The values from `low` to `high` but for the most frequent one, which is that of padding. */
+  std::vector<double> Without(double low, double high) const
+  {
+    const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);
+    const auto last = std::upper_bound(first, this->All.end(), high);
+    auto pad = std::make_pair(first, first);
+    for (auto from = first; from != last;)
+    {
+      const auto to = std::upper_bound(from, last, *from);
+      pad = to - from > pad.second - pad.first ? std::make_pair(from, to) : pad;
+      from = to;
+    }
+    std::vector<double> values(first, pad.first);
+    values.insert(values.end(), pad.second, last);
+    return values;
+  }
+
+  double CountWithout(double low, double high) const
+  {
+    return static_cast<double>(this->Without(low, high).size());
+  }
+
+  /**
+   * The middle of the shortest half of the values from `low` to `high`; but for the most frequent
+   * one, to which values may have been clipped, if others remain.
+   */
+  double FindAir(double low, double high) const
+  {
+    std::vector<double> values = this->Without(low, high);
+    if (static_cast<double>(values.size()) < LeastShare * static_cast<double>(this->All.size()))
+    {
+      const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);
+      values.assign(first, std::upper_bound(first, this->All.end(), high));
+    }
+    const std::size_t half = values.size() / 2;
+    double best[2] = { low, high };
+    for (std::size_t i = 0; i + half < values.size(); ++i)
+    {
+      if (values[i + half] - values[i] < best[1] - best[0])
+      {
+        best[0] = values[i];
+        best[1] = values[i + half];
+      }
+    }
+    return 0.5 * (best[0] + best[1]);
+  }
+
+  std::vector<double> All;
+};
+
+} // namespace
+
+StoredShift StoredShift::Find(const NoiseSamples& samples)
+{
+  return FindInNoiseBlocks<SortedValues>(samples);
+}
+
+StoredShift StoredShift::Find(const SampleReader& read, const std::int64_t dimensions[3])
+{
+  return FindInNoiseBlocks<SortedValues>(read, dimensions);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sum over N^3 taps of two frames, blended:
+ *
+ *   V_i = a_i + share (b_i - a_i)
+ *
+ * Samples that are the same in both frames stay as they are, to the bit. The rules of
+ * FieldKernels.h hold here too.
+ */
+#ifndef BlendedSum_h
+#define BlendedSum_h
+
+#include "Core/Field/Kernels/SeparableSum.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Blends the rows of another frame into these. */
+template <int N>
+VOLUME_HAPTICS_INLINE void BlendRows(const RowPair<N>& other, double share, RowPair<N>& rows)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    rows.Even[p] = rows.Even[p] + share * (other.Even[p] - rows.Even[p]);
+    rows.Odd[p] = rows.Odd[p] + share * (other.Odd[p] - rows.Odd[p]);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = rows.Rest + share * (other.Rest - rows.Rest);
+  }
+}
+
+/** rows = rows - of. */
+template <int N>
+VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
+{
+  for (int p = 0; p < RowPair<N>::Whole; ++p)
+  {
+    rows.Even[p] = rows.Even[p] - of.Even[p];
+    rows.Odd[p] = rows.Odd[p] - of.Odd[p];
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    rows.Rest = rows.Rest - of.Rest;
+  }
+}
+
+///@{
+/** Both rows as those of a FrameTaps, and the same of both frames, blended: as BlendRows does. */
+template <int N>
+VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  constexpr int whole = RowPair<N>::Whole;
+  for (int p = 0; p < whole; ++p)
+  {
+    StoreDouble4(rows.Even[p], to + 4 * p);
+    StoreDouble4(rows.Odd[p], to + line + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    StoreHalves(rows.Rest, to + 4 * whole, to + line + 4 * whole);
+  }
+}
+template <int N>
+VOLUME_HAPTICS_INLINE void LoadBlendedLines(
+  const FrameTaps& frames, int at, double share, RowPair<N>& rows)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  constexpr int whole = RowPair<N>::Whole;
+  const double* const taps = frames.Taps + at;
+  const double* const changes = frames.Changes + at;
+  const auto blend = [=](int place)
+  { return LoadDouble4(taps + place) + share * LoadDouble4(changes + place); };
+  for (int p = 0; p < whole; ++p)
+  {
+    rows.Even[p] = blend(4 * p);
+    rows.Odd[p] = blend(line + 4 * p);
+  }
+  if constexpr (RowPair<N>::HasRest)
+  {
+    const int rest = 4 * whole;
+    rows.Rest = LoadHalves(taps + rest, taps + line + rest) +
+      share * LoadHalves(changes + rest, changes + line + rest);
+  }
+}
+///@}
+
+/** N^3 samples of a frame, one behind another along x. */
+template <typename T>
+struct TapBlock
+{
+  const T* Corner;
+  std::int64_t Line;
+  std::int64_t Plane;
+};
+
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE void LoadRows(const TapBlock<T>& block, int k, int j, RowPair<N>& rows)
+{
+  const T* const even = block.Corner + k * block.Plane + j * block.Line;
+  LoadRows<T, N>(even, even + block.Line, rows);
+}
+
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_INLINE double SumBlend(const TapBlock<T>& first, const TapBlock<T>& second,
+  double share, const Footprint<N>& foot, Vector3* gradient)
+{
+  return SumPlanes<N, WithGradient>(
+    [&](int k, int j, RowPair<N>& rows)
+    {
+      RowPair<N> other;
+      LoadRows<T, N>(first, k, j, rows);
+      LoadRows<T, N>(second, k, j, other);
+      BlendRows<N>(other, share, rows);
+    },
+    foot, gradient);
+}
+
+/** The sum over copies of the taps, see CopyTaps. */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_OUTLINE double SumBlendOfCopies(
+  const FrameBlend& blend, const Footprint<N>& foot, Vector3* gradient)
+{
+  T blocks[2][N * N * N];
+  CopyTaps<T, N>(blend.First.Volume, foot, blocks[0]);
+  CopyTaps<T, N>(blend.Second.Volume, foot, blocks[1]);
+  return SumBlend<T, N, WithGradient>(
+    { blocks[0], N, N * N }, { blocks[1], N, N * N }, blend.Share, foot, gradient);
+}
+
+/** The sum without memories. */
+template <typename T, int N, bool WithGradient>
+VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
+  const FrameBlend& blend, const Footprint<N>& foot, Vector3* gradient)
+{
+  const VolumeView& a = blend.First.Volume;
+  const VolumeView& b = blend.Second.Volume;
+  const T* const first = FindCorner<T, N>(a, foot.First);
+  const T* const second = FindCorner<T, N>(b, foot.First);
+  if (first && second)
+  {
+    if constexpr (N > 4)
+    {
+      PrefetchRows(first, N, a.Stride[1], a.Stride[2]);
+      PrefetchRows(second, N, b.Stride[1], b.Stride[2]);
+    }
+    const double value = SumBlend<T, N, WithGradient>({ first, a.Stride[1], a.Stride[2] },
+      { second, b.Stride[1], b.Stride[2] }, blend.Share, foot, gradient);
+    if (!std::is_floating_point_v<T> || IsNumber(value))
+    {
+      return value;
+    }
+  }
+  return SumBlendOfCopies<T, N, WithGradient>(blend, foot, gradient);
+}
+
+/** Whether a memory has a blend's samples behind the first one. */
+VOLUME_HAPTICS_INLINE bool HoldsFrames(
+  const FrameTaps& memory, const FrameBlend& blend, const std::int64_t* first)
+{
+  return memory.Field == blend.First.Number && memory.SecondField == blend.Second.Number &&
+    memory.First[0] == first[0] && memory.First[1] == first[1] && memory.First[2] == first[2];
+}
+
+/** Reads the N^3 taps of both frames behind the first one; false if they are not all there. */
+template <typename T, int N>
+VOLUME_HAPTICS_OUTLINE bool FillFrames(
+  const FrameBlend& blend, const std::int64_t* first, FrameTaps& memory)
+{
+  constexpr int line = FrameTaps::Line<N>;
+  const VolumeView& a = blend.First.Volume;
+  const VolumeView& b = blend.Second.Volume;
+  const TapBlock<T> near{ FindCorner<T, N>(a, first), a.Stride[1], a.Stride[2] };
+  const TapBlock<T> next{ FindCorner<T, N>(b, first), b.Stride[1], b.Stride[2] };
+  memory.Field = 0;
+  if (!near.Corner || !next.Corner)
+  {
+    return false;
+  }
+  PrefetchRows(near.Corner, N, near.Line, near.Plane);
+  PrefetchRows(next.Corner, N, next.Line, next.Plane);
+  for (int k = 0; k < N; ++k)
+  {
+    for (int j = 0; j < N; j += 2)
+    {
+      RowPair<N> rows;
+      RowPair<N> changes;
+      LoadRows<T, N>(near, k, j, rows);
+      LoadRows<T, N>(next, k, j, changes);
+      SubtractRows<N>(rows, changes);
+      const int at = (k * N + j) * line;
+      StoreLines<N>(rows, memory.Taps + at);
+      StoreLines<N>(changes, memory.Changes + at);
+    }
+  }
+  memory.Field = blend.First.Number;
+  memory.SecondField = blend.Second.Number;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    memory.First[axis] = first[axis];
+  }
+  return true;
+}
+
+/** The memory that is a blend's; null if there is none. */
+VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
+  const FrameBlend& blend, const std::int64_t* first, const TickMemory& tick)
+{
+  for (const BlendMemory& memory : tick.Blends)
+  {
+    if (memory.Share == blend.Share && HoldsTaps(memory, blend.First.Number, first) &&
+      memory.SecondField == blend.Second.Number)
+    {
+      return &memory;
+    }
+  }
+  return nullptr;
+}
+
+/** Gives the older memory to a blend. */
+VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
+  const FrameBlend& blend, const std::int64_t* first, TickMemory& tick)
+{
+  BlendMemory& memory = tick.Blends[tick.OldBlend];
+  tick.OldBlend = 1 - tick.OldBlend;
+  SetPlace(blend.First.Number, first, memory);
+  memory.SecondField = blend.Second.Number;
+  memory.Share = blend.Share;
+  return memory;
+}
+
+/** From the memories: from the blend, or from both frames, whose blend is kept. */
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
+  const FrameBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)
+{
+  if (const BlendMemory* const known = FindBlend(blend, foot.First, tick))
+  {
+    sample.Value = SumTaps<N>(known->Taps, foot, &sample.Gradient);
+    return IsNumber(sample.Value);
+  }
+  const FrameTaps& frames = tick.Pair;
+  if (!HoldsFrames(frames, blend, foot.First) && !FillFrames<T, N>(blend, foot.First, tick.Pair))
+  {
+    return false;
+  }
+  BlendMemory& kept = BeginBlend(blend, foot.First, tick);
+  const double share = blend.Share;
+  sample.Value = SumTwice<N>(
+    [&frames, &kept, share](int k, int pair, RowPair<N>& rows)
+    {
+      const int line = k * N + 2 * pair;
+      LoadBlendedLines<N>(frames, line * FrameTaps::Line<N>, share, rows);
+      StoreRows<N>(rows, kept.Taps + line * N);
+    },
+    kept.Taps, foot, &sample.Gradient);
+  return IsNumber(sample.Value);
+}
+
+/** The gradient of a blend. */
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE FieldSample SumBlendedGradient(
+  const FrameBlend& blend, const Footprint<N>& foot, const BlendMemories& memories)
+{
+  FieldSample sample;
+  if constexpr (N <= TapMemory::MostTaps)
+  {
+    if (memories.Tick && SumRememberedBlend<T, N>(blend, foot, *memories.Tick, sample))
+    {
+      return sample;
+    }
+  }
+  sample.Value = SumBlendOfSamples<T, N, true>(blend, foot, &sample.Gradient);
+  return sample;
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

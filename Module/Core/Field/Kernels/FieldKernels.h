@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The sampling kernels, as templates. Included by one translation unit per instruction set only.
+ *
+ * Nothing here may call an inline function with external linkage (of the standard library or of
+ * Vector3.h): the linker keeps one copy of those, and it could be the one with AVX2 in it.
+ */
+#ifndef FieldKernels_h
+#define FieldKernels_h
+
+#include "Core/Field/Kernels/BlendedSum.h"
+#include "Core/Field/Kernels/LinearKernels.h"
+#include "Core/Field/Kernels/SeparableSum.h"
+#include "Core/Field/Kernels/SplineWeights.h"
+#include "Core/Field/Kernels/TapValues.h"
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+template <typename T>
+VOLUME_HAPTICS_INLINE double Spline(const FieldView& view, double x, double y, double z)
+{
+  Footprint<4> foot;
+  LocateSpline<false>(view, x, y, z, foot);
+  return Separable<T, 4, false>(view.Volume, foot, nullptr);
+}
+
+template <typename T>
+VOLUME_HAPTICS_INLINE double Spline(const FrameBlend& blend, double x, double y, double z)
+{
+  Footprint<4> foot;
+  LocateSpline<false>(blend.First, x, y, z, foot);
+  return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
+}
+
+/** Of a field, or of a blend of two. */
+template <typename T, typename Source>
+double SplineValue(const Source& from, double x, double y, double z) noexcept
+{
+  return Spline<T>(from, x, y, z);
+}
+
+template <typename T>
+SharePair SharedSplineValues(
+  const FrameBlend& blend, double share, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<false>(blend.First, x, y, z, foot);
+  const FrameBlend other{ blend.First, blend.Second, share };
+  return { SumBlendOfSamples<T, 4, false>(blend, foot, nullptr),
+    SumBlendOfSamples<T, 4, false>(other, foot, nullptr) };
+}
+
+template <typename T, typename Source>
+ValuePair SplinePair(
+  const Source& from, double x, double y, double z, double dx, double dy, double dz) noexcept
+{
+  return { Spline<T>(from, x + dx, y + dy, z + dz), Spline<T>(from, x - dx, y - dy, z - dz) };
+}
+
+template <typename T, int N>
+VOLUME_HAPTICS_INLINE FieldSample SumGradient(const FieldView& view, const Footprint<N>& foot)
+{
+  FieldSample sample;
+  sample.Value = Separable<T, N, true>(view.Volume, foot, &sample.Gradient);
+  return sample;
+}
+
+template <typename T>
+FieldSample SplineGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(view, x, y, z, foot);
+  return SumGradient<T, 4>(view, foot);
+}
+
+template <typename T>
+FieldSample BlendedSpline(
+  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(blend.First, x, y, z, foot);
+  return SumBlendedGradient<T, 4>(blend, foot, memories);
+}
+
+/** The gradient from the taps of a memory, which are read anew if they are of another place. */
+template <int N>
+VOLUME_HAPTICS_INLINE bool SumRemembered(const FieldView& view, const Footprint<N>& foot,
+  FillFunction fill, TapMemory& memory, FieldSample& sample)
+{
+  static_assert(N <= TapMemory::MostTaps, "the memory has no room for more taps");
+  if (!KeepTaps(view, foot.First, fill, memory))
+  {
+    return false;
+  }
+  sample.Value = SumTaps<N>(memory.Taps, foot, &sample.Gradient);
+  return IsNumber(sample.Value);
+}
+
+bool RememberedSpline(const FieldView& view, double x, double y, double z, FillFunction fill,
+  TapMemory& memory, FieldSample& sample) noexcept
+{
+  Footprint<4> foot;
+  LocateSpline<true>(view, x, y, z, foot);
+  return SumRemembered<4>(view, foot, fill, memory, sample);
+}
+
+/** Four weights of the Gaussian at a fraction t of an interval; `count` numbers have a power. */
+VOLUME_HAPTICS_INLINE Double4 FindWeights(const double* coefficients, int count, double t)
+{
+  const double t2 = t * t;
+  const auto term = [&](int power) { return LoadDouble4(coefficients + power * count); };
+  const Double4 low = term(0) + t * term(1);
+  const Double4 middle = term(2) + t * term(3);
+  const Double4 high = term(4) + t * term(5);
+  return low + t2 * (middle + t2 * high);
+}
+
+/** The place of the Gaussian's weights in its table, along one axis, and its first tap. */
+struct GaussianPlace
+{
+  const double* Coefficients;
+  double Fraction; ///< of the interval
+  std::int64_t First;
+};
+
+VOLUME_HAPTICS_INLINE GaussianPlace LocateInTable(
+  const FieldView& view, int axis, double position, int taps)
+{
+  constexpr int intervals = GradientKernel::Intervals;
+  const KernelView& kernel = view.Kernel;
+  const Axis place =
+    Locate(position * intervals, view.First[axis] * intervals, view.Last[axis] * intervals);
+  const auto interval = static_cast<std::uint64_t>(place.Cell);
+  return { kernel.Table + (interval % intervals) * (2 * GradientKernel::Coefficients * taps),
+    place.Fraction, static_cast<std::int64_t>(interval / intervals) - kernel.Radius };
+}
+
+/** First tap and weights of the Gaussian along one axis, from the kernel's table. */
+VOLUME_HAPTICS_INLINE std::int64_t LocateGaussian(
+  const FieldView& view, int axis, double position, int taps, double* weights)
+{
+  const GaussianPlace place = LocateInTable(view, axis, position, taps);
+  for (int i = 0; i < 2 * taps; i += 4)
+  {
+    StoreDouble4(FindWeights(place.Coefficients + i, 2 * taps, place.Fraction), weights + i);
+  }
+  return place.First;
+}
+
+template <int N>
+VOLUME_HAPTICS_INLINE void LocateGaussian(
+  const FieldView& view, int axis, double position, Footprint<N>& foot)
+{
+  const GaussianPlace place = LocateInTable(view, axis, position, N);
+#pragma GCC unroll 4
+  for (int i = 0; i < 2 * N; i += 4)
+  {
+    StoreDouble4(
+      FindWeights(place.Coefficients + i, 2 * N, place.Fraction), foot.Weights[axis] + i);
+  }
+  foot.First[axis] = place.First;
+}
+
+template <int N>
+VOLUME_HAPTICS_INLINE void LocateGaussian(
+  const FieldView& view, double x, double y, double z, Footprint<N>& foot)
+{
+  // In the order in which the sum needs them.
+  LocateGaussian<N>(view, 1, y, foot);
+  LocateGaussian<N>(view, 2, z, foot);
+  LocateGaussian<N>(view, 0, x, foot);
+}
+
+template <typename T, int N>
+FieldSample GaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(view, x, y, z, foot);
+  return SumGradient<T, N>(view, foot);
+}
+
+template <typename T, int N>
+FieldSample BlendedGaussian(
+  const FrameBlend& blend, double x, double y, double z, const BlendMemories& memories) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(blend.First, x, y, z, foot);
+  return SumBlendedGradient<T, N>(blend, foot, memories);
+}
+
+template <int N>
+bool RememberedGaussian(const FieldView& view, double x, double y, double z, FillFunction fill,
+  TapMemory& memory, FieldSample& sample) noexcept
+{
+  Footprint<N> foot;
+  LocateGaussian<N>(view, x, y, z, foot);
+  return SumRemembered<N>(view, foot, fill, memory, sample);
+}
+
+/** The same for any number of taps, in plain loops. */
+template <typename T>
+FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
+{
+  constexpr int most = GradientKernel::MaximumTaps;
+  const int taps = view.Kernel.Taps;
+  const double position[3] = { x, y, z };
+  alignas(32) double weights[3][2 * most];
+  std::int64_t offset[3][most];
+  for (int a = 0; a < 3; ++a)
+  {
+    const std::int64_t first = LocateGaussian(view, a, position[a], taps, weights[a]);
+    for (int i = 0; i < taps; ++i)
+    {
+      offset[a][i] = ClampedOffset(view.Volume, a, first + i);
+    }
+  }
+  FieldSample sample;
+  for (int k = 0; k < taps; ++k)
+  {
+    double planeValue = 0.0;
+    double planeX = 0.0;
+    double planeY = 0.0;
+    for (int j = 0; j < taps; ++j)
+    {
+      const T* const from = static_cast<const T*>(view.Volume.Data) + offset[2][k] + offset[1][j];
+      double rowValue = 0.0;
+      double rowX = 0.0;
+      for (int i = 0; i < taps; ++i)
+      {
+        const bool counts = weights[0][i] != 0.0 && weights[1][j] != 0.0 && weights[2][k] != 0.0;
+        const double tap = counts ? static_cast<double>(from[offset[0][i]]) : 0.0;
+        rowValue += weights[0][i] * tap;
+        rowX += weights[0][taps + i] * tap;
+      }
+      planeValue += weights[1][j] * rowValue;
+      planeX += weights[1][j] * rowX;
+      planeY += weights[1][taps + j] * rowValue;
+    }
+    sample.Value += weights[2][k] * planeValue;
+    sample.Gradient.X += weights[2][k] * planeX;
+    sample.Gradient.Y += weights[2][k] * planeY;
+    sample.Gradient.Z += weights[2][taps + k] * planeValue;
+  }
+  return sample;
+}
+
+template <int N>
+void SetTapFunctions(FieldFunctions& f)
+{
+  f.TapValue = TapValue<N>;
+  f.SharedTapValues = SharedTapValues<N>;
+  f.TapPair = TapPair<N>;
+}
+
+/** What the estimator does not name stays null. */
+template <typename T>
+FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
+{
+  FieldFunctions f;
+  f.Value = TrilinearValue<T, FieldView>;
+  f.Pair = TrilinearPair<T, FieldView>;
+  f.BlendedValue = TrilinearValue<T, FrameBlend>;
+  f.SharedValues = SharedTrilinearValues<T>;
+  f.BlendedPair = TrilinearPair<T, FrameBlend>;
+  switch (estimator)
+  {
+    case GradientEstimator::CentralDifference:
+      f.Gradient = CentralDifference<T>;
+      f.BlendedGradient = BlendedDifference<T>;
+      return f;
+    case GradientEstimator::CubicBSpline:
+      return { SplineValue<T, FieldView>, SplinePair<T, FieldView>, SplineGradient<T>,
+        SplineValue<T, FrameBlend>, SharedSplineValues<T>, SplinePair<T, FrameBlend>,
+        BlendedSpline<T>, FillTaps<T, 4>, RememberedSpline };
+    case GradientEstimator::Gaussian:
+      break;
+  }
+  switch (taps)
+  {
+    case 4:
+      f.Gradient = GaussianGradient<T, 4>;
+      f.BlendedGradient = BlendedGaussian<T, 4>;
+      f.Fill = FillTaps<T, 4>;
+      f.Remembered = RememberedGaussian<4>;
+      SetTapFunctions<4>(f);
+      return f;
+    case 6:
+      f.Gradient = GaussianGradient<T, 6>;
+      f.BlendedGradient = BlendedGaussian<T, 6>;
+      f.Fill = FillTaps<T, 6>;
+      f.Remembered = RememberedGaussian<6>;
+      SetTapFunctions<6>(f);
+      return f;
+    case 8:
+      f.Gradient = GaussianGradient<T, 8>;
+      f.BlendedGradient = BlendedGaussian<T, 8>;
+      return f;
+    default:
+      f.Gradient = WideGaussianGradient<T>;
+      return f;
+  }
+}
+
+/** The functions of this translation unit's instruction set. */
+FieldFunctions SelectFieldFunctions(const VolumeView& view, GradientEstimator estimator, int taps)
+{
+  return WithSampleType(
+    view.Type, [=](auto sample) { return FunctionsFor<decltype(sample)>(estimator, taps); });
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

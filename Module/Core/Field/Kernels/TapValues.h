@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Trilinear values of two frames, blended, from the samples that the last gradient has left in a
+ * memory: those around a proxy hardly lie farther away than the gradient's taps. As from the
+ * frames, to the bit. NaN where the memory has not got the samples. The rules of FieldKernels.h
+ * hold here too.
+ */
+#ifndef TapValues_h
+#define TapValues_h
+
+#include "Core/Field/Kernels/LinearKernels.h"
+
+#include <limits>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double NoTapValue = std::numeric_limits<double>::quiet_NaN();
+
+/** A cell of a FrameTaps. */
+template <int N>
+struct TapCell
+{
+  static constexpr int Line = FrameTaps::Line<N>;
+
+  const double* Taps;
+  const double* Changes;
+  double Share;
+};
+
+template <int N>
+VOLUME_HAPTICS_INLINE Double4 LoadPlane(const TapCell<N>& cell, int plane)
+{
+  constexpr int line = TapCell<N>::Line;
+  const int at = plane * N * line;
+  return LoadHalves(cell.Taps + at, cell.Taps + at + line) +
+    cell.Share * LoadHalves(cell.Changes + at, cell.Changes + at + line);
+}
+
+/** False if the memory has not got the whole cell. */
+template <int N>
+VOLUME_HAPTICS_INLINE bool FindCell(
+  const FrameTaps& memory, const CellPlace& place, double share, TapCell<N>& cell)
+{
+  // Negative numbers become large ones.
+  const auto i = static_cast<std::uint64_t>(place.X.Cell - memory.First[0]);
+  const auto j = static_cast<std::uint64_t>(place.Y.Cell - memory.First[1]);
+  const auto k = static_cast<std::uint64_t>(place.Z.Cell - memory.First[2]);
+  constexpr std::uint64_t cells = N - 1;
+  if (!(i < cells && j < cells && k < cells))
+  {
+    return false;
+  }
+  const std::uint64_t at = (k * N + j) * TapCell<N>::Line + i;
+  cell = { memory.Taps + at, memory.Changes + at, share };
+  return true;
+}
+
+template <int N>
+double TapValue(const FrameTaps& memory, const FieldView& view, double share, double x, double y,
+  double z) noexcept
+{
+  const CellPlace place = LocateCell(view, x, y, z);
+  TapCell<N> cell;
+  return FindCell<N>(memory, place, share, cell) ? BlendCell(cell, place) : NoTapValue;
+}
+
+template <int N>
+SharePair SharedTapValues(const FrameTaps& memory, const FieldView& view, const SharePair& shares,
+  double x, double y, double z) noexcept
+{
+  const CellPlace place = LocateCell(view, x, y, z);
+  TapCell<N> cell;
+  SharePair pair{ NoTapValue, NoTapValue };
+  if (FindCell<N>(memory, place, shares.First, cell))
+  {
+    pair.First = BlendCell(cell, place);
+    cell.Share = shares.Second;
+    pair.Second = BlendCell(cell, place);
+  }
+  return pair;
+}
+
+template <int N>
+ValuePair TapPair(const FrameTaps& memory, const FieldView& view, double share, double x, double y,
+  double z, double dx, double dy, double dz) noexcept
+{
+  const CellPlace there = LocateCell(view, x + dx, y + dy, z + dz);
+  const CellPlace here = LocateCell(view, x - dx, y - dy, z - dz);
+  TapCell<N> ahead;
+  TapCell<N> behind;
+  return FindCell<N>(memory, there, share, ahead) && FindCell<N>(memory, here, share, behind)
+    ? BlendCells(ahead, there, behind, here)
+    : ValuePair{ NoTapValue, NoTapValue };
+}
+
+} // namespace
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The material law: how the material at a point balances the spring that pulls the proxy.
+ *
+ * With N the normal into the structure, d = x_tip - x_p the lag and F = k d the spring's force:
+ * - the surface takes F.N up to T = T_N W_d (eqs. 12, 13), and nothing outward;
+ * - friction takes the tangential part up to mu times that (eqs. 8 to 10);
+ * - the drag takes up to R of the remainder (eq. 14);
+ * - the rest moves the proxy.
+ *
+ * All solvers share this law. They differ in the points at which they read the material, and how
+ * often.
+ *
+ * Everything is inlined: the law is a small part of a tick, and a tick has to be short.
+ */
+#ifndef MaterialLaw_h
+#define MaterialLaw_h
+
+#include "Core/Law/MaterialPoint.h"
+#include "Core/Math/KernelInline.h"
+#include "Core/Model/HapticModel.h"
+#include "Core/Model/LabelMemory.h"
+
+namespace VolumeHaptics
+{
+
+/** The surface through a position. */
+struct Surface
+{
+  Vector3 Normal; ///< unit, into the structure
+  Vector3 Reach;  ///< x_s - x_p, as index steps
+  double GradientMagnitude = 0.0;
+  double Value = 0.0;         ///< the estimator's own value, whose gradient this is
+  double Fade = 0.0;          ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
+  double DragShare = 1.0;     ///< of the medium's drag that is felt: 0 in a part that is cut away
+  bool IsWall = false;        ///< between labels, with the Value of LabelWall; or the face of a cut
+  double Depth = 0.0;         ///< of a wall: its value, turned as the normal is
+  bool IsOneSided = false;    ///< its normal is that of the structure, wherever the tip is
+  std::uint32_t CutFaces = 0; ///< as CutPlace::Faces: several in a hollow corner
+  bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
+};
+
+/** A lag as the sum of its part along the normal and its tangential part. */
+struct SplitLag
+{
+  double Push;
+  Vector3 Tangent;
+  double Length; ///< of Tangent
+};
+
+/** How surface and friction share the spring's force (N), and the excess that moves the proxy. */
+struct Balance
+{
+  double Normal;        ///< taken by the surface
+  double Friction;      ///< taken by friction
+  double NormalExcess;  ///< left along the normal
+  double TangentExcess; ///< left across it
+  double Pull;          ///< the tangential force
+  double Excess;        ///< of both parts, before the drag
+  double ExcessSquare;
+  bool IsThrough; ///< the normal force is more than the surface takes
+  bool Slides;    ///< the tangential force is more than friction takes
+};
+
+namespace Law
+{
+/** A gradient below this share of the value per voxel is rounding. */
+constexpr double RelativeGradientEpsilon = 1e-12;
+constexpr double SmallestSquare = std::numeric_limits<double>::min();
+/** Distances (m) and forces (N) below these are zero. */
+constexpr double DistanceEpsilon = 1e-15;
+constexpr double ForceEpsilon = 1e-9;
+
+inline double Capped(double value, double cap) noexcept
+{
+  return cap > 0.0 ? std::min(value, cap) : value;
+}
+
+/** No surface: its normal stands in for one. */
+inline Surface MakeNoSurface(const HapticModel& model) noexcept
+{
+  Surface surface;
+  surface.Normal = model.FallbackNormal;
+  surface.Reach = model.FallbackReach;
+  return surface;
+}
+
+/** The direction in which the scalars rise. */
+struct Slope
+{
+  Vector3 Normal;   ///< unit
+  Vector3 Reach;    ///< as Surface::Reach
+  double Magnitude; ///< as MaterialPoint::GradientMagnitude
+};
+
+/** False if there is no gradient. */
+VOLUME_HAPTICS_INLINE bool FindSlope(
+  const HapticModel& model, const FieldSample& sample, Slope& slope) noexcept
+{
+  const double floor = RelativeGradientEpsilon * sample.Value;
+  const Vector3 gradient = model.GradientToDevice * sample.Gradient;
+  const double square = Dot(gradient, gradient);
+  // False for NaN, too: no surface if a sample is not finite.
+  if (!(Dot(sample.Gradient, sample.Gradient) > floor * floor && square > SmallestSquare &&
+        std::isfinite(square)))
+  {
+    return false;
+  }
+  // Root and reciprocal do not wait for each other.
+  slope.Magnitude = std::sqrt(square);
+  const double inverse = (1.0 / square) * slope.Magnitude;
+  slope.Normal = inverse * gradient;
+  slope.Reach = model.FindReach(inverse * (model.GradientToReach * sample.Gradient));
+  return true;
+}
+
+/** The scalars' surface through an index at which they have this gradient. */
+inline Surface MakeFieldSurface(
+  const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
+{
+  Surface surface = MakeNoSurface(model);
+  Slope slope;
+  if (FindSlope(model, sample, slope))
+  {
+    surface.Normal = slope.Normal;
+    surface.Reach = slope.Reach;
+    surface.GradientMagnitude = slope.Magnitude;
+    surface.Value = sample.Value;
+    surface.Fade = model.BorderFade(index);
+  }
+  return surface;
+}
+
+/** The scalars' surface through an index, with an ascending normal. */
+inline Surface FindFieldSurface(
+  const HapticModel& model, const FieldAtTime& field, const Vector3& index) noexcept
+{
+  return field.IsInside(index) ? MakeFieldSurface(model, index, field.Gradient(index))
+                               : MakeNoSurface(model);
+}
+
+/** Where surfaces depend on more than the scalars: FieldSurface.cxx. */
+Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept;
+
+/** The surface through an index, with an ascending normal. */
+inline Surface FindSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  LabelMemory& memory) noexcept
+{
+  return model.Baked->HasOtherSurfaces ? FindOtherSurface(model, field, index, memory)
+                                       : FindFieldSurface(model, field, index);
+}
+
+/** The voxels along the normal over which a drag may hold a proxy, however soft the material is. */
+constexpr double DragVoxels = 3.0;
+
+/**
+ * Limits the drag R: it holds the proxy no farther from the tip than it would by the coupling
+ * stiffness, or than three voxels along the normal if they are longer.
+ *
+ * A k near 0 with an R above 0 is a mistake of the functions, or noise on a ramp of k: without the
+ * limit, the proxy would stay R/k behind, where the hand goes through a surface unfelt. PAPER keeps
+ * the drag as published.
+ *
+ * @param slack m, the part of the distance over which the spring (PassiveSpring.h) does not pull
+ */
+inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& point) noexcept
+{
+  const double k = point.Stiffness;
+  const double drag = point.Viscosity;
+  // With the smallest spacing: few materials need the root below.
+  if (!(drag > k * (DragVoxels / model.MostVoxelsPerMeter - slack)))
+  {
+    return;
+  }
+  // Without a gradient, the normal only stands in for one.
+  const double voxelsPerMeter = point.GradientMagnitude > 0.0
+    ? Norm(model.DeviceToIndex.Linear * point.Normal)
+    : model.MostVoxelsPerMeter;
+  double longest = DragVoxels / voxelsPerMeter;
+  const double coupling = Capped(model.Baked->Settings.CouplingStiffness, model.Caps.Stiffness);
+  if (coupling > 0.0)
+  {
+    if (slack == 0.0 && k >= coupling)
+    {
+      return; // R/k is not longer, whatever rounding says
+    }
+    longest = std::max(longest, drag / coupling);
+  }
+  point.Viscosity = std::clamp(k * (longest - slack), 0.0, drag);
+}
+
+/** Of the wall in front of a forbidden label: N, and N/m at least. */
+constexpr double ForbiddenStrength = 1e6;
+constexpr double ForbiddenStiffness = 500.0;
+
+/** The depth (as LabelWall::Value) down to which a wall holds with all of its strength, and 0. */
+constexpr double WallHolds = 0.5;
+constexpr double WallEnds = 0.9;
+/** A wall begins to hold this little before it, so that a proxy comes to rest in front of it. */
+constexpr double WallBegins = 5e-3;
+
+/** The distinctness of a wall: 1 on it and just behind it, 0 before it and farther behind. */
+inline double DistinctnessOfWall(double depth) noexcept
+{
+  const double before = 1.0 + depth / WallBegins;
+  const double behind = (WallEnds - depth) / (WallEnds - WallHolds);
+  return std::clamp(std::min(before, behind), 0.0, 1.0);
+}
+
+/** W_d, and the visibility of the gradient. */
+inline DistinctnessTable::Values FindDistinctness(
+  const HapticModel& model, const Surface& surface) noexcept
+{
+  return surface.IsWall ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
+                        : model.Baked->Distinctness(surface.GradientMagnitude);
+}
+
+/** Whether, by the settings, the structure lies against the gradient. */
+inline bool IsDescending(
+  const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
+{
+  const SurfaceSide side = model.Baked->Settings.Side;
+  return side == SurfaceSide::Lower || (side == SurfaceSide::Both && Dot(lag, normal) < 0.0);
+}
+
+/**
+ * In a hollow corner between faces of a cut, the normal is that of the faces' joint force: that of
+ * the push against all of them. FieldSurface.cxx.
+ */
+void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
+
+/** Turns a surface towards its structure. True if that is against the gradient. */
+inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
+{
+  if (surface.IsOneSided)
+  {
+    if ((surface.CutFaces & (surface.CutFaces - 1)) != 0)
+    {
+      TurnIntoCorner(model, lag, surface);
+    }
+    return false;
+  }
+  const bool isDescending = IsDescending(model, lag, surface.Normal);
+  if (isDescending)
+  {
+    surface.Normal = -surface.Normal;
+    surface.Reach = -surface.Reach;
+    surface.Depth = -surface.Depth;
+  }
+  return isDescending;
+}
+
+inline SplitLag Split(const Vector3& lag, const Vector3& normal) noexcept
+{
+  const double push = Dot(lag, normal);
+  const Vector3 tangent = lag - push * normal;
+  return { push, tangent, Norm(tangent) };
+}
+
+/** The material of a surface with these values and materials inside and outside (eq. 13). */
+inline void JoinMaterials(const HapticModel& model, const ValuePair& values,
+  const MaterialTable::Values& inside, const MaterialTable::Values& outside,
+  const DistinctnessTable::Values& distinct, double fade, double dragShare,
+  MaterialPoint& point) noexcept
+{
+  point.SurfaceValue = values.Ahead;
+  point.MediumValue = values.Behind;
+  point.Stiffness = Capped(inside[0], model.Caps.Stiffness);
+  point.Friction = inside[1];
+  point.SurfaceStrength = inside[2] * (distinct[0] * fade) * (inside[4] * distinct[1]);
+  point.Viscosity = outside[3] * (outside[4] * distinct[1]) * dragShare;
+}
+
+/**
+ * The material of the surface through an index, with these values inside and outside, and with the
+ * labels at x_s and x_v (eq. 13, section 3.3).
+ */
+inline void SetMaterials(const HapticModel& model, const Vector3& index, const Surface& surface,
+  const DistinctnessTable::Values& distinct, const ValuePair& values, LabelMemory& memory,
+  MaterialPoint& point) noexcept
+{
+  MaterialTable::Values inside = model.Baked->Materials(values.Ahead);
+  MaterialTable::Values outside = model.Baked->Materials(values.Behind);
+  if (const BakedLabels* const labels = model.Baked->Labels.get())
+  {
+    const std::uint64_t number = model.Baked->Number;
+    labels->Mix(model.IndexToLabel(index + surface.Reach), number, memory.Ahead, inside);
+    labels->Mix(model.IndexToLabel(index - surface.Reach), number, memory.Behind, outside);
+  }
+  point.Normal = surface.Normal;
+  point.GradientMagnitude = surface.GradientMagnitude;
+  JoinMaterials(model, values, inside, outside, distinct, surface.Fade, surface.DragShare, point);
+  if (surface.IsForbidden)
+  {
+    point.Stiffness = Capped(std::max(inside[0], ForbiddenStiffness), model.Caps.Stiffness);
+    point.SurfaceStrength = ForbiddenStrength * surface.Fade;
+  }
+}
+
+/** The material at an index: read at x_s and x_v (section 3.3), by value and by label. */
+inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
+  const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
+{
+  // Before the values: their sampling hides the lookup's latency.
+  const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
+  SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
+}
+
+/** The material at the isovalue, for methods that touch an isosurface. False if it is not felt. */
+inline bool ReadIsoMaterial(const HapticModel& model, MaterialPoint& point) noexcept
+{
+  const double iso = model.Baked->Settings.IsoValue;
+  const MaterialTable::Values material = model.Baked->Materials(iso);
+  point = MaterialPoint{};
+  point.Normal = model.FallbackNormal;
+  point.SurfaceValue = point.MediumValue = iso;
+  point.Stiffness = Capped(material[0], model.Caps.Stiffness);
+  point.Friction = material[1];
+  return point.Stiffness > HapticModel::MinimumStiffness && material[4] > 0.0;
+}
+
+/** Whether the material is felt at all; if not, the proxy moves with the tip. */
+inline bool IsFelt(const MaterialPoint& point) noexcept
+{
+  return point.Stiffness > HapticModel::MinimumStiffness;
+}
+
+/**
+ * The forces that surface and friction hold against a spring of stiffness k (N/m), and the excess,
+ * by which Move displaces the proxy: eqs. 8 to 12.
+ */
+inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) noexcept
+{
+  Balance b;
+  // Eqs. 11 and 12. Outward motion is free.
+  const double threshold = lag.Push > 0.0 ? point.SurfaceStrength : 0.0;
+  const double pushForce = k * std::abs(lag.Push);
+  b.IsThrough = pushForce > threshold;
+  b.Normal = b.IsThrough ? threshold : pushForce;
+  b.NormalExcess = pushForce - b.Normal;
+  // Eqs. 8 to 10.
+  b.Pull = k * lag.Length;
+  const double grip = point.Friction * b.Normal;
+  b.Slides = lag.Length > DistanceEpsilon && b.Pull > grip;
+  b.Friction = b.Slides ? grip : b.Pull;
+  b.TangentExcess = b.Pull - b.Friction;
+  b.ExcessSquare = b.NormalExcess * b.NormalExcess + b.TangentExcess * b.TangentExcess;
+  b.Excess = std::sqrt(b.ExcessSquare);
+  return b;
+}
+
+/** Where a motion (m) of the proxy meets a solid face of the cut, which is there. */
+Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
+
+/** Where a motion (m) of the proxy ends: at a solid face of a cut, if it meets one. */
+inline Vector3 StopAtCut(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept
+{
+  return model.Baked->Cut ? StopAtFaces(model, from, to) : to;
+}
+
+/** Eq. 14: the proxy after the motion that the drag leaves of the excess. */
+inline Vector3 Move(const MaterialPoint& point, double k, const SplitLag& lag, const Balance& b,
+  const Vector3& start) noexcept
+{
+  const double drag = point.Viscosity;
+  Vector3 proxy = start;
+  if (drag < b.Excess)
+  {
+    const double share = 1.0 - drag / b.ExcessSquare * b.Excess;
+    proxy += (share * (std::copysign(b.NormalExcess, lag.Push) / k)) * point.Normal;
+    if (b.Slides)
+    {
+      proxy += (share * (b.TangentExcess / b.Pull)) * lag.Tangent;
+    }
+  }
+  return proxy;
+}
+} // namespace Law
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * One object for each process, for data that its threads share under a mutex.
+ *
+ * A forked child has copies of its parent's objects; the copy of a mutex may be locked by a thread
+ * that does not exist in the child. So the child gets a fresh object, and the copy stays untouched.
+ */
+#ifndef PerProcess_h
+#define PerProcess_h
+
+#include "Core/Realtime/ServoClock.h"
+
+#include <atomic>
+#include <memory>
+
+namespace VolumeHaptics
+{
+
+template <typename T>
+class PerProcess
+{
+public:
+  constexpr PerProcess() = default;
+  PerProcess(const PerProcess&) = delete;
+  PerProcess& operator=(const PerProcess&) = delete;
+
+  /**
+   * Made by the first call, which may throw std::bad_alloc, and never destroyed: threads and
+   * signals may use it while the process ends. From any thread.
+   */
+  T& Get()
+  {
+    const std::int64_t process = ServoClock::GetProcess();
+    Item* item = this->Current.load();
+    while (!item || item->Process != process)
+    {
+      auto fresh = std::make_unique<Item>();
+      fresh->Process = process;
+      if (this->Current.compare_exchange_strong(item, fresh.get()))
+      {
+        item = fresh.release();
+      }
+    }
+    return item->Value;
+  }
+
+private:
+  struct Item
+  {
+    std::int64_t Process = 0;
+    T Value;
+  };
+
+  std::atomic<Item*> Current{ nullptr };
+};
+
+} // namespace VolumeHaptics
+
+#endif

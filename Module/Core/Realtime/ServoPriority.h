@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Asks the system to run the servo on time, with what the user may have.
+ *
+ *   ServoPriority priority;
+ *   priority.Raise();          // on the servo's thread, before its first tick
+ *   priority.AskRealtimeKit(); // meanwhile on another thread: it may take seconds
+ *
+ * 1. The kernel: a real-time class (SCHED_FIFO), if a privilege or the limit RLIMIT_RTPRIO allows
+ *    it.
+ * 2. RealtimeKit, if the kernel refuses: see RealtimeKit.h.
+ * 3. In any case what needs no privilege: wake-ups that are not put off to save energy, and short
+ *    slices of time. With these, on Linux 6.12 and later, a thread that needs less than its share
+ *    of a processor runs as soon as it wakes up. Otherwise it may have to wait until the slice of a
+ *    busy thread ends, which takes milliseconds.
+ *
+ * Documentation/devices.md has measurements.
+ */
+#ifndef ServoPriority_h
+#define ServoPriority_h
+
+#include "Core/Realtime/RealtimeKit.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** Whether the servo's thread has a real-time class. */
+enum class RealTimeGrant : std::uint8_t
+{
+  Unknown,     ///< it was not asked for yet
+  Asked,       ///< the kernel has refused; RealtimeKit has not answered
+  Kernel,      ///< granted by the kernel
+  RealtimeKit, ///< granted by RealtimeKit
+  NoService,   ///< refused by the kernel, and there is no RealtimeKit
+  Refused      ///< refused by the kernel and by RealtimeKit
+};
+
+class ServoPriority
+{
+public:
+  /**
+   * For the calling thread: asks the kernel for a real-time class below its own interrupt threads,
+   * and if that is refused, for what needs no privilege. Returns whether the class was granted.
+   */
+  static bool RaiseThread() noexcept;
+
+  /** On the servo's thread: RaiseThread, and the answer is kept. */
+  void Raise() noexcept;
+  /**
+   * On another thread: waits for Raise; if the kernel has refused, asks RealtimeKit. Returns with
+   * its answer, or soon after RequestStop.
+   */
+  void AskRealtimeKit() noexcept;
+  void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
+
+  RealTimeGrant GetGrant() const noexcept { return this->Grant.load(std::memory_order_acquire); }
+
+private:
+  /** Read by the thread that makes this object. */
+  const RealtimeKit::Wish Environment = RealtimeKit::ReadEnvironment();
+  std::atomic<RealTimeGrant> Grant{ RealTimeGrant::Unknown };
+  std::atomic<std::int64_t> Thread{ 0 }; ///< the kernel's number of the servo's thread
+  std::atomic<bool> StopRequested{ false };
+};
+
+} // namespace VolumeHaptics
+
+#endif

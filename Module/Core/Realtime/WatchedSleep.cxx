@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Realtime/WatchedSleep.h"
+
+#include "Core/Realtime/ServoClock.h"
+#include "Core/Realtime/ServoPriority.h"
+
+#if defined(__linux__)
+#include <algorithm>
+#include <cerrno>
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+#endif
+
+namespace VolumeHaptics
+{
+
+#if defined(__linux__)
+
+namespace
+{
+
+/** The watcher's longest patience (ns). */
+constexpr std::int64_t MostPatience = 300000;
+/**
+ * The watcher's shortest and longest pause between two looks (ns), so that it takes little of its
+ * processor, and soon sees a request to stop.
+ */
+constexpr std::int64_t LeastPause = 250000;
+constexpr std::int64_t MostPause = 5000000;
+
+#if defined(SYS_futex_time64)
+constexpr long FutexCall = sizeof(time_t) > sizeof(long) ? SYS_futex_time64 : SYS_futex;
+#else
+constexpr long FutexCall = SYS_futex;
+#endif
+
+/** Where a thread may run; 0 is the calling one. False if the kernel does not tell. */
+bool GetProcessors(std::int64_t thread, cpu_set_t& processors) noexcept
+{
+  return sched_getaffinity(static_cast<pid_t>(thread), sizeof(processors), &processors) == 0;
+}
+
+bool SetProcessors(std::int64_t thread, const cpu_set_t& processors) noexcept
+{
+  return sched_setaffinity(static_cast<pid_t>(thread), sizeof(processors), &processors) == 0;
+}
+
+bool Contains(const cpu_set_t& processors, int processor) noexcept
+{
+  return processor >= 0 && processor < CPU_SETSIZE && CPU_ISSET(processor, &processors);
+}
+
+} // namespace
+
+WatchedSleep::WatchedSleep(std::int64_t period) noexcept
+  : Patience(std::min(MostPatience, period / 2))
+{
+}
+
+void WatchedSleep::SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept
+{
+  constexpr std::int64_t second = 1000000000;
+  timespec end{};
+  end.tv_sec = static_cast<time_t>(alarm / second);
+  end.tv_nsec = static_cast<long>(alarm % second);
+  if (this->Sleeper.load(std::memory_order_relaxed) == 0)
+  {
+    this->Sleeper.store(syscall(SYS_gettid), std::memory_order_relaxed);
+  }
+  this->Processor.store(sched_getcpu(), std::memory_order_relaxed);
+  std::uint32_t wakes = this->Wakes.load(std::memory_order_acquire);
+  this->Planned.store(planned, std::memory_order_release);
+  // A signal, or a watcher that is late itself, may wake the thread up too early.
+  while (ServoClock::Now() < planned)
+  {
+    if (syscall(FutexCall, &this->Wakes, FUTEX_WAIT_BITSET_PRIVATE, wakes, &end, nullptr,
+          FUTEX_BITSET_MATCH_ANY) != 0 &&
+      errno != EAGAIN && errno != EINTR && errno != ETIMEDOUT)
+    {
+      ServoClock::SleepUntil(alarm);
+    }
+    wakes = this->Wakes.load(std::memory_order_acquire);
+  }
+  this->Planned.store(0, std::memory_order_release);
+  Binding bound = Binding::Bound;
+  if (this->State.load(std::memory_order_relaxed) == bound &&
+    this->State.compare_exchange_strong(bound, Binding::Ending, std::memory_order_acquire))
+  {
+    this->GiveBack(); // if that fails, the watcher does it
+    this->State.store(Binding::None, std::memory_order_release);
+  }
+}
+
+void WatchedSleep::Watch() noexcept
+{
+  ServoPriority::RaiseThread();
+  cpu_set_t own;
+  if (!GetProcessors(0, own))
+  {
+    return; // there are too many
+  }
+  std::int64_t counted = 0;
+  while (!this->StopRequested.load(std::memory_order_acquire))
+  {
+    this->EndBinding();
+    const bool isApart = this->StandApart();
+    const std::int64_t planned = this->Planned.load(std::memory_order_acquire);
+    if (isApart && planned != 0 && ServoClock::Now() >= planned + this->Patience &&
+      this->WakeHere(planned) && planned != counted)
+    {
+      this->Rescues.fetch_add(1);
+      counted = planned;
+    }
+    const std::int64_t now = ServoClock::Now();
+    const std::int64_t next = this->Planned.load(std::memory_order_relaxed) + this->Patience;
+    ServoClock::SleepUntil(
+      isApart ? std::clamp(next, now + LeastPause, now + MostPause) : now + MostPause);
+  }
+  this->EndBinding();
+}
+
+/**
+ * Moves the watcher to a processor other than the sleeper's, on which the sleeper may run. False if
+ * there is none.
+ */
+bool WatchedSleep::StandApart() noexcept
+{
+  cpu_set_t allowed;
+  const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
+  if (sleeper == 0 || !GetProcessors(sleeper, allowed))
+  {
+    return false;
+  }
+  const int processor = this->Processor.load(std::memory_order_relaxed);
+  if (this->Left == processor && Contains(allowed, sched_getcpu()))
+  {
+    return true;
+  }
+  if (Contains(allowed, processor))
+  {
+    CPU_CLR(processor, &allowed);
+  }
+  const bool isApart = CPU_COUNT(&allowed) > 0 && SetProcessors(0, allowed);
+  this->Left = isApart ? processor : -1;
+  return isApart;
+}
+
+/** Wakes the sleeper up on the watcher's processor, if it may run there. */
+bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
+{
+  const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
+  const int here = sched_getcpu();
+  if (this->IsOwing || this->State.load(std::memory_order_acquire) != Binding::None ||
+    !GetProcessors(sleeper, this->Allowed) || !Contains(this->Allowed, here))
+  {
+    return false;
+  }
+  CPU_ZERO(&this->Here);
+  CPU_SET(here, &this->Here);
+  if (this->Planned.load(std::memory_order_acquire) != planned)
+  {
+    return false; // it has woken up meanwhile
+  }
+  this->State.store(Binding::Bound, std::memory_order_release);
+  const bool isBound = SetProcessors(sleeper, this->Here);
+  if (isBound)
+  {
+    this->Wakes.fetch_add(1, std::memory_order_release);
+    syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
+  }
+  // Even if State is None again: the sleeper may have looked before the binding took effect.
+  this->IsOwing = true;
+  this->EndBinding();
+  return isBound;
+}
+
+/** By the watcher, until it succeeds. */
+void WatchedSleep::EndBinding() noexcept
+{
+  if (this->IsOwing && this->GiveBack())
+  {
+    this->IsOwing = false;
+    Binding bound = Binding::Bound;
+    this->State.compare_exchange_strong(bound, Binding::None, std::memory_order_acq_rel);
+  }
+}
+
+/**
+ * Both threads may do this at the same time, with the same effect. True if the sleeper is no longer
+ * bound.
+ */
+bool WatchedSleep::GiveBack() const noexcept
+{
+  const std::int64_t sleeper = this->Sleeper.load(std::memory_order_relaxed);
+  cpu_set_t now;
+  if (!GetProcessors(sleeper, now))
+  {
+    return errno == ESRCH; // its thread has ended
+  }
+  return !CPU_EQUAL(&now, &this->Here) || SetProcessors(sleeper, this->Allowed);
+}
+
+#else
+
+WatchedSleep::WatchedSleep(std::int64_t) noexcept {}
+
+void WatchedSleep::SleepUntil(std::int64_t, std::int64_t alarm) noexcept
+{
+  ServoClock::SleepUntil(alarm);
+}
+
+void WatchedSleep::Watch() noexcept {}
+
+#endif
+
+} // namespace VolumeHaptics

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Safety/SafetyStage.h"
+
+#include "Core/Safety/DeviceBackend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A force without samples goes to zero within this time (s). */
+constexpr double RetreatTime = 0.02;
+
+/**
+ * The energy (J) that the spring of an input gives back while it relaxes, if at most `most` (N) of
+ * its pull is felt. The pull follows from the stretch: the force may be clamped already. Negative
+ * if the stiffness is not known.
+ */
+double FindRecoverable(const SafetyInput& input, double most) noexcept
+{
+  const double k = input.Stiffness;
+  const double pull = std::max(Norm(input.Force), k * input.Stretch);
+  return k > 0.0 ? 0.5 * most * (2.0 * pull - most) / k : -1.0;
+}
+
+} // namespace
+
+void SafetyStage::Reset() noexcept
+{
+  this->HasTip = false;
+  this->Growth.Reset();
+  this->Observer.Reset();
+  this->Energy.Reset();
+  this->Damper.Reset();
+}
+
+bool SafetyStage::IsForceLeft() const noexcept
+{
+  const Vector3& last = this->Growth.GetForce();
+  return Dot(last, last) > 0.0;
+}
+
+GrowthInput SafetyStage::FindGrowth(
+  const SafetyInput& input, const SafetyLimits& limits) const noexcept
+{
+  const Vector3 clamped = ClampNorm(input.Force, limits.MaximumForce);
+  const double norm = Norm(input.Force);
+  GrowthInput growth;
+  growth.Wanted = clamped;
+  growth.Drag = norm > 0.0 ? Norm(clamped) / norm * input.Drag : Vector3{};
+  growth.Tip = input.Tip;
+  growth.IsMeasured = input.Fresh;
+  growth.Recoverable = FindRecoverable(input, Norm(clamped));
+  return growth;
+}
+
+Vector3 SafetyStage::Retreat(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
+{
+  // A force without fresh samples must end in time, even if forces may only grow slowly.
+  const double rate = std::max(limits.MaximumForceRate, limits.MaximumForce / RetreatTime);
+  Vector3 last = ClampNorm(this->Growth.GetForce(), limits.MaximumForce);
+  const double most = std::max(0.0, Norm(last) - rate * input.Period);
+  if (input.Fresh || input.Alive)
+  {
+    // The position of the hand is known again: it gets no push that is not wanted there.
+    GrowthInput growth = this->FindGrowth(input, limits);
+    growth.Share = gate.GetOpening();
+    last = this->Growth.Apply(growth);
+  }
+  const Vector3 next = ClampNorm(last, most);
+  this->Growth.Lower(next);
+  gate.NoteRetreat(this->Stale, this->IsForceLeft());
+  return next;
+}
+
+double SafetyStage::MeasureSpeed(const SafetyInput& input) noexcept
+{
+  // After a late wake-up the next one comes early, but the device has moved for a whole period.
+  const double measured = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
+  const double time = std::max(measured, input.Period);
+  const double speed = this->HasTip && time > 0.0 ? Norm(input.Tip - this->LastTip) / time : 0.0;
+  this->LastTip = input.Tip;
+  this->HasTip = true;
+  return speed;
+}
+
+bool SafetyStage::FollowSamples(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
+{
+  this->SampleAge += input.Elapsed;
+  this->Silence += input.Elapsed;
+  const bool finite = IsFinite(input.Force) && IsFinite(input.Torque) && IsFinite(input.Tip);
+  double speed = 0.0;
+  bool isActive = false;
+  bool givesEnergy = false;
+  this->Stale = this->Silence > limits.WatchdogTime;
+  // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
+  const bool gap = this->Stale;
+  if (input.Fresh && finite)
+  {
+    speed = this->MeasureSpeed(input);
+    const double time = input.MotionTime > 0.0 ? input.MotionTime : this->SampleAge;
+    isActive = this->Observer.Observe(input.Tip, time);
+    givesEnergy = this->Energy.Observe(input.Tip, time);
+    this->Damper.Observe(input.Tip, time);
+    this->SampleAge = 0.0;
+  }
+  if ((input.Fresh || input.Alive) && finite)
+  {
+    this->Silence = 0.0;
+    this->Stale = false;
+  }
+  if (input.Lost)
+  {
+    gate.NoteFault(GateReason::DeviceLost);
+  }
+  else if (!finite)
+  {
+    gate.NoteFault(GateReason::NotFinite);
+  }
+  else if (limits.MaximumSpeed > 0.0 && speed > limits.MaximumSpeed)
+  {
+    gate.NoteFault(GateReason::OverSpeed);
+  }
+  else if (limits.MovesTip && isActive)
+  {
+    gate.NoteFault(GateReason::Active);
+  }
+  else if (limits.MovesTip && givesEnergy)
+  {
+    this->Damper.IsEngaged() ? gate.NoteUnstable() : this->Damper.Engage();
+  }
+  return gap;
+}
+
+Vector3 SafetyStage::FindCommand(
+  const SafetyInput& input, const SafetyLimits& limits, bool gap, ForceGate& gate) noexcept
+{
+  if (!gate.IsOpen())
+  {
+    this->Growth.Reset();
+    gate.Cut();
+    return {};
+  }
+  if (input.Elapsed > limits.WatchdogTime)
+  {
+    // The loop itself stood still, and the device may have ended the force by itself.
+    this->Growth.Lower({});
+  }
+  if (gap)
+  {
+    gate.NoteGap(this->Stale, this->IsForceLeft());
+  }
+  if (gate.IsRetreating())
+  {
+    return this->Retreat(input, limits, gate);
+  }
+  GrowthInput growth = this->FindGrowth(input, limits);
+  growth.Share = gate.Pass(limits.RampTime > 0.0 ? input.Period / limits.RampTime : 1.0);
+  growth.Growth = limits.MaximumForceRate * input.Period;
+  return this->Damp(this->Growth.Apply(growth), input, limits, gate);
+}
+
+Vector3 SafetyStage::Damp(const Vector3& wall, const SafetyInput& input, const SafetyLimits& limits,
+  const ForceGate& gate) noexcept
+{
+  if (input.IsNew || gate.GetShare() != this->LastShare || gate.IsUnconfirmed())
+  {
+    this->Energy.Excuse();
+  }
+  this->LastShare = gate.GetShare();
+  const double whole = Norm(input.Force);
+  const double felt = whole > 0.0 ? std::min(1.0, Norm(wall) / whole) : 0.0;
+  this->Energy.NoteSent(wall, felt * input.WallWork);
+  const double share = std::min(1.0, StatedRoundTrip / std::max(input.Period, input.RoundTrip));
+  const double before = Norm(this->LastCommand);
+  const double most =
+    std::min(limits.MaximumForce, before + limits.MaximumForceRate * input.Period);
+  return this->Damper.Apply(wall, most, share * limits.MaximumDamping, input.Period);
+}
+
+Vector3 SafetyStage::Apply(
+  const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept
+{
+  const bool gap = this->FollowSamples(input, limits, gate);
+  const Vector3 command = this->FindCommand(input, limits, gap, gate);
+  this->LastCommand = command;
+  gate.NoteCommand(Dot(command, command) > 0.0);
+  this->Observer.NoteSent(command);
+  return command;
+}
+
+void SaturateTogether(double* commands, int count, double limit) noexcept
+{
+  double largest = 0.0;
+  bool sound = limit >= 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, std::abs(commands[i]));
+    sound = sound && std::isfinite(commands[i]);
+  }
+  if (!sound)
+  {
+    std::fill(commands, commands + count, 0.0);
+  }
+  else if (largest > limit)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      commands[i] *= limit / largest;
+    }
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Finds out whether a device pushes the hand along the force that it is given, or against it.
+ *
+ * A device whose motor is wired the other way round turns every spring into one that drives the
+ * hand away, and nothing that is computed shows it. So before such a device is trusted, it gives
+ * the hand a few small pushes along each of its axes, and the motion has to follow them.
+ *
+ *   check.Begin(axes, most);
+ *   every tick:  force = check.Step(tip, isFresh, elapsed);  until  check.GetVerdict() is one
+ *
+ * A trial
+ * -------
+ *
+ * 1. Rest. The check waits until the tip moves slowly and so evenly that a line through its last
+ *    places foretells the next ones: that line is where the hand would be without a push
+ *    (DriftLine.h).
+ * 2. Push. A force along one axis rises to a level and stays there for a moment. It ends as soon as
+ *    the tip is StopDistance away from the line. The distance at its end, if it is clear of the
+ *    hand's own restlessness, is a vote: *with* the force, or *against* it.
+ * 3. Return. The same force with the opposite sign, played backwards in time, until the tip turns
+ *    back. A free mass is then at rest again, whichever sign the device has: at no hand does motion
+ *    build up.
+ *
+ * A passive hand that begins at rest first moves with the force, whether it is a mass, a damper or
+ * a spring, so that the vote tells the sign of the device. It says nothing that a constant force
+ * could fake (gravity, a spring that is bent already), as it is taken from the line.
+ *
+ * The verdict
+ * -----------
+ *
+ * Trials go round the axes. On each axis the directions follow + - - + - + + - ..., which no steady
+ * drift, and no swing of a hand, follows. The level begins low, for a hand that gives way at once,
+ * and rises with each trial of that axis without a clear vote, up to a tenth of the device's
+ * force. An axis is right, or wrong, as soon as at least two votes in each direction say so, and
+ * three times as many as say the opposite, and four more. The first wrong axis ends the check.
+ */
+#ifndef SignCheck_h
+#define SignCheck_h
+
+#include "Core/Safety/DriftLine.h"
+
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+enum class SignResult : std::uint8_t
+{
+  Pending,   ///< not begun, or under way
+  Confirmed, ///< the tip moves with the force along every axis
+  Wrong,     ///< it moves against the force along an axis
+  NoMotion,  ///< it does not move along an axis: it is held too firmly, or at a stop
+  Restless   ///< it moves by itself, or now with the force, now against it
+};
+
+struct SignVerdict
+{
+  SignResult Result = SignResult::Pending;
+  int Axis = 0; ///< 0 to 2: the one that Wrong, NoMotion and Restless are about
+};
+
+class SignCheck
+{
+public:
+  /** Distance (m) at which a push ends. */
+  static constexpr double StopDistance = 0.8e-3;
+  /** The share of the device's force that no push exceeds, and the most newtons. */
+  static constexpr double MostShare = 0.1;
+  static constexpr double MostForce = 4.0;
+
+  /**
+   * From the beginning. Bit i of `axes` is set if the device can push along axis i; `force` (N) is
+   * the largest force of the device.
+   */
+  void Begin(unsigned axes, double force) noexcept;
+  /**
+   * The force to send in this tick (N), in which the tip (m) was measured if it is fresh, `elapsed`
+   * (s) after the last one. Zero once there is a verdict.
+   */
+  Vector3 Step(const Vector3& tip, bool isFresh, double elapsed) noexcept;
+  /** Something else held the force back, or the tip leapt: the trial that is under way is void. */
+  void Interrupt() noexcept;
+
+  const SignVerdict& GetVerdict() const noexcept { return this->Verdict; }
+  /** The axis of the trial that is under way. */
+  int GetAxis() const noexcept { return this->Axis; }
+
+private:
+  enum class Phase : std::uint8_t
+  {
+    Rest,
+    Push,
+    Return
+  };
+  struct Votes
+  {
+    int With[2] = {};
+    int Against[2] = {}; ///< each by the direction of the push
+    int Unclear = 0;     ///< trials at the highest level without a clear vote
+    int Trials = 0;
+    int Level = 0;
+    bool IsDone = false;
+  };
+
+  double GetDirection() const noexcept;
+  double GetForce(double time) const noexcept;
+  void BeginRest() noexcept;
+  void Rest() noexcept;
+  void Push(double distance) noexcept;
+  void Return(double distance) noexcept;
+  void Count(double distance) noexcept;
+  void Judge() noexcept;
+  void Finish(SignResult result) noexcept;
+
+  SignVerdict Verdict;
+  unsigned Axes = 0;
+  double Most = 0.0; ///< N, of a push
+  Votes Tally[3];
+  int Axis = 0;
+  Phase Now = Phase::Rest;
+  double Time = 0.0;           ///< s since Begin
+  double Start = 0.0;          ///< s, of the phase
+  double Duration = 0.0;       ///< s, of the push
+  double Clear = 0.0;          ///< m: a smaller distance is no vote
+  double Farthest = 0.0;       ///< m, of the trial, with the sign of the motion
+  bool MustPushHarder = false; ///< the next time along this axis
+  DriftLine Drift;
+};
+
+} // namespace VolumeHaptics
+
+#endif

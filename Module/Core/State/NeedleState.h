@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The state of a needle from tick to tick: see Core/Tools/Needle/NeedleTool.h.
+ */
+#ifndef NeedleState_h
+#define NeedleState_h
+
+#include "Core/Field/LabelView.h"
+#include "Core/Math/Vector3.h"
+
+#include <array>
+#include <cstdint>
+
+namespace VolumeHaptics
+{
+
+/** A stretch of the track of the same tissue. It ends where the next one begins. */
+struct NeedleStretch
+{
+  float Begin = 0.0F; ///< m, from the entry along the needle
+  float Shaft = 0.0F; ///< tau, N per metre
+  std::int64_t Label = NoLabel;
+};
+
+/**
+ * The tissue along the inserted shaft, from entry to tip. Its size is fixed: if more tissues
+ * follow one another, the two neighbours that differ least become one with the same friction.
+ */
+class NeedleTrack
+{
+public:
+  static constexpr int Most = 32;
+
+  int GetSize() const noexcept { return this->Size; }
+  const NeedleStretch& operator[](int i) const noexcept
+  {
+    return this->Stretches[static_cast<std::size_t>(i)];
+  }
+  NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
+
+  /** The tissue from this depth (m) on, deeper than all before; ignored if it goes on. */
+  void Append(double depth, double shaft, std::int64_t label) noexcept;
+  /** The integral (N) of the friction from the entry to a depth in the last stretch. */
+  double Sum(double depth) const noexcept;
+  /** Of the last stretch. */
+  const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
+  /** Of a file: whether depths ascend and friction is possible. */
+  bool IsPossible() const noexcept;
+  void SetSize(int size) noexcept { this->Size = size < 0 ? 0 : (size > Most ? Most : size); }
+
+private:
+  void MergeTwo(double end) noexcept;
+
+  std::array<NeedleStretch, Most> Stretches{};
+  int Size = 0;
+};
+
+/** The state that a tick passes to the next one. Device space: metres, newtons. */
+struct NeedleState
+{
+  bool IsInserted = false;
+  bool IsOutside = false;   ///< a free needle has been where nothing resists, and may be inserted
+  Vector3 Axis;             ///< unit, from the handle to the tip; frozen if nothing measures it
+  Vector3 Normal;           ///< unit, into the tissue, at the entry; 0 if there was no surface
+  Vector3 Entry;            ///< where the insertion began
+  double Depth = 0.0;       ///< m, of the tip along the way that it was pushed
+  double Deepest = 0.0;     ///< m
+  double Stiffness = 0.0;   ///< N/m, of the spring, from the puncture to the end of the insertion
+  double Puncture = 0.0;    ///< N; more than 0: a boundary in front of the tip holds with it
+  double PuncturedAt = 0.0; ///< m; the depth of the last puncture
+  std::int64_t PuncturedLabel = NoLabel; ///< and what was punctured
+  Vector3 Motion;      ///< m, of the hand while the needle is free; older motions count less
+  double Pushed = 0.0; ///< m, that the free needle was pushed through a surface that still holds
+  std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
+  bool IsTouching = false;   ///< one stops it
+  NeedleTrack Track;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Tools/Needle/NeedleTool.h"
+
+#include "Core/Law/MaterialLaw.h"
+#include "Core/Tools/Needle/NeedleTissue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** In a tick; one that needs more ends at the force of the tissue it has come to. */
+constexpr int MostNeedleSteps = 64;
+/** In a tick, beyond those: a thousand voxels, after which the next tick goes on. */
+constexpr int MostSkippedSteps = 4096;
+/** Boundaries are found to this share of a step: a millionth of a voxel. */
+constexpr double BoundaryShare = 4e-6;
+/** The lateral hold is whole from this depth on (m). */
+constexpr double HoldDepth = 1e-3;
+
+/** A needle in the tissue, in one tick. */
+class InsertedNeedle
+{
+public:
+  InsertedNeedle(const HapticModel& model, ServoState& state, const Vector3& tip) noexcept
+    : Needle(state.Needle)
+    , Reader(model, state.DataTime, state.Labels)
+    , Tip(tip)
+    , Proxy(state.Proxy)
+    , Stiffness(Law::Capped(state.Needle.Stiffness, model.Caps.Stiffness))
+    , LateralStrength(model.Baked->Tool->LateralStrength)
+    , Axis(state.HasOrientation ? AxisOfStylus(state.Orientation) : state.Needle.Axis)
+    , KernelLength(model.KernelLengthAlong(this->Axis))
+  {
+    this->Needle.Axis = this->Axis;
+    this->Step = this->Reader.FindStep(this->Axis);
+    this->Here = this->Reader.At(this->Proxy);
+  }
+
+  void Follow() noexcept
+  {
+    const double along = this->FindRest();
+    const double depth = this->Needle.Depth;
+    if (along > 0.0)
+    {
+      this->Advance();
+    }
+    else
+    {
+      this->Withdraw();
+    }
+    this->Moved = this->Needle.Depth - depth;
+    this->HoldAcross();
+  }
+
+  void Write(TickRecord& record) const noexcept
+  {
+    const Vector3& axis = this->Axis;
+    const Vector3 lag = this->Tip - this->Proxy;
+    const double along = Dot(lag, axis);
+    record.Proxy = this->Proxy;
+    record.Force = (-this->Stiffness) * lag;
+    record.Normal = axis;
+    record.Stiffness = this->Stiffness;
+    record.Friction = 0.0;
+    record.GradientMagnitude = 0.0;
+    record.SurfaceValue = record.MediumValue = this->Here.Value;
+    record.Viscosity = this->Here.Cutting;
+    record.SurfaceStrength = this->Strength;
+    record.NormalForce = this->Stiffness * std::abs(along);
+    record.FrictionForce = this->Stiffness * Norm(lag - along * axis);
+    record.ShaftForce = record.DragForce = this->Needle.Track.Sum(this->Needle.Depth);
+    record.Depth = this->Needle.Depth;
+    record.IsUnfinished = this->IsUnfinished;
+    record.Contact = this->Moved > 0.0 ? ContactState::Penetrating
+      : this->Moved < 0.0              ? ContactState::Sliding
+                                       : ContactState::Sticking;
+  }
+
+private:
+  /** How far the tip is ahead of the proxy (m). */
+  double FindRest() const noexcept { return Dot(this->Tip - this->Proxy, this->Axis); }
+
+  Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
+
+  /** Forwards, into this tissue. */
+  void MoveBy(double length, const NeedleTissue& into) noexcept
+  {
+    this->Proxy = this->Ahead(length);
+    this->Needle.Depth += length;
+    this->Needle.Deepest = std::max(this->Needle.Deepest, this->Needle.Depth);
+    this->Needle.Track.Append(this->Needle.Depth, into.Shaft, into.Label);
+    this->Here = into;
+  }
+
+  /** Whether a boundary in front of the tip holds it; if not, the tip is through. */
+  bool IsHeldAtBoundary(double pull, double shaft) noexcept
+  {
+    this->Strength = this->Needle.Puncture;
+    if (pull <= this->Here.Cutting + shaft + this->Needle.Puncture + Law::ForceEpsilon)
+    {
+      return true;
+    }
+    this->Needle.Puncture = this->Strength = 0.0;
+    this->Needle.PuncturedAt = this->Needle.Depth;
+    const double gap = BoundaryShare * this->Step;
+    this->MoveBy(gap, this->Reader.At(this->Ahead(gap)));
+    return false;
+  }
+
+  /** Moves to the boundary that lies within a length, or through it if that costs nothing. */
+  void MeetBoundary(double length) noexcept
+  {
+    const double gap = BoundaryShare * this->Step;
+    double before = 0.0;
+    double behind = length;
+    NeedleTissue next = this->Reader.At(this->Ahead(behind));
+    while (behind - before > gap)
+    {
+      const double middle = 0.5 * (before + behind);
+      const NeedleTissue tissue = this->Reader.At(this->Ahead(middle));
+      const bool isBehind = tissue.Label != this->Here.Label;
+      (isBehind ? behind : before) = middle;
+      next = isBehind ? tissue : next;
+    }
+    const bool isOpen = next.Label == this->Needle.PuncturedLabel &&
+      this->Needle.Depth + before < this->Needle.PuncturedAt + this->KernelLength;
+    if (next.Puncture > 0.0 && !isOpen)
+    {
+      this->MoveBy(before, this->Here);
+      this->Needle.Puncture = next.Puncture;
+      this->Needle.PuncturedLabel = next.Label;
+      return;
+    }
+    this->MoveBy(behind, next);
+  }
+
+  /** The part of a length in front of the stand-off of forbidden labels. */
+  double StopAtForbidden(double length) noexcept
+  {
+    if (!this->Reader.IsForbidden(this->Ahead(length)))
+    {
+      this->IsStopped = false;
+      return length;
+    }
+    this->IsStopped = true;
+    double before = 0.0;
+    double behind = length;
+    while (behind - before > BoundaryShare * this->Step)
+    {
+      const double middle = 0.5 * (before + behind);
+      (this->Reader.IsForbidden(this->Ahead(middle)) ? behind : before) = middle;
+    }
+    return before;
+  }
+
+  /** Counts how often a forbidden label stops the needle. */
+  void NoteTouch() noexcept
+  {
+    this->Needle.Touches += this->IsStopped && !this->Needle.IsTouching ? 1 : 0;
+    this->Needle.IsTouching = this->IsStopped;
+  }
+
+  void Advance() noexcept
+  {
+    // It may have slid into other tissue.
+    this->Needle.Track.Append(this->Needle.Depth, this->Here.Shaft, this->Here.Label);
+    const double k = this->Stiffness;
+    double held = 0.0; // N, by what is here
+    for (int i = 0; i < MostNeedleSteps; ++i)
+    {
+      const double pull = k * this->FindRest();
+      const double shaft = this->Needle.Track.Sum(this->Needle.Depth);
+      if (this->Needle.Puncture > 0.0)
+      {
+        if (this->IsHeldAtBoundary(pull, shaft))
+        {
+          this->NoteTouch();
+          return;
+        }
+        continue;
+      }
+      this->Strength = this->Reader.SurfaceStrength(this->Proxy, this->Axis);
+      held = this->Here.Cutting + shaft + this->Strength;
+      if (pull <= held + Law::ForceEpsilon)
+      {
+        this->NoteTouch();
+        return;
+      }
+      const double wanted = std::min(this->Step, (pull - held) / (k + this->Here.Shaft));
+      const double length = this->StopAtForbidden(wanted);
+      const NeedleTissue next = this->Reader.At(this->Ahead(length));
+      if (next.Label != this->Here.Label)
+      {
+        this->MeetBoundary(length);
+      }
+      else
+      {
+        this->MoveBy(length, next);
+      }
+      if (this->IsStopped)
+      {
+        this->NoteTouch();
+        return;
+      }
+    }
+    this->IsUnfinished = true;
+    this->Skip(std::max(0.0, k * this->FindRest() - held) / k);
+  }
+
+  /** The rest of a leap: no more than the tissue holds may be felt. Forbidden labels stop it. */
+  void Skip(double length) noexcept
+  {
+    const double part = this->Reader.HasForbidden() ? this->Step : length;
+    for (int i = 0; i < MostSkippedSteps && length > 0.0 && !this->IsStopped; ++i)
+    {
+      const double wanted = std::min(part, length);
+      this->MoveBy(this->StopAtForbidden(wanted), this->Here);
+      length -= wanted;
+    }
+    this->NoteTouch();
+  }
+
+  void Withdraw() noexcept
+  {
+    this->NoteTouch();
+    const double k = this->Stiffness;
+    NeedleTrack& track = this->Needle.Track;
+    for (int i = 0; i <= NeedleTrack::Most; ++i)
+    {
+      const double pull = -k * this->FindRest();
+      const double shaft = track.Sum(this->Needle.Depth);
+      if (pull <= shaft + Law::ForceEpsilon)
+      {
+        return;
+      }
+      const NeedleStretch last = track.Last();
+      const double room = std::max(0.0, this->Needle.Depth - last.Begin);
+      // The friction falls with the depth.
+      const bool isStable = k > last.Shaft;
+      const double length = isStable ? std::min(room, (pull - shaft) / (k - last.Shaft)) : room;
+      this->Proxy = this->Ahead(-length);
+      this->Needle.Depth -= length;
+      this->Needle.Puncture = length > 0.0 ? 0.0 : this->Needle.Puncture;
+      if (length < room)
+      {
+        return;
+      }
+      if (track.GetSize() == 1)
+      {
+        this->Needle = NeedleState{};
+        this->Proxy = this->Tip;
+        return;
+      }
+      this->Needle.Depth = last.Begin;
+      track.SetSize(track.GetSize() - 1);
+    }
+  }
+
+  void HoldAcross() noexcept
+  {
+    if (!this->Needle.IsInserted)
+    {
+      return;
+    }
+    const Vector3 lag = this->Tip - this->Proxy;
+    const Vector3 across = lag - Dot(lag, this->Axis) * this->Axis;
+    const double share =
+      this->Needle.Puncture > 0.0 ? 1.0 : std::min(1.0, this->Needle.Depth / HoldDepth);
+    const double pull = this->Stiffness * Norm(across);
+    const double strength = share * this->LateralStrength;
+    if (pull > strength)
+    {
+      this->Proxy += (1.0 - strength / pull) * across;
+    }
+  }
+
+  NeedleState& Needle;
+  const NeedleTissueReader Reader;
+  const Vector3 Tip;
+  Vector3 Proxy;
+  const double Stiffness;
+  const double LateralStrength;
+  const Vector3 Axis;
+  const double KernelLength; ///< m, along the axis
+  double Step = 0.0;
+  NeedleTissue Here;     ///< around the tip
+  double Strength = 0.0; ///< N, of the boundary or surface that holds the tip
+  double Moved = 0.0;    ///< m, forwards
+  bool IsStopped = false;
+  bool IsUnfinished = false;
+};
+
+} // namespace
+
+void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+{
+  InsertedNeedle needle(model, state, record.Tip);
+  needle.Follow();
+  needle.Write(record);
+  if (!state.Needle.IsInserted)
+  {
+    // As the method begins.
+    state.Precise = PreciseState{};
+    state.Precise.ReachedTip = record.Tip;
+  }
+}
+
+void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& needle) noexcept
+{
+  const HapticSettings& was = from.Baked->Settings;
+  const HapticSettings& is = to.Baked->Settings;
+  if (!from.Baked->HasTool(ToolKind::Needle) || !to.Baked->HasTool(ToolKind::Needle) ||
+    was.Method != is.Method)
+  {
+    needle = NeedleState{};
+    return;
+  }
+  const auto turn = [&](const Vector3& v)
+  { return Transpose(to.DeviceToWorldRotation) * (from.DeviceToWorldRotation * v); };
+  const double scale = from.WorldUnitsPerMeter / to.WorldUnitsPerMeter;
+  needle.Axis = turn(needle.Axis);
+  needle.Motion = scale * turn(needle.Motion);
+  needle.Normal = turn(needle.Normal);
+  needle.Entry = to.WorldToDevice(from.DeviceToWorld(needle.Entry));
+  for (double* const length :
+    { &needle.Depth, &needle.Deepest, &needle.PuncturedAt, &needle.Pushed })
+  {
+    *length *= scale;
+  }
+  for (int i = 0; i < needle.Track.GetSize(); ++i)
+  {
+    needle.Track[i].Begin = static_cast<float>(scale * needle.Track[i].Begin);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Base/BackgroundWork.h"
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Lets other threads run first. */
+void LowerPriority() noexcept
+{
+#if defined(__linux__)
+  // The calling thread alone, other than POSIX has it.
+  constexpr int nice = 10;
+  (void)setpriority(PRIO_PROCESS, 0, nice);
+#endif
+}
+
+} // namespace
+
+/** What a thread has begun and no longer wants. */
+class BackgroundWork::Leavings
+{
+public:
+  /** Of the calling thread; null at its end, when static objects may still end their work. */
+  static Leavings* OfThread()
+  {
+    thread_local Leavings leavings;
+    return IsGone ? nullptr : &leavings;
+  }
+
+  /** The end of a thread is the only place that waits for what it has begun. */
+  ~Leavings()
+  {
+    // What a task holds may end other work when it is released.
+    while (!this->Runs.empty())
+    {
+      for (std::unique_ptr<Run>& run : std::exchange(this->Runs, {}))
+      {
+        WaitFor(std::move(run));
+      }
+    }
+    IsGone = true;
+    for (Spent& spent : this->Threads)
+    {
+      if (spent.Process == ServoClock::GetProcess())
+      {
+        spent.Thread.join();
+      }
+      else
+      {
+        spent.Thread.detach(); // there is none here
+      }
+    }
+  }
+
+  /** Waits for the end of a run, and releases what it holds. */
+  static void WaitFor(std::unique_ptr<Run> run)
+  {
+    if (!run->IsOurs())
+    {
+      (void)run.release(); // its thread belongs to the parent
+    }
+    else if (run->Thread.joinable())
+    {
+      run->Thread.join();
+    }
+  }
+
+  void Take(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
+
+  /** Releases what tasks hold that have returned. */
+  void Release()
+  {
+    const auto over = std::partition(this->Runs.begin(), this->Runs.end(),
+      [](const std::unique_ptr<Run>& run) { return !run->IsOurs() || !run->IsOver(); });
+    // A release may run code of the program, which may end other work.
+    std::vector<std::unique_ptr<Run>> runs(
+      std::make_move_iterator(over), std::make_move_iterator(this->Runs.end()));
+    this->Runs.erase(over, this->Runs.end());
+    for (std::unique_ptr<Run>& run : runs)
+    {
+      if (run->Thread.joinable())
+      {
+        this->Threads.push_back({ std::move(run->Thread), run->Process });
+      }
+    }
+  }
+
+  /** Threads that have nothing left to do but to end: another thread may wait for that. */
+  std::vector<std::thread> TakeThreads()
+  {
+    std::vector<std::thread> threads;
+    for (Spent& spent : this->Threads)
+    {
+      if (spent.Process == ServoClock::GetProcess())
+      {
+        threads.push_back(std::move(spent.Thread));
+      }
+      else
+      {
+        spent.Thread.detach(); // there is none here
+      }
+    }
+    this->Threads.clear();
+    return threads;
+  }
+
+private:
+  struct Spent
+  {
+    std::thread Thread;
+    std::int64_t Process;
+  };
+  std::vector<std::unique_ptr<Run>> Runs;
+  std::vector<Spent> Threads;
+  static thread_local bool IsGone; // without a destructor: it can be read until the thread ends
+};
+
+thread_local bool BackgroundWork::Leavings::IsGone = false;
+
+void BackgroundWork::Run::Do() noexcept
+{
+  while (this->Before && !this->Before->load(std::memory_order_acquire))
+  {
+    ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
+  }
+  try
+  {
+    if (!this->Monitor.IsCancelled())
+    {
+      this->Work(this->Monitor);
+    }
+  }
+  catch (const std::bad_alloc&) // there is no result
+  {
+  }
+  this->HasReturned->store(true, std::memory_order_release);
+}
+
+void BackgroundWork::Begin(Task task)
+{
+  this->End();
+  auto run = std::make_unique<Run>();
+  run->Work = std::move(task);
+  // Nothing in a forked process ends what its parent has begun.
+  run->Before = this->LastProcess == ServoClock::GetProcess() ? std::move(this->Last) : nullptr;
+  this->Current = std::move(run);
+  Run* const current = this->Current.get();
+  Leavings* const leavings = Leavings::OfThread();
+  auto spent = std::make_shared<std::vector<std::thread>>(
+    leavings ? leavings->TakeThreads() : std::vector<std::thread>());
+  try
+  {
+    current->Thread = std::thread(
+      [current, spent]
+      {
+        ServoClock::BlockSignals();
+        LowerPriority();
+        for (std::thread& thread : *spent)
+        {
+          thread.join();
+        }
+        spent->clear();
+        current->Do();
+      });
+  }
+  catch (const std::system_error&)
+  {
+    for (std::thread& thread : *spent)
+    {
+      thread.join();
+    }
+    current->Do();
+  }
+}
+
+void BackgroundWork::End() noexcept
+{
+  if (this->Current && !this->IsOurs())
+  {
+    (void)this->Current.release(); // its thread belongs to the parent
+    this->Last = nullptr;
+  }
+  if (this->Current)
+  {
+    this->Current->Monitor.Cancel();
+    this->Last = this->Current->HasReturned;
+    this->LastProcess = this->Current->Process;
+    if (Leavings* const leavings = Leavings::OfThread())
+    {
+      leavings->Take(std::move(this->Current));
+      leavings->Release();
+    }
+    else
+    {
+      Leavings::WaitFor(std::move(this->Current));
+    }
+  }
+}
+
+void BackgroundWork::Cancel() noexcept
+{
+  if (this->Current && this->IsOurs())
+  {
+    this->Current->Monitor.Cancel();
+  }
+}
+
+bool BackgroundWork::HasReturned() const
+{
+  if (Leavings* const leavings = Leavings::OfThread())
+  {
+    leavings->Release();
+  }
+  return this->Current && this->IsOurs() && this->Current->IsOver();
+}
+
+bool BackgroundWork::WaitFor(double seconds) const
+{
+  const auto end = ServoClock::Now() +
+    static_cast<std::int64_t>(std::max(0.0, seconds) * ServoClock::NanosecondsPerSecond);
+  const bool mayReturn = this->Current && this->IsOurs();
+  while (mayReturn && !this->HasReturned() && ServoClock::Now() < end)
+  {
+    ServoClock::SleepUntil(std::min(end, ServoClock::Now() + ServoClock::Millisecond));
+  }
+  return this->HasReturned();
+}
+
+double BackgroundWork::GetProgress() const
+{
+  return this->Current ? this->Current->Monitor.GetProgress() : 0.0;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Base/HapticNoise.h"
+
+#include "Core/Field/Estimates/OutsideSamples.h"
+#include "VTK/Base/SampleRange.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/**
+ * The array, the address of its values, their number along each axis, component, last change. No
+ * two objects ever have the same time of change, so that an object that is gone, whose address
+ * another has now, is not taken for that.
+ */
+using NoiseKey =
+  std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
+
+/** As many arrays as a program may touch in turn. */
+constexpr std::size_t MostKnown = 16;
+
+NoiseKey MakeNoiseKey(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const std::int64_t* const n = view.Dimensions;
+  // Programs that write into an array often call Modified() of the image only.
+  return { scalars, view.Data, { n[0], n[1], n[2] }, component,
+    std::max(image->GetMTime(), scalars->GetMTime()) };
+}
+
+/**
+ * Makes the range of all samples that of those which are finite and stand for no missing value: the
+ * same, without another look at the samples, unless an end of it may stand for one.
+ */
+void FindInside(vtkDataArray* scalars, int component, double range[2])
+{
+  const auto isInside = [](double value) { return std::isfinite(value) && !MayBeMissing(value); };
+  if (range[0] > range[1] || (isInside(range[0]) && isInside(range[1])))
+  {
+    return;
+  }
+  range[0] = 1.0;
+  range[1] = 0.0;
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const double value = scalars->GetComponent(i, component);
+    if (isInside(value))
+    {
+      const double both[2] = { value, value };
+      NoiseSamples::Extend(range, both);
+    }
+  }
+}
+
+/** What was found before for an array, or what `find` finds now. */
+template <typename Found, typename Find>
+Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component,
+  const Find& find)
+{
+  struct Known
+  {
+    NoiseKey Of{};
+    Found What;
+  };
+  thread_local std::array<Known, MostKnown> known;
+  thread_local std::size_t next = 0;
+  const NoiseKey key = MakeNoiseKey(image, scalars, view, component);
+  const auto at =
+    std::find_if(known.begin(), known.end(), [&key](const Known& one) { return one.Of == key; });
+  if (at != known.end())
+  {
+    return at->What;
+  }
+  const Found found = find();
+  // Arrays of other layouts note their range in themselves, which may move on their time of change.
+  known[next] = { MakeNoiseKey(image, scalars, view, component), found };
+  next = (next + 1) % MostKnown;
+  return found;
+}
+
+} // namespace
+
+void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
+  const int whole[6], NoiseSamples& samples)
+{
+  CollectNoiseSamples(
+    [=](std::int64_t i) { return scalars->GetComponent(i, component); }, extent, whole, samples);
+  if (HasRangeOfAll(samples.Dimensions))
+  {
+    double range[2];
+    FindFiniteRange(scalars, component, range);
+    samples.MergeRange(range);
+    FindInside(scalars, component, range);
+    NoiseSamples::Extend(samples.Inside, range);
+  }
+}
+
+FoundNoise FindNoise(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const auto find = [&]
+  {
+    FoundNoise noise;
+    if (HasRangeOfAll(view.Dimensions))
+    {
+      FindFiniteRange(scalars, component, noise.Range);
+    }
+    noise.Noise = EstimateNoise([=](std::int64_t i) { return scalars->GetComponent(i, component); },
+      view.Dimensions, noise.Range);
+    return noise;
+  };
+  return Recall<FoundNoise>(image, scalars, view, component, find);
+}
+
+BackgroundLevel FindSolid(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  const auto find = [&]
+  {
+    return BackgroundLevel::Find(
+      [=](std::int64_t i) { return scalars->GetComponent(i, component); }, view.Dimensions);
+  };
+  return Recall<BackgroundLevel>(image, scalars, view, component, find);
+}
+
+StoredShift FindStoredShift(
+  vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
+{
+  return Recall<StoredShift>(image, scalars, view, component,
+    [&] { return FindStoredShift(scalars, view.Dimensions, component); });
+}
+
+StoredShift FindStoredShift(vtkDataArray* scalars, const std::int64_t dimensions[3], int component)
+{
+  return StoredShift::Find(
+    [=](std::int64_t i) { return scalars->GetComponent(i, component); }, dimensions);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads a vtkImageData for Core: the scalars, their place in the world, and the facts about the
+ * whole volume if the image is a region of it.
+ */
+#ifndef HapticVolume_h
+#define HapticVolume_h
+
+#include "Core/Field/VolumeView.h"
+#include "Core/Math/Vector3.h"
+#include "VTK/Base/WholeFacts.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** One component of an image. */
+struct HapticVolume
+{
+  VolumeView View;                      ///< counts its indices as the whole volume does
+  vtkSmartPointer<vtkDataArray> Holder; ///< keeps the memory of View
+  Affine3 IndexToWorld;                 ///< from View's indices
+  WholeFacts Whole;
+};
+
+/**
+ * Reads a component of an image without a copy. False, with the reason and the cure in `error`, if
+ * the array can't be viewed, or the geometry or the field arrays are invalid. The error's cure
+ * needs the kernel's radius (voxels).
+ */
+bool ReadVolume(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
+  HapticVolume& volume, std::string& error);
+
+/**
+ * Views the samples of a component without a copy; false if the type or the memory layout of the
+ * array is unsupported. `holder` has to live as long as the view: it is the array, or another one
+ * that shares its memory. The view's Data is null if the component has no memory.
+ */
+bool LocateSamples(vtkDataArray* scalars, int component, const int dimensions[3], VolumeView& view,
+  vtkSmartPointer<vtkDataArray>& holder);
+
+/**
+ * The map from an index that counts from the beginning of an extent. False, with an error about the
+ * image of that name, if there is none.
+ */
+bool MakeIndexToWorld(
+  vtkImageData* image, const int extent[6], const char* name, Affine3& map, std::string& error);
+
+/** The array's name for errors: array "Density". */
+std::string DescribeArray(vtkDataArray* scalars);
+
+/** The smallest spacing of an image (world units). */
+double SmallestSpacing(vtkImageData* image);
+
+/** The number of points that an image needs along every axis. */
+constexpr int PointsNeeded(int kernelRadius)
+{
+  return 2 * kernelRadius + 1;
+}
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Base/JsonText.h"
+
+#include "VTK/Base/PlainNumbers.h"
+
+#include <exception>
+#include <memory>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int DeepestBrackets = 64; // the files of this library have eight
+
+} // namespace
+
+bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
+{
+  Json::CharReaderBuilder builder;
+  builder["collectComments"] = false;
+  builder["failIfExtra"] = true;
+  builder["rejectDupKeys"] = true;
+  builder["allowSpecialFloats"] = true;
+  builder["stackLimit"] = DeepestBrackets;
+  const PlainNumbers plain;
+  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
+  try
+  {
+    if (!reader->parse(text.data(), text.data() + text.size(), &root, &error))
+    {
+      error = "it is not JSON: " + error;
+      return false;
+    }
+  }
+  catch (const Json::Exception&)
+  {
+    error = "it is not JSON that can be read: its brackets are nested more than " +
+      std::to_string(DeepestBrackets) + " deep.";
+    return false;
+  }
+  catch (const std::exception& e) // no memory
+  {
+    error = std::string("it is not JSON: ") + e.what();
+    return false;
+  }
+  return true;
+}
+
+std::string WriteJson(const Json::Value& root)
+{
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = " ";
+  builder["commentStyle"] = "None"; // short lists on one line
+  builder["precision"] = 17;        // every double is restored exactly
+  return Json::writeString(builder, root) + "\n";
+}
+
+} // namespace VolumeHaptics

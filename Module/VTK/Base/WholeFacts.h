@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The facts about a whole volume that an image carries if it is a region of the volume.
+ */
+#ifndef WholeFacts_h
+#define WholeFacts_h
+
+#include "Core/Field/Estimates/BackgroundLevel.h"
+#include "Core/Field/Estimates/OutsideSamples.h"
+#include "Core/Field/Estimates/StoredShift.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** The field arrays that vtkHapticRegionFilter documents, for one component. */
+struct WholeFacts
+{
+  bool IsThere = false; ///< whether the image carries one of these arrays, and so is a region
+  int Extent[6] = {};   ///< of the whole volume
+  double Noise = 0.0;   ///< scalar units, of the component
+  double BorderValue = 0.0;
+  BackgroundLevel Solid;  ///< not there if the image does not carry it
+  StoredShift Shift;      ///< 0 if the image does not carry it
+  double Time = 0.0;      ///< changes when the whole changes
+  double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
+  OutsideSamples Outside; ///< which samples are yet to be filled, and how many are holes
+};
+
+/** Reads the field arrays. False, with the cure in `error`, if they are malformed. */
+bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error);
+
+/** The facts for all components of an image. */
+struct WholeFields
+{
+  int Extent[6] = {};
+  std::vector<double> Noise;
+  std::vector<double> BorderValues;
+  std::vector<BackgroundLevel> Solids;
+  std::vector<StoredShift> Shifts;
+  double Time = 0.0;
+  double Share = 1.0;
+  std::vector<OutsideSamples> Outside; ///< empty if the samples are filled
+};
+
+/** Writes the field arrays of a region. */
+void WriteWholeFacts(const WholeFields& facts, vtkImageData* region);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Base/XmlFiles.h"
+
+#include "VTK/Base/FileReplacement.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkXMLReader.h"
+#include "vtkXMLWriter.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Readers take whatever was in memory for what is missing of appended samples. */
+bool HasEnd(const std::string& file)
+{
+  constexpr std::streamoff longest = 1024; // bytes in which the last element is
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest)), ' ');
+  in.seekg(size - static_cast<std::streamoff>(end.size()));
+  in.read(end.data(), static_cast<std::streamsize>(end.size()));
+  return end.find("</VTKFile>") != std::string::npos;
+}
+
+} // namespace
+
+bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
+{
+  bool hasFailed = false;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&hasFailed);
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
+  reader->SetReaderErrorObserver(observer);
+  reader->SetParserErrorObserver(observer);
+  const unsigned long ofReader = reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  const unsigned long ofExecutive =
+    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(file.c_str());
+  reader->UpdateInformation();
+  if (!hasFailed)
+  {
+    reader->Update();
+    hasFailed = hasFailed || !HasEnd(file);
+  }
+  // The reader may live longer than hasFailed.
+  reader->SetReaderErrorObserver(nullptr);
+  reader->SetParserErrorObserver(nullptr);
+  reader->RemoveObserver(ofReader);
+  reader->GetExecutive()->RemoveObserver(ofExecutive);
+  return !hasFailed;
+}
+
+bool WriteXmlFile(
+  vtkXMLWriter* writer, vtkDataObject* data, const std::string& file, std::string& error)
+{
+  FileReplacement replacement;
+  if (!replacement.Open(file, error))
+  {
+    return false;
+  }
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(data);
+  writer->SetDataModeToBinary(); // newer expats can't read appended data
+  writer->Write();
+  replacement.Write(writer->GetOutputString());
+  return replacement.Commit(error);
+}
+
+} // namespace VolumeHaptics

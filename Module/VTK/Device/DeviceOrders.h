@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Carries out the orders of a vtkHapticDevice's owner.
+ */
+#ifndef DeviceOrders_h
+#define DeviceOrders_h
+
+#include "VTK/Device/DeviceSession.h"
+#include "VTK/Device/ModelSource.h"
+
+#include <functional>
+#include <string>
+
+class vtkHapticDevice;
+
+namespace VolumeHaptics
+{
+
+/**
+ * See the functions of vtkHapticDevice. Errors are those of the device, and its observers are
+ * called: they may stop it, close it, or release its last reference.
+ */
+class DeviceOrders
+{
+public:
+  DeviceOrders(vtkHapticDevice* device, DeviceSession& session, ModelSource& models)
+    : Device(device)
+    , Session(session)
+    , Models(models)
+  {
+  }
+
+  ///@{
+  /** The device's MaximumForce is out of date after these: it depends on the open device. */
+  bool Open(const std::string& id, const DeviceOptions& options);
+  bool CalibrateForce(double scale);
+  ///@}
+  void ForgetConfirmation();
+
+  bool Start();
+  bool Publish();
+  /** To be called often: publishes what Publish() left to the background, once it is made. */
+  void Follow();
+  /** Ends that making. */
+  void EndPreparing();
+  /** Publishes another region of the volume when it has come: see vtkHapticRegionSource. */
+  void FollowRegion();
+  /** Publishes the next frames of a volume that moves: see DataPlayback. */
+  void FollowFrames();
+  /** Sends the device's limits to the running servo. */
+  void SendLimits();
+
+  void Arm();
+  void Disarm();
+  void FadeOut();
+  void Home();
+  void SetClutch(bool on);
+
+  void BeginLongWork(const char* what, double expectedSeconds);
+  void EndLongWork();
+
+  /** An error of the device, unless the text is empty. */
+  void TellError(const std::string& error);
+  /** An error about the user's file of devices, if there is a new one. */
+  void TellMemoryTrouble();
+
+private:
+  bool StartServo();
+  SafetyLimits MakeLimits() const;
+  /** False, after an error, if the device is not ready or the guard can't be set up. */
+  bool LetForceThrough(const std::function<void()>& order);
+  void AnnounceDisarmed();
+  /** Publishes the surface around the tip, if there is one while the whole is being meshed. */
+  void PublishRegion(double rate);
+  /** Notes what Publish() or Start() left to the background, for the status; null if nothing. */
+  void NoteAwaited(const char* work);
+
+  vtkHapticDevice* const Device;
+  DeviceSession& Session;
+  ModelSource& Models;
+  const char* Awaited = nullptr; ///< as noted
+  bool IsAnnouncing = false;     ///< while observers are told that it was disarmed
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/DeviceRecorder.h"
+
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Base/HapticHash.h"
+#include "VTK/Device/HapticLongWork.h"
+#include "VTK/Device/Recording/HapticJournal.h"
+#include "VTK/Device/Recording/HapticRecordingFile.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Trace/RecordingNames.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cstring>
+#include <locale>
+#include <memory>
+#include <new>
+#include <optional>
+#include <sstream>
+#include <sys/stat.h>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+/** Time to write a tick to a .vtp and to a .csv (s), as measured. */
+constexpr double SecondsPerTick = 2e-6;
+constexpr double SecondsPerLine = 2e-5;
+
+/** A tick in a journal while the tip moves, at least: 80 to 180 were measured. */
+constexpr double BytesPerTick = 80;
+
+/**
+ * Hashing that is expected to take no longer than the first (s) is waited for when a recording
+ * starts, up to the second. So the journal of a small volume has the hash from its beginning.
+ */
+constexpr double ShortHashing = 5e-3;
+constexpr double ShortHashWait = 20e-3;
+/** At the end of a recording without force, the hashes are waited for no longer than this (s). */
+constexpr double LongestHashWait = 10.0;
+
+constexpr const char* HashingWork = "the recorded volume is hashed";
+
+using TouchedArrays = std::array<TouchedArray, 2>;
+
+double EstimateHashing(const TouchedArrays& touched)
+{
+  double time = 0.0;
+  for (const TouchedArray& one : touched)
+  {
+    time += one.Array ? EstimateHashTime(one.Array) : 0.0;
+  }
+  return time;
+}
+
+/** On the worker's thread: nothing if it is cancelled. */
+std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor& monitor)
+{
+  const double all = EstimateHashing(touched);
+  double before = 0.0;
+  std::array<std::string, 2> hashes;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    vtkDataArray* const array = touched[i].Array;
+    if (!array)
+    {
+      continue;
+    }
+    const double share = EstimateHashTime(array) / std::max(all, 1e-12);
+    hashes[i] = HashArray(array, touched[i].Dimensions.data(),
+      [&](double done) { return monitor.GoesOn(before + share * done); });
+    if (hashes[i].empty())
+    {
+      return std::nullopt;
+    }
+    before += share;
+  }
+  return RecordingHashes{ hashes[0], hashes[1] };
+}
+
+double EstimateWriting(const std::string& file, double ticks)
+{
+  return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
+}
+
+/** The table of the labels that a replay needs. */
+void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
+{
+  vtkHapticLabelTable* const table = filter->GetLabelTable();
+  constexpr vtkIdType most = 1000; // of the labels that are told one by one
+  if (table && table->GetNumberOfLabels() <= most)
+  {
+    os << "LabelTable:\n";
+    table->PrintSelf(os, vtkIndent(2));
+  }
+  else if (table)
+  {
+    os << "LabelTable: of " << table->GetNumberOfLabels() << " labels\n";
+  }
+}
+
+} // namespace
+
+DeviceRecorder::DeviceRecorder(vtkHapticDevice* device, DeviceSession& session)
+  : Device(device)
+  , Session(session)
+{
+}
+
+DeviceRecorder::~DeviceRecorder() = default;
+
+/** The ticks that can be recorded into a file of that name; null after an error. */
+TickCollector* DeviceRecorder::FindRecordable(const std::string& name) const
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  const char* error = nullptr;
+  if (!ticks)
+  {
+    error = "There is nothing to record: Start() the servo first.";
+  }
+  else if (ticks->IsRecording())
+  {
+    error = "A recording is under way: StopRecording() it first.";
+  }
+  else if (!ticks->GetLatestModel())
+  {
+    error = "There is nothing to record: SetVolumeHaptics() a filter first, as recordings are "
+            "of what is felt. If there is one, wait until IsPublished().";
+  }
+  else if (!ticks->GetLatestModel()->Resident.IsWhole())
+  {
+    error = "A region of a larger volume can't be recorded: the forces depend on when each region "
+            "arrived, so that no single image could replay them. Connect the whole "
+            "volume to the filter, Publish() it and, if its surface is being meshed, wait until "
+            "IsPublished(); or keep the states with DrainStates().";
+  }
+  if (error)
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return nullptr;
+  }
+  std::string reason;
+  if (GetTraceEnding(name).empty())
+  {
+    reason = "\"" + Printable(name) + "\" has an unknown ending: name it .vtp or .csv.";
+  }
+  else if (!CheckWritable(name, reason) ||
+    (GetTraceEnding(name) == ".csv" && !CheckWritable(name + ".json", reason)))
+  {
+    reason = Printable(name) + " can't be written: " + reason;
+  }
+  if (!reason.empty())
+  {
+    vtkErrorWithObjectMacro(this->Device, "The recording " << reason);
+    return nullptr;
+  }
+  return ticks;
+}
+
+bool DeviceRecorder::Start(const std::string& name, vtkVolumeHapticsFilter* filter)
+{
+  try
+  {
+    return this->Begin(name, filter);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->File.clear();
+    vtkErrorWithObjectMacro(
+      this->Device, << "There is not enough memory to begin the recording " << Printable(name)
+                    << ", which takes about 7 MB. Close other programs that need memory.");
+    return false;
+  }
+}
+
+bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt)
+{
+  TickCollector* const ticks = this->FindRecordable(name);
+  if (!ticks)
+  {
+    return false;
+  }
+  RecordingAbout about;
+  about.DeviceId = this->Session.GetId();
+  if (felt)
+  {
+    const TouchedArrays touched = HapticBaker(felt).GetTouched();
+    std::ostringstream settings;
+    settings.imbue(std::locale::classic()); // a replay reads them
+    felt->PrintSettings(settings, vtkIndent());
+    settings << RecordingNames::DeviceRate << this->Session.GetRate() << " Hz\n";
+    const BakedLabels* const labels = ticks->GetLatestModel()->Baked->Labels.get();
+    if (labels && labels->Fine)
+    {
+      const Vector3& steps = labels->Fine->GetSteps();
+      settings << RecordingNames::LabelGrid << steps.X << " x " << steps.Y << " x " << steps.Z
+               << "\n";
+    }
+    if (touched[1].Array)
+    {
+      DescribeLabels(felt, settings);
+    }
+    about.Settings = settings.str();
+    if (!this->FindHashes(felt) && EstimateHashing(touched) <= ShortHashing)
+    {
+      this->Hashing.WaitFor(ShortHashWait);
+    }
+  }
+  auto recording = std::make_unique<HapticRecording>();
+  std::string error;
+  std::string warning;
+  if (!recording->Start(name, about, error, warning))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  ticks->StartRecording(std::move(recording));
+  this->Felt = felt;
+  this->Follow();
+  this->File = name;
+  this->IsTroubleTold = false;
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Device, << warning);
+  }
+  return true;
+}
+
+const RecordingHashes* DeviceRecorder::FindHashes(vtkVolumeHapticsFilter* filter)
+{
+  const TouchedArrays touched = HapticBaker(filter).GetTouched();
+  return this->Hashing.Follow({ touched[0].GetKey(), touched[1].GetKey() },
+    [touched](WorkMonitor& monitor) { return HashAll(touched, monitor); });
+}
+
+void DeviceRecorder::Follow()
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording())
+  {
+    return;
+  }
+  ticks->FollowRecording();
+  if (const RecordingHashes* const hashes = this->Felt ? this->FindHashes(this->Felt) : nullptr)
+  {
+    ticks->SetRecordingHashes(*hashes);
+    this->Felt = nullptr;
+  }
+  this->Session.NoteBackgroundWork(
+    HashingWork, this->Felt ? this->Hashing.GetProgress() : WorkEnded);
+  this->TellTrouble();
+}
+
+void DeviceRecorder::AwaitHashes(HapticRecording& recording)
+{
+  this->Session.NoteBackgroundWork(HashingWork, WorkEnded);
+  const vtkSmartPointer<vtkVolumeHapticsFilter> felt = std::exchange(this->Felt, nullptr);
+  if (!felt)
+  {
+    return;
+  }
+  const RecordingHashes* hashes = this->FindHashes(felt);
+  if (!hashes && !this->Session.HasArmOrder())
+  {
+    this->Hashing.WaitFor(LongestHashWait);
+    hashes = this->FindHashes(felt);
+  }
+  if (hashes)
+  {
+    recording.SetHashes(*hashes);
+  }
+  else
+  {
+    this->Hashing.Abandon(); // no work goes on that nothing wants
+    vtkWarningWithObjectMacro(this->Device,
+      << "The recording " << Printable(recording.GetFile())
+      << " has no hash of its volume, as it ended before that was known: nothing tells later which "
+         "volume it is of. Disarm() before StopRecording(), which then waits for the hash, or go "
+         "on until GetStatusText() no longer tells of it.");
+  }
+}
+
+bool DeviceRecorder::Stop(bool isAnnounced)
+{
+  TickCollector* const ticks = this->Session.GetTicks();
+  std::unique_ptr<HapticRecording> recording = ticks ? ticks->StopRecording() : nullptr;
+  if (!recording)
+  {
+    vtkErrorWithObjectMacro(this->Device, "No recording is under way: StartRecording() first.");
+    return false;
+  }
+  const std::string file = std::exchange(this->File, std::string());
+  this->AwaitHashes(*recording);
+  if (const std::uint64_t lost = recording->GetLostTicks())
+  {
+    vtkWarningWithObjectMacro(this->Device,
+      << lost << " ticks are missing from the recording " << Printable(file)
+      << ": the machine was too busy to collect them. Its forces can't be replayed beyond the "
+         "first gap. Record to a local disk, with less else running.");
+  }
+  std::string error;
+  std::unique_ptr<LongWork> work;
+  if (isAnnounced)
+  {
+    work.reset(new LongWork(this->Device, "the recording is written",
+      EstimateWriting(file, static_cast<double>(recording->GetNumberOfTicks()))));
+  }
+  if (!recording->Finish(error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool DeviceRecorder::Recover(const std::string& from, const std::string& to)
+{
+  std::string error;
+  if (from.size() <= std::strlen(JournalEnding))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      "There is no recording to recover: give the name of an unfinished recording, FILE.part.");
+    return false;
+  }
+  struct stat status;
+  const double bytes = stat(from.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
+  const LongWork work(
+    this->Device, "the recording is recovered", EstimateWriting(to, bytes / BytesPerTick));
+  if (!WriteRecording(from, to, error))
+  {
+    vtkErrorWithObjectMacro(this->Device, << error);
+    return false;
+  }
+  return true;
+}
+
+bool DeviceRecorder::IsUnderWay() const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  return ticks && ticks->IsRecording() && this->Session.IsOurs();
+}
+
+void DeviceRecorder::TellTrouble()
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (!ticks || !ticks->IsRecording() || this->IsTroubleTold)
+  {
+    return;
+  }
+  const std::string trouble = ticks->GetRecordingTrouble();
+  if (!trouble.empty())
+  {
+    this->IsTroubleTold = true;
+    vtkErrorWithObjectMacro(this->Device, << trouble);
+  }
+}
+
+} // namespace VolumeHaptics

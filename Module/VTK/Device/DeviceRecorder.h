@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Begins, ends and recovers the recordings of a vtkHapticDevice.
+ */
+#ifndef DeviceRecorder_h
+#define DeviceRecorder_h
+
+#include "VTK/Base/BackgroundWork.h"
+#include "VTK/Base/TouchedArray.h"
+#include "VTK/Device/DeviceSession.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkHapticDevice;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** Errors and warnings are those of the device, which also announces long work. */
+class DeviceRecorder
+{
+public:
+  DeviceRecorder(vtkHapticDevice* device, DeviceSession& session);
+  ~DeviceRecorder();
+
+  ///@{
+  /** See the functions of vtkHapticDevice. */
+  bool Start(const std::string& file, vtkVolumeHapticsFilter* filter);
+  bool Recover(const std::string& part, const std::string& file);
+  ///@}
+
+  /**
+   * See vtkHapticDevice::StopRecording. Unless isAnnounced, writing is not announced as long work.
+   */
+  bool Stop(bool isAnnounced);
+
+  /** Whether there is a recording that this process has to end. */
+  bool IsUnderWay() const;
+
+  /** The file of the recording that is under way; empty without one. */
+  const std::string& GetFile() const { return this->File; }
+
+  /**
+   * To be called often while a recording is under way. Hands over the hashes of the volume when
+   * they are known. Reports an error, once for a recording, if the recording fails, for example
+   * with a full disk.
+   */
+  void Follow();
+
+private:
+  using HashKey = std::array<TouchedArray::Key, 2>; ///< of scalars and labels
+
+  bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
+  /** The hashes of what a filter touches now; null until they are known. */
+  const RecordingHashes* FindHashes(vtkVolumeHapticsFilter* filter);
+  /** Hands over the hashes at the end of a recording; waits for them unless a hand would, too. */
+  void AwaitHashes(HapticRecording& recording);
+  void TellTrouble();
+  TickCollector* FindRecordable(const std::string& file) const;
+
+  vtkHapticDevice* const Device;
+  DeviceSession& Session;
+  std::string File;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< until its hashes are handed over
+  KeyedWork<HashKey, RecordingHashes> Hashing;
+  bool IsTroubleTold = false;
+};
+
+} // namespace VolumeHaptics
+
+#endif

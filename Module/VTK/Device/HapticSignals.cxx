@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/HapticSignals.h"
+
+#include "Core/Realtime/PerProcess.h"
+#include "VTK/Device/ServoThreads.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#if defined(__unix__)
+#include "VTK/Device/GuardedSignal.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#endif
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/**
+ * The longest time (ms) for which a process that ends waits for its devices. Servos whose loops
+ * hang take 40; the rest is for a machine so busy that the watcher does not run.
+ */
+constexpr int LongestWait = 2000;
+
+struct Guarded
+{
+  std::mutex Mutex;
+  std::vector<ServoThreads*> Servos;
+};
+
+PerProcess<Guarded> GuardedOfProcess;
+
+/**
+ * The process that the devices and the running watcher belong to; a forked child has a copy of
+ * everything but these. Set last.
+ */
+std::atomic<std::int64_t> Owner{ 0 };
+
+bool IsOwner() noexcept
+{
+  return ServoClock::GetProcess() == Owner.load();
+}
+
+#if defined(__unix__)
+
+/**
+ * Blocks signals on the calling thread while this lives: otherwise a handler on this thread would
+ * wait for a watcher that waits for this thread's mutex. Crashes of the thread itself are never
+ * kept from the handlers from before.
+ */
+class SignalsBlocked
+{
+public:
+  SignalsBlocked() noexcept
+  {
+    sigset_t sent;
+    sigfillset(&sent);
+    for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL })
+    {
+      sigdelset(&sent, crash);
+    }
+    pthread_sigmask(SIG_BLOCK, &sent, &this->Before);
+  }
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &this->Before, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+private:
+  sigset_t Before = {};
+};
+
+#else
+
+class SignalsBlocked
+{
+};
+
+#endif
+
+void QuenchAll() noexcept
+{
+  if (!IsOwner())
+  {
+    return; // this is a forked child: the devices belong to the parent
+  }
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
+  for (int i = 0; i < LongestWait; ++i)
+  {
+    const std::unique_lock<std::mutex> lock(guarded.Mutex, std::try_to_lock);
+    if (lock)
+    {
+      ServoThreads::Quench(guarded.Servos);
+      return;
+    }
+    // The thread that has the lock may be the one that ends the process.
+    ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
+  }
+}
+
+#if defined(__unix__)
+
+GuardedSignal Signals[] = {
+  // Programs handle these and go on. Ctrl+Z stops all threads at once.
+  { SIGINT, SignalManner::Deliver },
+  { SIGTERM, SignalManner::Deliver },
+  { SIGHUP, SignalManner::Deliver },
+  { SIGQUIT, SignalManner::Deliver },
+  { SIGTSTP, SignalManner::Deliver },
+  // A crash, which other handlers may want to report.
+  { SIGSEGV, SignalManner::Crash },
+  { SIGBUS, SignalManner::Crash },
+  { SIGFPE, SignalManner::Crash },
+  { SIGILL, SignalManner::Crash },
+  { SIGABRT, SignalManner::Crash },
+  // The others that end or stop a process that does not handle them.
+  { SIGALRM, SignalManner::CrashIfDefault },
+  { SIGIO, SignalManner::CrashIfDefault },
+  { SIGPIPE, SignalManner::CrashIfDefault },
+  { SIGPROF, SignalManner::CrashIfDefault },
+  { SIGSYS, SignalManner::CrashIfDefault },
+  { SIGTRAP, SignalManner::CrashIfDefault },
+  { SIGTTIN, SignalManner::CrashIfDefault },
+  { SIGTTOU, SignalManner::CrashIfDefault },
+  { SIGUSR1, SignalManner::CrashIfDefault },
+  { SIGUSR2, SignalManner::CrashIfDefault },
+  { SIGVTALRM, SignalManner::CrashIfDefault },
+  { SIGXCPU, SignalManner::CrashIfDefault },
+  { SIGXFSZ, SignalManner::CrashIfDefault },
+#if defined(__linux__)
+  { SIGPWR, SignalManner::CrashIfDefault },
+  { SIGSTKFLT, SignalManner::CrashIfDefault },
+#endif
+};
+
+GuardedSignal& FindSignal(int number) noexcept
+{
+  const auto at = std::find_if(std::begin(Signals), std::end(Signals),
+    [number](const GuardedSignal& signal) { return signal.GetNumber() == number; });
+  return *at;
+}
+
+int Pipe[2] = { -1, -1 };
+pthread_t Watcher;
+std::atomic<unsigned> Answers{ 0 };
+/** A byte that only asks for an answer; all others are signals to deliver. */
+constexpr unsigned char NoSignal = 0;
+
+void Ask(unsigned char byte) noexcept
+{
+  const ssize_t written = write(Pipe[1], &byte, 1);
+  static_cast<void>(written); // fails only if the pipe is full, and then much is on its way
+}
+
+/**
+ * Also from a signal handler: the watcher ends the force, on another stack and without locks of
+ * this thread.
+ */
+void QuenchByWatcher() noexcept
+{
+  if (!IsOwner() || pthread_equal(pthread_self(), Watcher))
+  {
+    return; // a thread that crashes while it ends the force can't do more
+  }
+  const unsigned before = Answers.load();
+  Ask(NoSignal);
+  for (int i = 0; i < LongestWait && Answers.load() == before; ++i)
+  {
+    poll(nullptr, 0, 1);
+  }
+}
+
+/** For signals whose return ends nothing: the watcher sends them again. */
+extern "C" void OnDelivered(int number)
+{
+  const int keep = errno;
+  if (IsOwner())
+  {
+    Ask(static_cast<unsigned char>(number));
+  }
+  else
+  {
+    // A forked child shares the pipe, but the devices and the thread at its other end belong to the
+    // parent. The signal comes again when this handler returns.
+    GuardedSignal& signal = FindSignal(number);
+    signal.PutBack(signal.CountBefore());
+    raise(number);
+  }
+  errno = keep;
+}
+
+/** The thread that crashed waits for the devices, and then crashes again without this handler. */
+extern "C" void OnCrash(int number, siginfo_t* info, void*)
+{
+  const int keep = errno;
+  GuardedSignal& signal = FindSignal(number);
+  const int count = signal.CountBefore();
+  QuenchByWatcher();
+  signal.PutBack(count);
+  if (!ComesAgain(number, *info))
+  {
+    raise(number);
+  }
+  errno = keep;
+}
+
+void Install()
+{
+  for (GuardedSignal& signal : Signals)
+  {
+    signal.Install(OnDelivered, OnCrash);
+  }
+}
+
+void Uninstall()
+{
+  for (GuardedSignal& signal : Signals)
+  {
+    signal.PutBack(signal.CountBefore());
+  }
+}
+
+void Watch(int end)
+{
+  const SignalsBlocked blocked{}; // for the threads that handled them before
+  unsigned char byte = NoSignal;
+  for (;;)
+  {
+    const ssize_t got = read(end, &byte, 1);
+    if (got == 1)
+    {
+      QuenchAll();
+      Answers.fetch_add(1);
+      if (byte != NoSignal)
+      {
+        {
+          const std::lock_guard<std::mutex> lock(GuardedOfProcess.Get().Mutex);
+          Uninstall();
+        }
+        kill(getpid(), byte);
+      }
+    }
+    else if (got == 0 || errno != EINTR)
+    {
+      return;
+    }
+  }
+}
+
+/**
+ * If there is no room for the pipe or the thread, throws std::system_error and leaves nothing
+ * behind.
+ */
+void StartWatching()
+{
+  if (pipe(Pipe) != 0)
+  {
+    throw std::system_error(errno, std::generic_category());
+  }
+  fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
+  fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
+  // A handler never blocks: if the pipe is full, a signal is on its way anyway.
+  fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
+  try
+  {
+    std::thread thread(Watch, Pipe[0]);
+    Watcher = thread.native_handle();
+    thread.detach();
+  }
+  catch (...)
+  {
+    close(Pipe[0]);
+    close(Pipe[1]);
+    throw;
+  }
+}
+
+/**
+ * Gives the thread an alternate stack while this lives, if it has none: without it, no handler runs
+ * if the stack is full.
+ */
+class AlternateStack
+{
+public:
+  AlternateStack()
+  {
+    stack_t now{};
+    if (sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0)
+    {
+      return;
+    }
+    this->Size = 1 << 16;
+#if defined(_SC_MINSIGSTKSZ)
+    this->Size += static_cast<std::size_t>(std::max(0L, sysconf(_SC_MINSIGSTKSZ)));
+#endif
+    this->Memory =
+      mmap(nullptr, this->Size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (this->Memory != MAP_FAILED)
+    {
+      stack_t mine{};
+      mine.ss_sp = this->Memory;
+      mine.ss_size = this->Size;
+      sigaltstack(&mine, nullptr);
+    }
+  }
+  ~AlternateStack()
+  {
+    stack_t now{};
+    if (this->Memory != MAP_FAILED && sigaltstack(nullptr, &now) == 0 && now.ss_sp == this->Memory)
+    {
+      stack_t none{};
+      none.ss_flags = SS_DISABLE;
+      sigaltstack(&none, nullptr);
+      munmap(this->Memory, this->Size);
+    }
+  }
+  AlternateStack(const AlternateStack&) = delete;
+  AlternateStack& operator=(const AlternateStack&) = delete;
+
+private:
+  void* Memory = MAP_FAILED;
+  std::size_t Size = 0;
+};
+
+void PrepareThread()
+{
+  static thread_local const AlternateStack stack;
+  static_cast<void>(stack);
+}
+
+#else
+
+void QuenchByWatcher() noexcept
+{
+  QuenchAll();
+}
+void Install() {}
+void Uninstall() {}
+void StartWatching() {}
+void PrepareThread() {}
+
+#endif
+
+std::terminate_handler BeforeTerminate = nullptr;
+
+[[noreturn]] void OnTerminate() noexcept
+{
+  QuenchByWatcher();
+  if (BeforeTerminate)
+  {
+    BeforeTerminate();
+  }
+  std::abort();
+}
+
+} // namespace
+
+void GuardServo(ServoThreads* servo)
+{
+  static const bool hooked = []
+  {
+    BeforeTerminate = std::set_terminate(OnTerminate);
+#if !defined(__APPLE__)
+    std::at_quick_exit(QuenchAll);
+#endif
+    return std::atexit(QuenchAll) == 0;
+  }();
+  static_cast<void>(hooked);
+  PrepareThread();
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
+  const std::lock_guard<std::mutex> lock(guarded.Mutex);
+  auto& servos = guarded.Servos;
+  if (!IsOwner())
+  {
+    // A forked child has neither its parent's devices nor the watching thread.
+    StartWatching();
+    Owner = ServoClock::GetProcess();
+  }
+  if (std::find(servos.begin(), servos.end(), servo) == servos.end())
+  {
+    servos.push_back(servo);
+  }
+  Install();
+}
+
+void ReleaseServo(ServoThreads* servo)
+{
+  [[maybe_unused]] const SignalsBlocked blocked{};
+  Guarded& guarded = GuardedOfProcess.Get();
+  const std::lock_guard<std::mutex> lock(guarded.Mutex);
+  auto& servos = guarded.Servos;
+  servos.erase(std::remove(servos.begin(), servos.end(), servo), servos.end());
+  if (servos.empty() && IsOwner())
+  {
+    Uninstall();
+  }
+}
+
+} // namespace VolumeHaptics

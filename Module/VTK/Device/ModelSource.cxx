@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/ModelSource.h"
+
+#include "Core/Realtime/ServoClock.h"
+#include "VTK/Baking/HapticPlacement.h"
+#include "VTK/Device/HapticLongWork.h"
+#include "VTK/Device/Playback/HapticChangeTime.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Filter/HapticMethods.h"
+#include "VTK/Tools/RemovalAccess.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkHapticRemoval.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* filter)
+{
+  return filter ? filter->GetRegionSource() : nullptr;
+}
+
+///@{
+/** What Prepare() returns while frames have to wait for their meshes, or for those before them. */
+constexpr char FrameMeshingWork[] = "the surfaces of the frames are meshed";
+constexpr char FrameFeelingWork[] = "the frames before the new ones are felt to their end";
+///@}
+
+} // namespace
+
+ModelSource::ModelSource(vtkHapticDevice* device, const DeviceSession& session)
+  : Device(device)
+  , Session(session)
+  , Playback(session)
+{
+}
+
+ModelSource::~ModelSource()
+{
+  this->LetRemovalsGo();
+}
+
+bool ModelSource::SetFilter(vtkVolumeHapticsFilter* filter)
+{
+  if (this->Filter == filter)
+  {
+    return false;
+  }
+  this->Filter = filter;
+  this->MadeTime = 0;
+  return true;
+}
+
+bool ModelSource::SetDeviceToWorld(vtkMatrix4x4* matrix)
+{
+  if (this->DeviceToWorld == matrix)
+  {
+    return false;
+  }
+  this->DeviceToWorld = matrix;
+  return true;
+}
+
+std::string ModelSource::GetMethodText() const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  const HapticModel* const model = ticks ? ticks->GetLatestModel() : nullptr;
+  if (!model)
+  {
+    return this->Filter ? this->Filter->GetMethodText() : std::string();
+  }
+  const HapticSettings& settings = model->Baked->Settings;
+  return GetMethodChoice(static_cast<int>(settings.Method), static_cast<int>(settings.Solver)).Text;
+}
+
+bool ModelSource::Make(double rate, std::shared_ptr<const HapticModel>& model)
+{
+  // Observers of the work may give the device another filter.
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  if (filter)
+  {
+    const bool isMoving = this->Playback.IsFelt(filter);
+    const double seconds =
+      isMoving ? this->Playback.EstimateTime() : HapticBaker(filter).EstimateTime();
+    const LongWork work(
+      this->Device, "the surface is meshed", this->Device->IsRunning() ? seconds : 0.0);
+    const ForceCaps caps = this->Session.FindCaps(rate);
+    const bool isCurrent = this->IsUpToDate();
+    if (isMoving)
+    {
+      model = this->Playback.Make(filter, rate, caps, this->DeviceToWorld, isCurrent);
+    }
+    else
+    {
+      this->Playback.Forget();
+      model = HapticBaker(filter).Bake(rate, caps, this->DeviceToWorld);
+    }
+    if (model && !this->HoldRemovalOf(*model, filter))
+    {
+      model = nullptr;
+    }
+    this->IsMadeOfFrames = isMoving;
+    this->MadeTime = this->IsBehind() ? 0 : FindChangeTime(filter, isMoving);
+  }
+  return !filter || model;
+}
+
+bool ModelSource::HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter)
+{
+  vtkHapticRemoval* const removal = filter->GetRemoval();
+  if (!model.Baked->Removal || model.Baked->Removal != GetTissueRemoval(removal))
+  {
+    return true;
+  }
+  if (!HoldRemoval(removal, this))
+  {
+    vtkErrorWithObjectMacro(this->Device,
+      "Another vtkHapticDevice ticks with the removed tissue of this filter, and only one at a "
+      "time can. Give the filter of this device one of its own with SetRemoval(nullptr), or Stop() "
+      "the other device.");
+    return false;
+  }
+  if (std::find(this->Held.begin(), this->Held.end(), removal) == this->Held.end())
+  {
+    this->Held.emplace_back(removal);
+  }
+  return true;
+}
+
+void ModelSource::LetRemovalsGo()
+{
+  for (vtkHapticRemoval* const removal : this->Held)
+  {
+    LetRemovalGo(removal, this);
+  }
+  this->Held.clear();
+}
+
+void ModelSource::LetUnusedRemovalsGo()
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (this->Held.empty() || !ticks || !ticks->IsLatestUsed())
+  {
+    return;
+  }
+  const HapticModel* const model = ticks->GetLatestModel();
+  const auto unused = std::partition(this->Held.begin(), this->Held.end(),
+    [model](vtkHapticRemoval* removal)
+    { return model && model->Baked->Removal == GetTissueRemoval(removal); });
+  const std::vector<vtkSmartPointer<vtkHapticRemoval>> released(unused, this->Held.end());
+  this->Held.erase(unused, this->Held.end());
+  for (vtkHapticRemoval* const removal : released)
+  {
+    LetRemovalGo(removal, this);
+  }
+}
+
+const char* ModelSource::Prepare(double rate)
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  const bool isMoving = this->Playback.FindFelt(filter);
+  this->Awaited = filter ? HapticBaker(filter).Prepare(isMoving) : nullptr;
+  if (!isMoving)
+  {
+    this->Playback.EndPreparing();
+  }
+  else if (!this->Playback.Prepare(filter, rate, this->IsUpToDate()) && !this->Awaited)
+  {
+    const bool hasMeshes = filter->GetMethod() == vtkVolumeHapticsFilter::SURFACE_PROXY;
+    this->Awaited = hasMeshes ? FrameMeshingWork : FrameFeelingWork;
+  }
+  if (this->Awaited != MeshingWork)
+  {
+    this->Regions.End();
+    this->NoteRegionMade();
+  }
+  return this->Awaited;
+}
+
+void ModelSource::NoteRegionMade()
+{
+  const std::int64_t time = std::exchange(this->RegionTime, 0);
+  const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(this->Filter);
+  if (time > 0 && source)
+  {
+    source->NoteUseTime(ServoClock::SecondsSince(time));
+  }
+}
+
+std::shared_ptr<const HapticModel> ModelSource::MakeRegion(double rate)
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  if (this->Awaited != MeshingWork || !(this->Session.GetState().Time > 0.0))
+  {
+    return nullptr;
+  }
+  const std::optional<SurfaceRegion> region = this->Regions.Follow(filter, this->Session.Tip);
+  const std::shared_ptr<const HapticModel> model = region
+    ? HapticBaker(filter).BakeRegion(
+        *region, rate, this->Session.FindCaps(rate), this->DeviceToWorld)
+    : nullptr;
+  return model && this->HoldRemovalOf(*model, filter) ? model : nullptr;
+}
+
+void ModelSource::EndPreparing()
+{
+  this->Regions.End();
+  this->Playback.EndPreparing();
+  if (this->Awaited && this->Filter)
+  {
+    HapticBaker(this->Filter).EndPreparing();
+  }
+  this->Awaited = nullptr;
+}
+
+bool ModelSource::FollowRegion(std::string& status)
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  const vtkSmartPointer<vtkHapticRegionSource> source = RegionSourceOf(filter);
+  if (!source)
+  {
+    return false;
+  }
+  // The next region waits until the surface in this one can be felt; else a hand that moves on
+  // would let no mesh end.
+  const ServoSnapshot& state = this->Session.GetState();
+  const bool hasCome = state.Time > 0.0 && this->Awaited != MeshingWork &&
+    source->Follow(this->Session.Tip, state.Time, filter);
+  this->RegionTime = hasCome ? ServoClock::Now() : this->RegionTime;
+  status = source->GetStatusText();
+  return hasCome;
+}
+
+bool ModelSource::IsUpToDate() const
+{
+  return this->MadeTime == FindChangeTime(this->Filter, this->IsMadeOfFrames);
+}
+
+std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
+{
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->Filter;
+  std::shared_ptr<const HapticModel> model = this->Playback.Follow(filter);
+  const auto isShown = [this](const FieldFrame& frame)
+  { return frame.Samples.get() == this->Shown.GetArray(); };
+  const bool hasShown =
+    model && std::any_of(model->Baked->Frames.begin(), model->Baked->Frames.end(), isShown);
+  if (model && !hasShown)
+  {
+    this->Shown.Clear(); // its memory is needed
+  }
+  return model;
+}
+
+bool ModelSource::LacksFrames() const
+{
+  return !this->IsMadeOfFrames && this->IsUpToDate() && this->Playback.IsFelt(this->Filter);
+}
+
+bool ModelSource::HasFrames() const
+{
+  return this->Filter && this->Playback.GetShown(this->Filter).Array;
+}
+
+vtkImageData* ModelSource::GetFrameImage()
+{
+  auto* const shape =
+    vtkImageData::SafeDownCast(this->Filter ? this->Filter->GetInputDataObject(0, 0) : nullptr);
+  const HapticFrame frame = shape ? this->Playback.GetShown(this->Filter) : HapticFrame{};
+  if (!frame.Array)
+  {
+    this->Shown.Clear();
+    return nullptr;
+  }
+  const bool isComponent = this->Filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS;
+  return this->Shown.Show(frame, isComponent, shape);
+}
+
+Affine3 ModelSource::GetPlacement() const
+{
+  const TickCollector* const ticks = this->Session.GetTicks();
+  if (ticks && ticks->GetLatestModel())
+  {
+    return ticks->GetLatestModel()->DeviceToWorld;
+  }
+  Affine3 map;
+  std::string error;
+  if (!this->DeviceToWorld || !ReadSimilarity(this->DeviceToWorld, map, error))
+  {
+    map = ScaledPlacement(this->Filter ? this->Filter->GetMetersPerWorldUnit() : 1e-3);
+  }
+  return map;
+}
+
+} // namespace VolumeHaptics

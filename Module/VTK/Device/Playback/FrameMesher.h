@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Meshes frames of a volume that moves in the background, for SURFACE_PROXY.
+ */
+#ifndef FrameMesher_h
+#define FrameMesher_h
+
+#include "Core/Model/HapticModelDescription.h"
+#include "VTK/Base/BackgroundWork.h"
+
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** For the owner's thread. */
+class FrameMesher
+{
+public:
+  /**
+   * To be called often: gives all frames but the last one the meshes that they lack, and a frame
+   * alone one that stays. False until they have them.
+   * @param components of their arrays, one for each frame
+   * @param value of the isosurface
+   */
+  bool Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components, double value,
+    const Affine3& indexToWorld);
+  /** Ends what is under way, without waiting for it. */
+  void End() { this->Meshing.Abandon(); }
+  /** Whether no worker has frames any more; for when no frames wait for their meshes. */
+  bool IsIdle()
+  {
+    if (this->Meshing.IsUnderWay())
+    {
+      return false;
+    }
+    this->Meshing.Forget();
+    return true;
+  }
+
+private:
+  /** The samples of a frame and the next one, and the component of the frame. */
+  using Key = std::tuple<const void*, const void*, int>;
+
+  KeyedWork<Key, std::shared_ptr<const SurfaceMesh>> Meshing;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/Playback/RegionMesher.h"
+
+#include "Core/Realtime/ServoClock.h"
+#include "VTK/Baking/HapticSurface.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/WholeFacts.h"
+#include "VTK/Filter/HapticBaker.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRegionPlanner.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkStructuredData.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <string>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Some ten milliseconds of meshing. */
+constexpr vtkIdType MostMeshedSamples = 1 << 20;
+/** Of fewer samples, the whole is meshed nearly as soon, and sooner without a part beside it. */
+constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
+
+/** The tuples of a part of an extent, in an array that nothing else uses. */
+vtkSmartPointer<vtkDataArray> CopyTuples(
+  vtkDataArray* whole, const int extent[6], const int part[6])
+{
+  auto copy = NewArray(whole->GetDataType(), whole->GetNumberOfComponents(),
+    vtkStructuredData::GetNumberOfPoints(part));
+  copy->SetName(whole->GetName());
+  const vtkIdType nx = vtkIdType{ extent[1] } - extent[0] + 1;
+  const vtkIdType ny = vtkIdType{ extent[3] } - extent[2] + 1;
+  const vtkIdType row = vtkIdType{ part[1] } - part[0] + 1;
+  vtkIdType to = 0;
+  for (int k = part[4]; k <= part[5]; ++k)
+  {
+    for (int j = part[2]; j <= part[3]; ++j, to += row)
+    {
+      copy->InsertTuples(
+        to, row, part[0] - extent[0] + nx * (j - extent[2] + ny * (k - extent[4])), whole);
+    }
+  }
+  return copy;
+}
+
+} // namespace
+
+RegionMesher::RegionMesher()
+  : Region{ 0, -1, 0, -1, 0, -1 }
+{
+  this->Planner->SetMaximumVoxels(MostMeshedSamples);
+}
+
+RegionMesher::~RegionMesher() = default;
+
+void RegionMesher::End()
+{
+  this->Meshing.Abandon();
+  this->Of.reset();
+  this->Ordered.reset();
+  this->Region = { 0, -1, 0, -1, 0, -1 };
+}
+
+std::optional<SurfaceRegion> RegionMesher::Take(vtkImageData* image, vtkVolumeHapticsFilter* filter)
+{
+  const Made* const made =
+    this->Ordered ? this->Meshing.Find({ *this->Of, *this->Ordered }) : nullptr;
+  if (!made)
+  {
+    return std::nullopt;
+  }
+  this->Region = *std::exchange(this->Ordered, std::nullopt);
+  this->Planner->AddLatency(ServoClock::SecondsSince(this->OrderTime));
+  const int component = filter->GetProperty()->GetComponent();
+  const TouchedArray scalars = HapticBaker(filter).GetFilled();
+  HapticVolume volume;
+  std::string error;
+  if (!scalars.Array ||
+    !ReadVolume(image, scalars.Array, component, filter->GetKernelRadius(), volume, error))
+  {
+    return std::nullopt;
+  }
+  SurfaceRegion region{ vtkSmartPointer<vtkImageData>::New(), made->Mesh };
+  region.Image->SetExtent(this->Region.data());
+  region.Image->SetOrigin(image->GetOrigin());
+  region.Image->SetSpacing(image->GetSpacing());
+  region.Image->SetDirectionMatrix(image->GetDirectionMatrix());
+  region.Image->GetPointData()->SetScalars(made->Samples);
+  WholeFields facts;
+  image->GetExtent(facts.Extent);
+  facts.Noise.resize(component + 1);
+  facts.Noise[component] = FindNoise(image, scalars.Array, volume.View, component).Noise;
+  facts.BorderValues.assign(component + 1, volume.View.BorderValue);
+  facts.Solids.assign(component + 1, FindSolid(image, scalars.Array, volume.View, component));
+  facts.Shifts.assign(component + 1, FindStoredShift(image, scalars.Array, volume.View, component));
+  facts.Time = static_cast<double>(scalars.Time);
+  WriteWholeFacts(facts, region.Image);
+  return region;
+}
+
+void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, const Extent& region)
+{
+  Affine3 map;
+  std::string error;
+  Extent whole;
+  image->GetExtent(whole.data());
+  if (!MakeIndexToWorld(image, whole.data(), "input image", map, error))
+  {
+    return; // the whole tells
+  }
+  Extent fromFirst; // as the map counts
+  for (int a = 0; a < 6; ++a)
+  {
+    fromFirst[a] = region[a] - whole[a - a % 2];
+  }
+  const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetFilled().Array;
+  if (!scalars)
+  {
+    return; // the whole tells
+  }
+  const int component = filter->GetProperty()->GetComponent();
+  const double value = filter->GetIsoValue();
+  this->Meshing.Follow({ *this->Of, region },
+    [=](WorkMonitor& monitor) -> std::optional<Made>
+    {
+      Made made{ CopyTuples(scalars, whole.data(), region.data()), nullptr };
+      if (!monitor.IsCancelled())
+      {
+        made.Mesh = MeshIsoSurface(made.Samples, fromFirst.data(), component, value, map);
+      }
+      return made;
+    });
+  this->Ordered = region;
+  this->OrderTime = ServoClock::Now();
+}
+
+std::optional<SurfaceRegion> RegionMesher::Follow(
+  vtkVolumeHapticsFilter* filter, const double tip[3])
+{
+  const TouchedArray scalars = HapticBaker(filter).GetTouched()[0];
+  vtkImageData* const image = filter->GetTouchedImage();
+  WholeFacts facts;
+  std::string error;
+  // Where a given surface is missing can't be told: it has no regions. What is a region itself is
+  // meshed whole.
+  if (!scalars.Array || filter->GetInputDataObject(2, 0) ||
+    image->GetNumberOfPoints() < LeastWholeSamples ||
+    !ReadWholeFacts(image, filter->GetProperty()->GetComponent(), facts, error) || facts.IsThere)
+  {
+    return std::nullopt;
+  }
+  const SurfaceKey key{ scalars.GetKey(), filter->GetProperty()->GetComponent(),
+    filter->GetIsoValue() };
+  if (this->Of != key)
+  {
+    this->End();
+    this->Of = key;
+  }
+  std::optional<SurfaceRegion> made = this->Take(image, filter);
+  Extent wanted;
+  this->Planner->SetWhole(image);
+  this->Planner->UseSettingsOf(filter);
+  const double atRest[3] = { 0.0, 0.0, 0.0 };
+  if (!this->Meshing.IsUnderWay() &&
+    this->Planner->Plan(tip, atRest, this->Region.data(), wanted.data()))
+  {
+    this->Order(image, filter, wanted);
+  }
+  return made;
+}
+
+} // namespace VolumeHaptics

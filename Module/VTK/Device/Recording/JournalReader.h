@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads the journal of a recording, even if a crash or a full disk ended it.
+ */
+#ifndef JournalReader_h
+#define JournalReader_h
+
+#include "VTK/Device/Recording/HapticJournal.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class JournalWriter;
+
+class JournalReader
+{
+public:
+  JournalReader() = default;
+  ~JournalReader();
+  JournalReader(const JournalReader&) = delete;
+  JournalReader& operator=(const JournalReader&) = delete;
+
+  ///@{
+  /**
+   * Scans the journal. False, with the reason, if it is no journal, or is being written. With a
+   * writer, reads the file that it wrote, even if another file has that name now.
+   */
+  bool Open(const std::string& journal, std::string& error);
+  bool Open(const JournalWriter& writer, std::string& error);
+  ///@}
+  /** Sets the number of ticks that were written, so that a missing end is noticed. */
+  void Expect(std::uint64_t ticks);
+  /**
+   * Why a part of it can't be read, with the numbers. Empty if all was read, or if only the last
+   * chunk was cut off, as by a crash.
+   */
+  const std::string& GetDamage() const { return this->Damage; }
+  bool IsAt(const std::string& file) const;
+  /**
+   * Removes the journal, if it still has that name, and if locks show that it is not being written.
+   */
+  void Remove(const std::string& journal) const;
+
+  const RecordingAbout& GetAbout() const { return this->About; }
+  /** Null if there is no tick. */
+  const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
+  std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
+  /** That a tool with a shape had in the first state. */
+  std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
+  /** Of which tissue had been removed at the first state. */
+  std::uint64_t GetNumberOfBricks() const { return this->Bricks; }
+  std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
+  std::uint64_t GetLostTicks() const { return this->Lost; }
+
+  /**
+   * The caps of all placements one after the other; only those of one if all are the same. False if
+   * reading failed.
+   */
+  bool ReadCaps(std::vector<double>& caps);
+  ///@{
+  /** False if reading failed. */
+  bool ReadContacts(std::vector<ContactRow>& contacts);
+  bool ReadShares(std::vector<BrickShares>& shares);
+  ///@}
+  ///@{
+  /** Visits one after the other; false if reading failed. */
+  bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
+  /** The compressed blocks of a column of GetRecordingColumns. */
+  bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
+  bool ForEachRow(const std::function<void(const RecordingRow&)>& visit);
+  ///@}
+
+private:
+  struct Chunk
+  {
+    std::uint32_t Kind = 0;
+    std::uint64_t Payload = 0; ///< its position
+    std::uint64_t Size = 0;
+    std::uint64_t Sum = 0;
+  };
+  bool Scan(std::string& error);
+  /** Looks at the bytes behind the last whole chunk. */
+  void FindDamage();
+  bool IsCutOff(std::uint64_t size);
+  bool ReadAt(std::uint64_t position, void* data, std::size_t size);
+  bool ReadHead(std::uint64_t position, Chunk& chunk);
+  bool TakeIn(const Chunk& chunk, const std::string& payload, std::string& error);
+  bool TakeHashes(const std::string& payload);
+  bool TakeAbout(const std::string& payload, std::string& error);
+  template <typename Row>
+  bool ReadRows(std::uint32_t kind, std::vector<Row>& rows);
+  bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
+
+  int Descriptor = -1;
+  int Failure = 0; ///< the errno of the last ReadAt, 0 at the end of the file
+  bool IsLocked = false;
+  std::uint64_t End = 0; ///< end of the last whole chunk
+  std::string Damage;
+  RecordingAbout About;
+  bool HasAbout = false;
+  RecordingBegin Begin;
+  bool HasBegin = false;
+  bool HasLastGroup = false;
+  std::uint64_t Ticks = 0;
+  std::uint64_t Contacts = 0;
+  std::uint64_t Bricks = 0;
+  std::uint64_t Placements = 0;
+  std::uint64_t Lost = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

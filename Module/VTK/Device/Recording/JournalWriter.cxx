@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/Recording/JournalWriter.h"
+
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Device/Recording/HapticJournalChunks.h"
+#include "VTK/Trace/HapticTraceColumns.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+enum class JournalPlace
+{
+  Free,    ///< there is no journal, or no longer
+  Unknown, ///< there is one, and no lock tells whether it is being written
+  Taken
+};
+
+constexpr int MostNames = 1000;
+constexpr const char* TooManyNames = "there are too many unfinished recordings of that name beside "
+                                     "it. Remove some, or give another name.";
+
+std::string Numbered(const std::string& journal, int number)
+{
+  return journal + "." + std::to_string(number);
+}
+
+/** Renames an open journal that an earlier recording left to a free name. */
+bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
+{
+  for (int i = 1; i <= MostNames; ++i)
+  {
+    const std::string free = Numbered(journal, i);
+    struct stat status;
+    if (lstat(free.c_str(), &status) == 0)
+    {
+      continue;
+    }
+    if (IsSameFile(descriptor, journal) && rename(journal.c_str(), free.c_str()) != 0)
+    {
+      error = "the unfinished recording " + Printable(journal) + " can't be renamed (" +
+        DescribeError(errno) + "). Remove it, or give another name.";
+      return false;
+    }
+    warning = "An earlier recording of that name was not finished. Its ticks are now in " +
+      Printable(free) +
+      ": make a recording of it with vtkHapticDevice::RecoverRecording, or remove it.";
+    return true;
+  }
+  error = TooManyNames;
+  return false;
+}
+
+JournalPlace PutAside(const std::string& journal, std::string& error, std::string& warning)
+{
+  struct stat status;
+  if (lstat(journal.c_str(), &status) != 0)
+  {
+    return JournalPlace::Free; // else the error of creating it says more
+  }
+  std::string reason;
+  if (!CheckRegular(journal, reason))
+  {
+    error = "the name of its journal, " + Printable(journal) + ", " + reason +
+      ". Remove that, or give another name.";
+    return JournalPlace::Taken;
+  }
+  const int descriptor = OpenFile(journal, O_RDONLY | O_NONBLOCK);
+  if (descriptor < 0)
+  {
+    error = "the unfinished recording " + Printable(journal) + " can't be read (" +
+      DescribeError(errno) + "). Remove it, or give another name.";
+    return JournalPlace::Taken;
+  }
+  JournalPlace place = JournalPlace::Taken;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+  {
+    place = Rename(descriptor, journal, error, warning) ? JournalPlace::Free : JournalPlace::Taken;
+  }
+  else if (errno == EWOULDBLOCK)
+  {
+    error = "it is being recorded already. Give another name.";
+  }
+  else
+  {
+    place = JournalPlace::Unknown;
+  }
+  close(descriptor);
+  return place;
+}
+
+} // namespace
+
+bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::string& warning)
+{
+  const std::string journal = file + JournalEnding;
+  const JournalPlace place = PutAside(journal, error, warning);
+  if (place == JournalPlace::Taken)
+  {
+    return false;
+  }
+  struct stat status;
+  const bool isOld = stat(file.c_str(), &status) == 0;
+  constexpr mode_t everybody = 0666; // the user's mask removes some of these
+  const mode_t mode = isOld ? status.st_mode & 0600 : everybody;
+  constexpr int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW;
+  this->Name = journal;
+  int number = 0;
+  do
+  {
+    this->Name = place == JournalPlace::Free ? journal : Numbered(journal, ++number);
+    this->Descriptor = OpenFile(this->Name, flags, mode | 0600);
+  } while (this->Descriptor < 0 && errno == EEXIST && place == JournalPlace::Unknown &&
+    number < MostNames);
+  if (this->Descriptor < 0)
+  {
+    error = errno == EEXIST ? place == JournalPlace::Free
+        ? "it is being recorded already. Give another name."
+        : TooManyNames
+                            : ExplainWriteError(errno, this->Name);
+    return false;
+  }
+  // Some file systems have no locks; the journal then has none either.
+  if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    error = "it is being recorded already. Give another name.";
+    return false;
+  }
+  if (isOld)
+  {
+    (void)TakePermissions(this->Descriptor, status);
+  }
+  if (place == JournalPlace::Unknown)
+  {
+    warning = "There is an unfinished recording " + Printable(journal) +
+      ", and its file system has no locks, which would tell whether a program still writes to it. "
+      "It stays as it is, and this recording is kept in " +
+      Printable(this->Name) + " until it ends.";
+  }
+  return true;
+}
+
+bool JournalWriter::Create(
+  const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning)
+{
+  this->Close();
+  this->Failure = 0;
+  error.clear();
+  bool isGood = this->OpenNew(file, error, warning);
+  if (isGood)
+  {
+    std::string payload(JournalMark, sizeof(JournalMark));
+    for (const std::string& text :
+      { SignatureOfColumns(), about.DeviceId, about.Settings, about.VolumeHash })
+    {
+      PutText(payload, text);
+    }
+    isGood = this->WriteChunk(AboutChunk, payload) == 0;
+    if (!isGood)
+    {
+      error = ExplainWriteError(this->Failure, this->Name);
+      this->Remove();
+    }
+  }
+  if (!isGood)
+  {
+    this->Close();
+  }
+  return isGood;
+}
+
+void JournalWriter::Remove()
+{
+  if (this->Descriptor >= 0 && IsSameFile(this->Descriptor, this->Name))
+  {
+    unlink(this->Name.c_str());
+  }
+}
+
+void JournalWriter::Close()
+{
+  if (this->Descriptor >= 0)
+  {
+    // A forked child also has the descriptor, and with it the lock.
+    (void)flock(this->Descriptor, LOCK_UN);
+    close(this->Descriptor);
+    this->Descriptor = -1;
+  }
+}
+
+int JournalWriter::WriteChunk(std::uint32_t kind, const std::string& payload)
+{
+  if (this->Failure == 0)
+  {
+    std::string chunk;
+    chunk.reserve(HeadSize + payload.size());
+    Put(chunk, kind);
+    Put(chunk, std::uint32_t{ 0 });
+    Put(chunk, static_cast<std::uint64_t>(payload.size()));
+    Put(chunk, SumOf(payload));
+    chunk += payload;
+    this->Failure = WriteAll(this->Descriptor, chunk.data(), chunk.size());
+  }
+  return this->Failure;
+}
+
+int JournalWriter::WriteHashes(const RecordingHashes& hashes)
+{
+  std::string payload;
+  PutText(payload, hashes.Volume);
+  PutText(payload, hashes.Labels);
+  return this->WriteChunk(HashesChunk, payload);
+}
+
+int JournalWriter::WriteBegin(const RecordingBegin& begin)
+{
+  std::string payload;
+  Put(payload, begin);
+  return this->WriteChunk(BeginChunk, payload);
+}
+
+template <typename Row>
+int JournalWriter::WriteRows(std::uint32_t kind, const std::vector<Row>& rows)
+{
+  constexpr std::size_t most = 8000000 / sizeof(Row); // of a chunk of 8 MB
+  for (std::size_t first = 0; first < rows.size(); first += most)
+  {
+    std::string payload;
+    for (std::size_t i = first; i < std::min(first + most, rows.size()); ++i)
+    {
+      Put(payload, rows[i]);
+    }
+    this->WriteChunk(kind, payload);
+  }
+  return this->Failure;
+}
+
+int JournalWriter::WriteContacts(const std::vector<ContactRow>& contacts)
+{
+  return this->WriteRows(ContactsChunk, contacts);
+}
+
+int JournalWriter::WriteShares(const std::vector<BrickShares>& shares)
+{
+  return this->WriteRows(SharesChunk, shares);
+}
+
+int JournalWriter::WritePlacements(const std::vector<PlacementRow>& placements)
+{
+  std::string payload;
+  for (const PlacementRow& placement : placements)
+  {
+    Put(payload, placement);
+  }
+  return payload.empty() ? this->Failure : this->WriteChunk(PlacementsChunk, payload);
+}
+
+int JournalWriter::WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost)
+{
+  const std::vector<TraceColumn>& columns = GetRecordingColumns();
+  std::string blocks;
+  std::string payload;
+  Put(payload, lost);
+  Put(payload, static_cast<std::uint32_t>(count));
+  std::vector<unsigned char> tuples;
+  for (const TraceColumn& column : columns)
+  {
+    const std::size_t width = column.GetWidth();
+    tuples.resize(count * width);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::memcpy(tuples.data() + i * width,
+        reinterpret_cast<const unsigned char*>(rows + i) + column.Offset, width);
+    }
+    Put(payload,
+      static_cast<std::uint32_t>(this->Compressor.Compress(tuples.data(), tuples.size(), blocks)));
+  }
+  return this->WriteChunk(TicksChunk, payload + blocks);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Writes the journal of a running recording.
+ */
+#ifndef JournalWriter_h
+#define JournalWriter_h
+
+#include "VTK/Device/Recording/BlockCompressor.h"
+#include "VTK/Device/Recording/HapticJournal.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class JournalWriter
+{
+public:
+  ~JournalWriter() { this->Close(); }
+  JournalWriter() = default;
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  /**
+   * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
+   * and the cure, if it can't be created or another program writes to it. A journal that an earlier
+   * recording left is renamed. If the file system has no locks, nothing tells whether it is still
+   * being written; the new journal then gets another name. A warning tells both.
+   */
+  bool Create(
+    const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
+  const std::string& GetName() const { return this->Name; }
+  /** Removes the journal that was created. */
+  void Remove();
+  ///@{
+  /** Returns 0, or the errno of the failure; nothing is written after that. */
+  int WriteHashes(const RecordingHashes& hashes);
+  int WriteBegin(const RecordingBegin& begin);
+  int WriteContacts(const std::vector<ContactRow>& contacts);
+  int WriteShares(const std::vector<BrickShares>& shares);
+  int WritePlacements(const std::vector<PlacementRow>& placements);
+  int WriteTicks(const RecordingRow* rows, std::size_t count, std::uint64_t lost);
+  ///@}
+  void Close();
+
+private:
+  friend class JournalReader; // reads from the same descriptor
+  bool OpenNew(const std::string& file, std::string& error, std::string& warning);
+  int WriteChunk(std::uint32_t kind, const std::string& payload);
+  /** As chunks of that kind; none without rows. */
+  template <typename Row>
+  int WriteRows(std::uint32_t kind, const std::vector<Row>& rows);
+
+  std::string Name;
+  int Descriptor = -1;
+  int Failure = 0;
+  BlockCompressor Compressor;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Device/Recording/TickCollector.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+void TickCollector::Drain()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  ServoSnapshot snapshot;
+  while (this->Loop.Drain(snapshot))
+  {
+    if (this->Recording)
+    {
+      this->Recording->Append(snapshot);
+    }
+    if (!this->Readers.empty())
+    {
+      if (this->States.size() == MostStates)
+      {
+        this->States.pop_front();
+        ++this->Forgotten;
+      }
+      this->States.emplace_back(snapshot);
+    }
+  }
+  if (this->Recording)
+  {
+    this->Recording->SetMissed(this->Loop.GetLostRecords() - this->LostBefore);
+  }
+}
+
+bool TickCollector::AwaitsOther(const TissueRemoval* removal)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Recording && this->Recording->IsAwaited() && removal &&
+    removal != this->GetLatestRemoval();
+}
+
+void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
+{
+  TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
+  if (this->AwaitsOther(removal))
+  {
+    // The tick with which it begins may still come, with the removal that it has now.
+    this->Loop.KeepNothing();
+    this->AwaitTick();
+    this->Drain();
+  }
+  const bool isOther = this->AwaitsOther(removal);
+  if (isOther)
+  {
+    if (TissueRemoval* const before = this->GetLatestRemoval())
+    {
+      (void)before->EndSnapshot();
+    }
+    removal->BeginSnapshot();
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  const std::uint64_t generation = this->Loop.Publish(model);
+  const PublishedTouch touch{ std::move(model), this->Loop.GetTool() };
+  if (this->Recording)
+  {
+    this->Recording->AddModel(generation, touch.Model, touch.Tool);
+  }
+  this->Models[generation] = touch;
+  if (isOther)
+  {
+    this->Loop.KeepTool();
+  }
+  // If no reader asks for states, models must not pile up either.
+  for (auto& [id, reader] : this->Readers)
+  {
+    if (reader.Next < this->Forgotten && !this->States.empty())
+    {
+      const std::uint64_t first = this->States.front().Generation;
+      reader.TakenGeneration = std::max(reader.TakenGeneration, first);
+      reader.FirstUntaken = std::max(reader.FirstUntaken, first);
+    }
+  }
+  this->Forget(this->Loop.GetWrittenGeneration());
+}
+
+void TickCollector::Forget(std::uint64_t generation)
+{
+  std::uint64_t first = generation;
+  for (const auto& [id, reader] : this->Readers)
+  {
+    first = std::min(first, reader.FirstUntaken);
+  }
+  this->Models.erase(this->Models.begin(), this->Models.lower_bound(first));
+}
+
+void TickCollector::ForgetStates()
+{
+  std::uint64_t least = this->Forgotten + this->States.size();
+  for (const auto& [id, reader] : this->Readers)
+  {
+    least = std::min(least, reader.Next);
+  }
+  for (; this->Forgotten < least; ++this->Forgotten)
+  {
+    this->States.pop_front();
+  }
+}
+
+std::vector<StateRow> TickCollector::TakeStates(int id)
+{
+  if (this->Readers.count(id) == 0)
+  {
+    const std::uint64_t generation = this->Loop.GetWrittenGeneration();
+    this->Drain(); // takes the states that only other readers want
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
+    this->Loop.SetRecording(true);
+  }
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  Reader& reader = this->Readers[id];
+  const std::uint64_t first = std::max(reader.Next, this->Forgotten) - this->Forgotten;
+  std::vector<StateRow> states(
+    this->States.begin() + static_cast<std::ptrdiff_t>(first), this->States.end());
+  reader.Next = this->Forgotten + this->States.size();
+  reader.FirstUntaken = reader.TakenGeneration;
+  if (!states.empty())
+  {
+    reader.TakenGeneration = states.back().Generation;
+  }
+  this->ForgetStates();
+  return states;
+}
+
+void TickCollector::StopTaking(int id)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Readers.erase(id);
+  this->ForgetStates();
+  this->Loop.SetRecording(this->Recording || !this->Readers.empty());
+}
+
+const HapticModel* TickCollector::FindModel(std::uint64_t generation)
+{
+  // States come in order: no older ones will be asked for.
+  this->Forget(generation);
+  const auto found = this->Models.find(generation);
+  return found == this->Models.end() ? nullptr : found->second.Model.get();
+}
+
+void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->LostBefore = this->Loop.GetLostRecords();
+  for (const auto& [generation, touch] : this->Models)
+  {
+    recording->AddModel(generation, touch.Model, touch.Tool);
+  }
+  if (TissueRemoval* const removal = this->GetLatestRemoval())
+  {
+    removal->BeginSnapshot();
+  }
+  this->Recording = std::move(recording);
+  this->Loop.SetRecording(true);
+  this->Loop.KeepTool(); // after it: the tick that keeps it is among those that come
+}
+
+void TickCollector::AwaitTick() const
+{
+  const std::uint64_t last = this->Loop.GetTickCount();
+  for (int i = 0; i < 100 && this->Loop.GetTickCount() == last; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void TickCollector::FollowRecording()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  TissueRemoval* const removal = this->GetLatestRemoval();
+  if (this->Recording && this->Recording->IsAwaited() && removal && !this->Loop.IsKeepWanted() &&
+    removal->IsSnapshotLate())
+  {
+    removal->BeginSnapshot();
+    this->Loop.KeepTool();
+  }
+}
+
+TissueRemoval* TickCollector::GetLatestRemoval() const
+{
+  const HapticModel* const model =
+    this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
+  return model ? model->Baked->Removal.get() : nullptr;
+}
+
+std::unique_ptr<HapticRecording> TickCollector::StopRecording()
+{
+  this->Loop.SetRecording(!this->Readers.empty());
+  this->Loop.KeepNothing();
+  // The tick that runs now belongs to it, too.
+  this->AwaitTick();
+  this->Drain();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::move(this->Recording);
+}
+
+} // namespace VolumeHaptics

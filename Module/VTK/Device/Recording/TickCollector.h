@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Collects the ticks of a servo loop for a recording and for displays, with their models.
+ */
+#ifndef TickCollector_h
+#define TickCollector_h
+
+#include "Core/Servo/ServoLoop.h"
+#include "VTK/Device/Recording/HapticRecording.h"
+#include "VTK/Device/Recording/HapticStateTable.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** All functions are for the owner; the keeper thread may also call Drain. */
+class TickCollector
+{
+public:
+  /** The loop must outlive this. */
+  explicit TickCollector(ServoLoop& loop)
+    : Loop(loop)
+  {
+  }
+
+  /** Gives the loop a model, and keeps it for as long as a state of its ticks may be read. */
+  void Publish(std::shared_ptr<const HapticModel> model);
+  /** The model that was last published; null before the first. */
+  const HapticModel* GetLatestModel() const
+  {
+    return this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
+  }
+  /** Whether the loop uses that model. */
+  bool IsLatestUsed() const
+  {
+    return !this->Models.empty() && this->Loop.GetAcknowledged() >= this->Models.rbegin()->first;
+  }
+  /** The model of a generation that the owner may still find in a state; null before the first. */
+  const HapticModel* FindModel(std::uint64_t generation);
+
+  ///@{
+  /** Takes over a recording that was started; Drain fills it until it is handed back. */
+  void StartRecording(std::unique_ptr<HapticRecording> recording);
+  std::unique_ptr<HapticRecording> StopRecording();
+  /** To be called now and then: a recording may wait for a copy of what was removed. */
+  void FollowRecording();
+  bool IsRecording() const { return this->Recording != nullptr; }
+  /** See HapticRecording::SetHashes; a recording is under way. */
+  void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
+  /** The reason if the recording has failed; empty while there is none. */
+  std::string GetRecordingTrouble() const
+  {
+    return this->Recording ? this->Recording->GetTrouble() : std::string();
+  }
+  ///@}
+
+  ///@{
+  /**
+   * All states since a reader's last call, oldest first, for a display that must not miss one. The
+   * first call begins to keep them, and StopTaking ends that. Each reader gets all states. If a
+   * reader does not take them for MostStates ticks, it loses the oldest.
+   */
+  std::vector<StateRow> TakeStates(int reader);
+  void StopTaking(int reader);
+  ///@}
+  static constexpr std::size_t MostStates = 86000; // 20 MB
+
+  /** Takes all ticks that the loop has written. */
+  void Drain();
+
+private:
+  /** Whether a recording waits for its first tick, with another removal than that. */
+  bool AwaitsOther(const TissueRemoval* removal);
+  /** Of the model that was last published; null if nothing is removed. */
+  TissueRemoval* GetLatestRemoval() const;
+  /** Waits for the end of the tick that runs now, up to 0.1 s. */
+  void AwaitTick() const;
+  /** Drops the states that all readers have got. Call it under the mutex. */
+  void ForgetStates();
+  /** Drops the models of older generations, which no reader can ask for any more. */
+  void Forget(std::uint64_t generation);
+
+  ServoLoop& Loop;
+  std::mutex Mutex; // between the owner and the keeper; the loop never takes it
+  std::unique_ptr<HapticRecording> Recording;
+  std::uint64_t LostBefore = 0; // ticks lost before the recording began
+  struct Reader
+  {
+    std::uint64_t Next = 0;            // the number of states before the first one to take
+    std::uint64_t TakenGeneration = 0; // generation of the last state taken
+    std::uint64_t FirstUntaken = 0;    // lower bound of the generations of states to take
+  };
+  std::map<int, Reader> Readers; // written by the owner, under the mutex
+  std::deque<StateRow> States;
+  std::uint64_t Forgotten = 0; // the number of dropped states
+  /** Used by the owner: models by generation, from that of the last state asked for. */
+  std::map<std::uint64_t, PublishedTouch> Models;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A running servo: the loop on a thread of its own, and five threads beside it.
+ *
+ * The fitter thread computes local surfaces. The sample thread keeps the samples around the tip in
+ * memory. The keeper thread does the work that must not run in the loop and must not wait for the
+ * GUI: it collects ticks for a recording or a display, and quenches the device if the loop does not
+ * answer. The watch thread wakes the loop up on another processor if the loop's own does not in
+ * time. The last one asks RealtimeKit for a real-time class for the loop if the kernel refuses it,
+ * and ends.
+ */
+#ifndef ServoThreads_h
+#define ServoThreads_h
+
+#include "Core/Realtime/ServoClock.h"
+#include "Core/Servo/ServoLoop.h"
+#include "VTK/Device/Recording/TickCollector.h"
+
+#include "vtkMultiThreader.h"
+#include "vtkNew.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class ServoThreads
+{
+public:
+  /** Starts the threads. The back end must be open and outlive them. */
+  ServoThreads(DeviceBackend& backend, double rate, const SafetyLimits& limits,
+    std::shared_ptr<const HapticModel> model);
+  /** Stops the loop, with zero force sent, and joins the threads. */
+  ~ServoThreads();
+  ServoThreads(const ServoThreads&) = delete;
+  ServoThreads& operator=(const ServoThreads&) = delete;
+
+  ServoLoop& GetLoop() { return this->Loop; }
+  TickCollector& GetTicks() { return this->Ticks; }
+  /** False in a process that was forked from the one that the threads belong to. */
+  bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
+
+  /**
+   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
+   * second.
+   */
+  void Hold() noexcept;
+  /**
+   * From any thread: when this returns, the devices of all these servos have no force, until they
+   * are armed again. All of them get the order before the first is waited for, so that a loop that
+   * hangs does not delay the others; at most 40 ms for all together.
+   */
+  static void Quench(const std::vector<ServoThreads*>& servos) noexcept;
+  /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
+  void End();
+
+private:
+  static VTK_THREAD_RETURN_TYPE RunLoop(void* info);
+  static VTK_THREAD_RETURN_TYPE RunFitter(void* info);
+  static VTK_THREAD_RETURN_TYPE RunSampleKeeper(void* info);
+  static VTK_THREAD_RETURN_TYPE RunKeeper(void* info);
+  static VTK_THREAD_RETURN_TYPE RunWatch(void* info);
+  static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
+  void Keep();
+  /**
+   * After Quench was begun: whether the device has got the order, and no running tick may still
+   * write a force.
+   */
+  bool IsQuenched() noexcept;
+
+  DeviceBackend& Backend;
+  ServoLoop Loop;
+  TickCollector Ticks{ Loop };
+  vtkNew<vtkMultiThreader> Threader;
+  const std::int64_t Process = ServoClock::GetProcess(); // the process that the threads belong to
+  int LoopThread = -1;
+  int FitterThread = -1;
+  int SampleThread = -1;
+  int KeeperThread = -1;
+  int WatchThread = -1;
+  int RequestThread = -1;
+  std::atomic<bool> KeeperStop{ false };
+  std::atomic<bool> HasEnded{ false };
+  ///@{
+  /**
+   * Used by Quench, which one thread at a time may call: the tick that sees the order, and whether
+   * it has come.
+   */
+  std::uint64_t QuenchedTick = 0;
+  bool HasSeenQuench = false;
+  ///@}
+};
+
+} // namespace VolumeHaptics
+
+#endif

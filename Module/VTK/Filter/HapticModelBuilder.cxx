@@ -1,0 +1,496 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Filter/HapticModelBuilder.h"
+
+#include "Core/Math/PolylineMask.h"
+#include "Core/Model/SurfaceMesh.h"
+#include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
+#include "VTK/Baking/HapticCut.h"
+#include "VTK/Baking/HapticSurface.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Filter/RegionSeries.h"
+#include "VTK/Material/HapticFunctions.h"
+#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/RemovalAccess.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The allowed values of a function, as a text. */
+std::string DescribeRange(const PropertyFunction& function)
+{
+  const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
+  return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
+}
+
+/** Makes a function of the property's values one of scalars. */
+void ToScalars(vtkHapticProperty* property, Polyline& line)
+{
+  for (Vertex& vertex : line)
+  {
+    vertex.X = property->ValueToScalar(vertex.X);
+  }
+}
+
+/** The same of gradient magnitudes. */
+void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
+{
+  for (Vertex& vertex : line)
+  {
+    vertex.X /= property->GetScalarScale();
+  }
+}
+
+/** Notes what has to be added to the scalars, if the image tells it, and tells that. */
+void FindShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  const HapticVolume& volume, int component, std::string& notice)
+{
+  property->NoteShift(0.0);
+  if (!property->GetShiftFromImage() || property->GetScalarShift() != 0.0 ||
+    property->GetScalarScale() != 1.0)
+  {
+    return;
+  }
+  const StoredShift found = volume.Whole.IsThere
+    ? volume.Whole.Shift
+    : FindStoredShift(image, scalars, volume.View, component);
+  property->NoteShift(found.Shift);
+  std::ostringstream text;
+  if (found.Shift != 0.0)
+  {
+    text << "The " << DescribeArray(scalars)
+         << " of the input image is taken for Hounsfield units + " << -found.Shift
+         << ": its air is at " << found.Air << ". vtkHapticProperty::SetScalarShift(" << found.Shift
+         << ") says so without a search; ShiftFromImageOff() takes the values as they are.";
+  }
+  else if (found.IsStrange || scalars->GetDataTypeSize() == 1)
+  {
+    text << "The " << DescribeArray(scalars)
+         << " of the input image can't be a CT in Hounsfield units, of which the preset is: its "
+            "values go from "
+         << found.Range[0] << " to " << found.Range[1]
+         << ". Choose a preset for other data or propose one from the image, or say with "
+            "vtkHapticProperty's SetScalarShift() and SetScalarScale() how (scalar + shift) scale "
+            "becomes Hounsfield units.";
+  }
+  notice = text.str();
+}
+
+bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::string& error)
+{
+  for (const PropertyFunction& rule : PropertyFunctions)
+  {
+    Polyline& line = material.*rule.Baked;
+    line = ToPolyline((property->*rule.Get)(), rule.Default);
+    error =
+      FindFunctionFault(line, rule.Maximum, std::string(rule.Name) + " of the haptic property",
+        DescribeRange(rule), std::string("vtkHapticProperty::Get") + rule.Name + "()");
+    if (!error.empty())
+    {
+      return false;
+    }
+    rule.Baked == &HapticMaterial::Distinctness ? ScaleSlopes(property, line)
+                                                : ToScalars(property, line);
+  }
+  return true;
+}
+
+/** The opacities of the volume property as masks of the material. */
+void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
+{
+  vtkVolumeProperty* const volume = property->GetVisibilityFrom();
+  if (!volume)
+  {
+    return;
+  }
+  constexpr int mostComponents = 4; // vtkVolumeProperty's own limit
+  const int component =
+    volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
+  const double* const spacing = image->GetSpacing();
+  const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+  material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
+  // Asking for a function that is not there would make one, which mappers then draw with.
+  if (volume->HasGradientOpacity(component))
+  {
+    material.GradientVisibility =
+      MaskAbove(ToPolyline(volume->GetGradientOpacity(component), 1.0), 0.0, 1.0 / average);
+  }
+}
+
+/**
+ * Keeps noise from being felt unless the user has set the gradient of a surface, which becomes one
+ * per world unit.
+ */
+void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)
+{
+  Polyline ramp;
+  if (property->GetDistinctnessFromNoise() && property->GetDistinctness()->GetSize() == 0)
+  {
+    const double noise =
+      whole.IsThere ? whole.Noise : FindNoise(image, scalars, d.View, component).Noise;
+    ramp = MakeNoiseRamp(noise, BakedVolume::MakeKernel(d), d.IndexToWorld);
+  }
+  if (!ramp.empty())
+  {
+    d.Material.Distinctness = ramp;
+  }
+  else if (property->GetDistinctnessPerMillimeter())
+  {
+    // 1 for a world of millimetres, exactly.
+    const double millimetersPerUnit = metersPerWorldUnit / 1e-3;
+    for (Vertex& vertex : d.Material.Distinctness)
+    {
+      vertex.X *= millimetersPerUnit;
+    }
+  }
+  property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
+}
+
+/** Takes the strength from what is background, if the image tells it. */
+void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
+  int component, const WholeFacts& whole, HapticModelDescription& d)
+{
+  if (!property->GetSolidFromImage() || d.Settings.Side != SurfaceSide::Higher)
+  {
+    return;
+  }
+  const BackgroundLevel solid =
+    whole.IsThere ? whole.Solid : FindSolid(image, scalars, d.View, component);
+  if (solid.IsThere)
+  {
+    d.Material.SurfaceStrength = CutBelow(d.Material.SurfaceStrength, solid.Threshold, solid.Full);
+  }
+}
+
+/** Gives all frames but the last one the isosurfaces that they lack. */
+void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
+  std::vector<VolumeFrame>& frames)
+{
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i)
+  {
+    if (!frames[i].Mesh)
+    {
+      frames[i].Mesh = MeshFrame(frames[i], frames[i + 1], read[i].Component, value, indexToWorld);
+    }
+  }
+}
+
+/** That of the frames which has the most triangles; null, with an error, if none has any. */
+std::shared_ptr<const SurfaceMesh> FindLargestMesh(
+  const std::vector<VolumeFrame>& frames, double value, std::string& error)
+{
+  std::shared_ptr<const SurfaceMesh> largest;
+  for (const VolumeFrame& frame : frames)
+  {
+    const std::int64_t most = largest ? largest->GetNumberOfTriangles() : 0;
+    largest = frame.Mesh && frame.Mesh->GetNumberOfTriangles() > most ? frame.Mesh : largest;
+  }
+  if (!largest)
+  {
+    std::ostringstream message;
+    message << "There is no isosurface at the IsoValue " << value
+            << " of vtkVolumeHapticsFilter in any frame of the image on input port 0. "
+               "SetIsoValue() to a value between its scalars.";
+    error = message.str();
+  }
+  return largest;
+}
+
+/** The mesh and the proxy's radius, if the method touches a mesh. */
+bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
+  const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
+{
+  d.Settings.HasIsoSurface = d.Settings.Method == HapticMethod::LocalSurface;
+  if (d.Settings.Method != HapticMethod::SurfaceProxy)
+  {
+    return true;
+  }
+  if (d.Settings.ProxyRadius == 0.0)
+  {
+    d.Settings.ProxyRadius = 0.5 * SmallestSpacing(image);
+  }
+  d.Settings.HasIsoSurface = options.Surface == nullptr;
+  if (!d.Frames.empty())
+  {
+    MeshFrames(options.Frames, d.Settings.IsoValue, d.IndexToWorld, d.Frames);
+  }
+  const std::int64_t* const first = d.View.First;
+  const IsoSurface iso = { image, scalars, component, d.Settings.IsoValue,
+    { static_cast<int>(first[0]), static_cast<int>(first[1]), static_cast<int>(first[2]) },
+    !ResidentBox(d.View).IsWhole() };
+  d.Mesh = d.Frames.empty() ? options.Surfaces->Get(options.Surface, iso, d.IndexToWorld, error)
+                            : FindLargestMesh(d.Frames, d.Settings.IsoValue, error);
+  if (!d.Mesh)
+  {
+    return false;
+  }
+  const int touched = d.Mesh->EstimateVisits(d.Settings.ProxyRadius);
+  if (touched > MostTouched)
+  {
+    std::ostringstream message;
+    message
+      << "The ProxyRadius " << d.Settings.ProxyRadius
+      << " of vtkVolumeHapticsFilter is too large for a surface as fine as this: a sphere of it "
+         "may touch some "
+      << touched / 2 << " of its triangles at once, and a tick has time for " << MostTouched / 2
+      << ". Lower ProxyRadius, or connect a coarser surface to input port 2.";
+    error = message.str();
+    return false;
+  }
+  return true;
+}
+
+/** Holds a reference to the array; made and dropped outside the servo thread. */
+std::shared_ptr<const void> ShareArray(vtkDataArray* array)
+{
+  array->Register(nullptr);
+  return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
+}
+
+/** The component of an array that is a frame. */
+vtkSmartPointer<vtkDataArray> CopyComponent(const HapticFrame& frame)
+{
+  auto copy = NewArray(frame.Array->GetDataType(), 1, frame.Array->GetNumberOfTuples());
+  copy->SetName(frame.Array->GetName());
+  copy->CopyComponent(0, frame.Array, frame.Component);
+  return copy;
+}
+
+bool AreAlike(const VolumeView& a, const VolumeView& b)
+{
+  return std::equal(a.Dimensions, a.Dimensions + 3, b.Dimensions) &&
+    std::equal(a.First, a.First + 3, b.First) && std::equal(a.Whole, a.Whole + 3, b.Whole);
+}
+
+bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
+{
+  const std::vector<HapticFrame>& frames = options.Frames;
+  if (!frames.empty() && d.Settings.Method == HapticMethod::SurfaceProxy && options.Surface)
+  {
+    error = "The surface on input port 2 does not move, and the image on input port 0 has several "
+            "frames. Disconnect the surface to touch the isosurface at IsoValue, which moves, or "
+            "stop time with SetTimeUnitsPerSecond(0).";
+    return false;
+  }
+  if (!frames.empty() && d.Settings.Method == HapticMethod::Primitives)
+  {
+    error =
+      "PRIMITIVES feels vectors of one time, and the image on input port 0 has several frames. "
+      "Choose another method, or stop time with SetTimeUnitsPerSecond(0).";
+    return false;
+  }
+  // Of a part of the series, the last one needs no displacements.
+  FrameSeries series = d.Series;
+  series.Last = frames.empty() ? 0.0 : frames.back().Time;
+  series.First = frames.empty() ? 0.0 : std::min(series.First, frames.front().Time);
+  const FrameShape shape{ d.View, d.IndexToWorld, series, d.KernelRadius, options.Displacements,
+    options.Outside };
+  for (const HapticFrame& frame : frames)
+  {
+    d.Frames.emplace_back();
+    if (!MakeVolumeFrame(frame, shape, d.Frames.back(), error))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool MakeVolumeFrame(
+  const HapticFrame& read, const FrameShape& shape, VolumeFrame& frame, std::string& error)
+{
+  HapticVolume volume;
+  std::ostringstream message;
+  if (!read.Array)
+  {
+    message << "The input image on input port 0 has no point array to touch at time " << read.Time
+            << ". Give all time steps the same array.";
+    error = message.str();
+    return false;
+  }
+  // Of components, all would be copied for each.
+  const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
+    read.Component >= read.Array->GetNumberOfComponents();
+  const vtkSmartPointer<vtkDataArray> array =
+    CopyFilled(shape.Outside, isAlone ? read.Array : CopyComponent(read), 0);
+  const int component = isAlone ? read.Component : 0;
+  if (!ReadVolume(read.Image, array, component, shape.KernelRadius, volume, error))
+  {
+    message << "At time " << read.Time << ": " << error;
+    error = message.str();
+    return false;
+  }
+  if (!AreAlike(volume.View, shape.View) || !IsIdentical(volume.IndexToWorld, shape.IndexToWorld))
+  {
+    const std::int64_t* const n = volume.View.Dimensions;
+    message << "The input image at time " << read.Time << " has another geometry than at time "
+            << shape.Series.First << " (" << n[0] << " x " << n[1] << " x " << n[2]
+            << " points): all time steps need the same extent, origin, spacing and direction. "
+               "Resample them to one geometry, for example with vtkImageReslice, or stop time "
+               "with SetTimeUnitsPerSecond(0).";
+    error = message.str();
+    return false;
+  }
+  // Samples that are not numbers have one value at all times.
+  volume.View.BorderValue = shape.View.BorderValue;
+  frame = { read.Time, volume.View, ShareArray(volume.Holder) };
+  frame.Mesh = read.Mesh;
+  const bool isMoved = read.Displacements || read.Time < shape.Series.Last;
+  return shape.Displacements.empty() || !isMoved ||
+    ReadDisplacements(read, shape.Displacements, frame, error);
+}
+
+std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
+  const std::vector<HapticFrame>& frames, const FrameSeries& series, int kernelRadius,
+  const std::string& displacements, const OutsideSamples& outside)
+{
+  const HapticFrame& first = frames.front();
+  const VolumeView& before = last.Field.GetView();
+  HapticVolume volume;
+  std::string error;
+  if (!first.Array ||
+    !ReadVolume(first.Image, first.Array, first.Component, kernelRadius, volume, error))
+  {
+    return nullptr;
+  }
+  const VolumeView& now = volume.View;
+  bool isAlike = now.Type == before.Type && IsIdentical(volume.IndexToWorld, last.IndexToWorld);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isAlike = isAlike && now.Border(axis) == before.Border(axis) &&
+      now.Dimensions[axis] >= PointsNeeded(kernelRadius);
+  }
+  volume.View.BorderValue = before.BorderValue;
+  const FrameShape shape{ now, volume.IndexToWorld, series, kernelRadius, displacements, outside };
+  std::vector<VolumeFrame> made(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    if (!isAlike || !MakeVolumeFrame(frames[i], shape, made[i], error))
+    {
+      return nullptr; // a new bake tells why
+    }
+  }
+  if (last.Mesh)
+  {
+    MeshFrames(frames, last.Settings.IsoValue, last.IndexToWorld, made);
+  }
+  return std::make_shared<const BakedVolume>(last, made, series);
+}
+
+std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkDataArray* scalars,
+  vtkHapticProperty* property, const HapticModelOptions& options, std::string& notice,
+  std::string& error)
+{
+  HapticModelDescription d = options.Description;
+  HapticVolume volume;
+  const int component =
+    options.Frames.empty() ? property->GetComponent() : options.Frames.front().Component;
+  if (!ReadVolume(image, scalars, component, d.KernelRadius, volume, error))
+  {
+    return nullptr;
+  }
+  FindShift(property, image, scalars, volume, component, notice);
+  if (!BakeFunctions(property, d.Material, error))
+  {
+    return nullptr;
+  }
+  const WholeFacts& whole = volume.Whole;
+  d.View = volume.View;
+  d.ResidentShare = whole.Share;
+  d.Series = options.Series;
+  d.IndexToWorld = volume.IndexToWorld;
+  const std::int64_t* const n = d.View.Dimensions;
+  const std::int64_t needed = PointsNeeded(d.KernelRadius);
+  if (std::min({ n[0], n[1], n[2] }) < needed)
+  {
+    std::ostringstream message;
+    message << "The kernel is larger than the input image: a KernelRadius of " << d.KernelRadius
+            << " needs " << needed << " points along every axis, and the image is " << n[0] << " x "
+            << n[1] << " x " << n[2] << ". Lower KernelRadius or use a larger image"
+            << (ResidentBox(d.View).IsWhole() ? "." : ", here a larger region of the volume.");
+    error = message.str();
+    return nullptr;
+  }
+  if (options.Cut)
+  {
+    const int* const extent = whole.IsThere ? whole.Extent : image->GetExtent();
+    d.Cut = options.Cut->Make(image, extent, d.IndexToWorld, error);
+  }
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  BakeVisibility(property, image, d.Material);
+  d.Samples = ShareArray(volume.Holder);
+  for (const PropertySetting& setting : PropertySettings)
+  {
+    if (setting.Bake)
+    {
+      setting.Bake(property, d);
+    }
+  }
+  if (!BakeFrames(options, d, error) || !BakeSurface(image, scalars, component, options, d, error))
+  {
+    return nullptr;
+  }
+  if (d.Settings.Method == HapticMethod::Primitives &&
+    !DescribeModes(options.Modes, image, d.View, d.Modes, error))
+  {
+    return nullptr;
+  }
+  if (!DescribeTool(options.Tool, d, error))
+  {
+    return nullptr;
+  }
+  for (Polyline* const line :
+    { &d.Tool.Needle.ShaftFriction, &d.Tool.Needle.CuttingForce, &d.Tool.Burr.SpecificEnergy })
+  {
+    ToScalars(property, *line);
+  }
+  if (options.Removal)
+  {
+    const int* const extent = whole.IsThere ? whole.Extent : image->GetExtent();
+    if (!DescribeRemoval(
+          options.Removal, image, extent, scalars, component, whole.IsThere, d, error))
+    {
+      return nullptr;
+    }
+  }
+  BakeDistinctness(property, image, scalars, component, whole, options.MetersPerWorldUnit, d);
+  BakeSolid(property, image, scalars, component, whole, d);
+  if (!d.Frames.empty())
+  {
+    // The source may write the next step to the memory of the image.
+    d.View = d.Frames.front().View;
+    d.Samples = d.Frames.front().Samples;
+  }
+  const std::string array =
+    std::to_string(component) + (scalars->GetName() ? scalars->GetName() : "");
+  d.Number = options.Regions ? options.Regions->Find(d, whole, array) : 0;
+  auto model = std::make_shared<const HapticModel>(d);
+  if (options.Regions)
+  {
+    options.Regions->Note(d, whole, array, model->Baked->Number);
+  }
+  return model;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Material/HapticFunctions.h"
+
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/**
+ * A node as vtkPiecewiseFunction stores it; midpoint and sharpness shape the piece that follows it.
+ */
+struct Node
+{
+  double X;
+  double Y;
+  double Midpoint;
+  double Sharpness;
+};
+
+/** Adds vertices of a curve strictly between two given ones if the chord is too far off. */
+void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
+  int depth, Polyline& line)
+{
+  // Below the documented bounds, because the chord is checked at three positions only. A value that
+  // is tiny against the piece's height must be accurate, too, except for the last digits near zero.
+  constexpr double share = 0.6;
+  const double value = std::min(std::abs(a.Y), std::abs(b.Y));
+  const double tolerance =
+    std::clamp(share * CurveValueTolerance * value, 1e-9 * height, share * CurveTolerance * height);
+  const auto at = [&](double s)
+  {
+    const double x = a.X + s * (b.X - a.X);
+    return Vertex{ x, function->GetValue(x) };
+  };
+  const Vertex middle = at(0.5);
+  const auto isOff = [&](const Vertex& v, double s)
+  { return std::abs(v.Y - (a.Y + s * (b.Y - a.Y))) > tolerance; };
+  const bool split = isOff(middle, 0.5) || isOff(at(0.25), 0.25) || isOff(at(0.75), 0.75);
+  if (!split || depth == 0 || !(a.X < middle.X && middle.X < b.X))
+  {
+    return;
+  }
+  Subdivide(function, a, middle, height, depth - 1, line);
+  line.push_back(middle);
+  Subdivide(function, middle, b, height, depth - 1, line);
+}
+
+/** The position at which a piece changes from its first to its second half. */
+double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
+{
+  constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
+  const double midpoint = std::clamp(a.Midpoint, margin, 1.0 - margin);
+  return function->GetUseLogScale() && a.X > 0.0 ? a.X * std::pow(b.X / a.X, midpoint)
+                                                 : a.X + midpoint * (b.X - a.X);
+}
+
+/** The piece between two nodes, without its end vertices. */
+void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
+{
+  // The same limits as in vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
+  constexpr double linear = 0.01;
+  constexpr double step = 0.99;
+  if (!(a.X < b.X) || a.Y == b.Y)
+  {
+    return;
+  }
+  const double middle = FindMiddle(function, a, b);
+  if (a.Sharpness > step)
+  {
+    // At the step itself the function already has its right-hand value.
+    const double before = std::nextafter(middle, a.X);
+    line.push_back({ before, a.Y });
+    line.push_back({ before, b.Y });
+    return;
+  }
+  if (a.Sharpness < linear && !function->GetUseLogScale())
+  {
+    if (a.Midpoint != 0.5)
+    {
+      line.push_back({ middle, 0.5 * (a.Y + b.Y) });
+    }
+    return;
+  }
+  constexpr int depth = 24; // a logarithmic scale has many decades at the low end
+  const double height = std::abs(b.Y - a.Y);
+  const Vertex kink{ middle, function->GetValue(middle) };
+  Subdivide(function, { a.X, a.Y }, kink, height, depth, line);
+  line.push_back(kink);
+  Subdivide(function, kink, { b.X, b.Y }, height, depth, line);
+}
+
+std::vector<Node> GetNodes(vtkPiecewiseFunction* function)
+{
+  std::vector<Node> nodes;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double values[4];
+    function->GetNodeValue(i, values);
+    nodes.push_back({ values[0], values[1], values[2], values[3] });
+  }
+  return nodes;
+}
+
+bool AreSame(const Node& a, const Node& b)
+{
+  return a.X == b.X && a.Y == b.Y && a.Midpoint == b.Midpoint && a.Sharpness == b.Sharpness;
+}
+
+} // namespace
+
+std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
+  const std::string& allowed, const std::string& getter)
+{
+  for (const Vertex& vertex : line)
+  {
+    // Also false for NaN.
+    if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
+          std::isfinite(vertex.X)))
+    {
+      std::ostringstream message;
+      message << "The function " << what << " has the value " << vertex.Y << " at " << vertex.X
+              << ": it must be finite and " << allowed << ". Correct this point of " << getter
+              << ".";
+      return message.str();
+    }
+  }
+  return {};
+}
+
+vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned)
+{
+  if (!owned)
+  {
+    owned = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  }
+  return owned;
+}
+
+void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target)
+{
+  const std::vector<Node> nodes = GetNodes(source);
+  const std::vector<Node> before = GetNodes(target);
+  if (!std::equal(nodes.begin(), nodes.end(), before.begin(), before.end(), AreSame))
+  {
+    target->SetAllowDuplicateScalars(1);
+    target->RemoveAllPoints();
+    for (const Node& node : nodes)
+    {
+      target->AddPoint(node.X, node.Y, node.Midpoint, node.Sharpness);
+    }
+  }
+  target->SetAllowDuplicateScalars(source->GetAllowDuplicateScalars());
+  target->SetClamping(source->GetClamping());
+  target->SetUseLogScale(source->GetUseLogScale());
+}
+
+Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue)
+{
+  if (!function || function->GetSize() == 0)
+  {
+    return ConstantPolyline(emptyValue);
+  }
+  Polyline line;
+  const std::vector<Node> nodes = GetNodes(function);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (i > 0)
+    {
+      AddPiece(function, nodes[i - 1], nodes[i], line);
+    }
+    line.push_back({ nodes[i].X, nodes[i].Y });
+  }
+  if (!function->GetClamping())
+  {
+    // vtkPiecewiseFunction counts the first node as outside and the last one as inside.
+    line.insert(line.begin(), { line.front().X, 0.0 });
+    line.push_back({ line.back().X, 0.0 });
+  }
+  return line;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Material/HapticPresets.h"
+
+#include "vtkHapticProperty.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** A tissue keeps its material from Low to High; between tissues it changes linearly. */
+struct Tissue
+{
+  const char* Name;
+  double Low;
+  double High;
+  double Stiffness; // N/m
+  double Friction;
+  double Viscosity;       // N
+  double SurfaceStrength; // N
+};
+
+struct Preset
+{
+  const char* Name;
+  std::vector<Tissue> Tissues;
+  /** Gradient magnitude, per millimetre, at which a surface begins to be felt. */
+  double DistinctnessStart;
+  double DistinctnessFull; ///< from which on it is felt fully; 0: distinctness from the noise
+  int Side;
+  bool IsOfLabels = false;
+  bool IsOfImage = false; ///< the image tells what is solid
+};
+
+/** More newtons than any device exerts. */
+constexpr double Impenetrable = 1e6;
+/** More newtons than a hand on a desktop device pushes with. */
+constexpr double Solid = 12.0;
+
+/**
+ * The stiffness of everything: most desktop devices hold it. A change of stiffness would be felt as
+ * relief, and as a step of the force where V(x_s) wanders from one tissue to another. Air has it,
+ * too: on a ramp from 0, noise would read a stiffness near 0 beside a drag, which would leave the
+ * proxy far behind.
+ */
+constexpr double K = 400.0;
+
+const std::vector<Preset>& Presets()
+{
+  // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
+  // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
+  // falls and rises again for fluid. Soft tissues have one drag: inside a tissue nothing else is
+  // felt, and a few HU of noise on a ramp between two drags would be grains. So has the lung, which
+  // has no walls of its own: its noise and its emphysema reach the values of air, and a drag above
+  // 0.05 N, from which on falls are felt, would come and go with them. Distinctness starts at 16
+  // HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for 20 HU of white noise, 1 mm
+  // voxels and the default kernel, and twice that where neighbours share their noise, as those of
+  // CT do. So noise is not felt as surfaces.
+  static const std::vector<Preset> presets = {
+    { "CT contrast",
+      {
+        { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
+        { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "fluid", -10, 10, K, 0.12, 0.30, 1.5 },
+        { "muscle, organ", 50, 80, K, 0.30, 0.30, 2.2 },
+        { "contrast medium, cartilage", 150, 250, K, 0.25, 0.30, 3.2 },
+        { "bone", 350, 3071, K, 0.30, 0.00, Solid },
+      },
+      16, 48, vtkHapticProperty::HIGHER },
+    // Fat is met from outside only, where it lies under skin: it has the stiffness of both. So have
+    // the half-filled voxels of the skin, and those of skin, fat and muscle that have the values of
+    // fluid; to a finger that goes off a slope, their friction is that of skin. The skin's values
+    // reach 37 HU in a head CT: an organ's stiffness begins above. What holds nothing has the
+    // stiffness of an organ, that springs begin without slack.
+    { "CT physical",
+      {
+        { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
+        { "lung", -950, -700, 28, 0.46, 0.01, 0.00 },
+        { "skin", -500, -200, 53, 0.46, 0.02, 0.30 },
+        { "fat under skin", -150, -30, 53, 0.46, 0.02, 0.30 },
+        { "fluid", -10, 15, 53, 0.46, 0.02, 0.30 },
+        { "muscle, organ", 40, 80, 28, 0.46, 0.03, 0.40 },
+        { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
+        { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
+      },
+      20, 52, vtkHapticProperty::HIGHER }, // its drag hides less
+    // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
+    { "CT angiography",
+      {
+        { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
+        { "lung", -900, -300, K, 0.10, 0.04, 0.0 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.0 },
+        { "muscle, organ", 30, 100, K, 0.30, 0.30, 2.0 },
+        { "vessel, spongy bone", 180, 450, K, 0.05, 0.30, 3.2 },
+        { "bone", 650, 3071, K, 0.30, 0.00, Solid },
+      },
+      16, 48, vtkHapticProperty::HIGHER },
+    // Lung has one drag from emphysema to vessels, and no walls; fluid is not told apart in the
+    // noise of a chest.
+    { "CT chest",
+      {
+        { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
+        { "lung", -960, -300, K, 0.10, 0.04, 0.0 },
+        { "fat", -150, -80, K, 0.18, 0.30, 1.2 },
+        { "muscle, organ, blood", 20, 80, K, 0.30, 0.30, 2.2 },
+        { "contrast medium, spongy bone", 140, 220, K, 0.25, 0.30, 3.2 },
+        { "bone", 350, 3071, K, 0.30, 0.00, Solid },
+      },
+      16, 48, vtkHapticProperty::HIGHER },
+    // Surfaces are felt from both sides here. Two surfaces of opposite sides are often a few voxels
+    // apart (scalp and skull): distinctness rises slowly, so that the one does not take over from
+    // the other in a step.
+    { "MRI",
+      {
+        { "background", 0, 12, K, 0.00, 0.00, 0.0 },
+        { "fluid", 30, 50, K, 0.05, 0.30, 0.8 },
+        { "grey matter, muscle", 80, 95, K, 0.20, 0.30, 1.4 },
+        { "white matter", 115, 135, K, 0.35, 0.40, 2.0 },
+        { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
+      },
+      3, 70, vtkHapticProperty::BOTH },
+    // One hard material of any unit: its surfaces are where the gradient is beyond the noise, and
+    // what they lead into is no background.
+    { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
+      false, true },
+    // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
+    { "Labels",
+      {
+        { "no label", 0, 0.25, K, 0.00, 0.00, 0.0 },
+        { "any label", 0.75, 1, K, 0.25, 0.20, 3.0 },
+      },
+      0, 0, vtkHapticProperty::BOTH, true },
+  };
+  return presets;
+}
+
+/** Whether a preset is in Hounsfield units. */
+bool IsOfCT(const std::string& name)
+{
+  return name.compare(0, 3, "CT ") == 0;
+}
+
+void Empty(vtkPiecewiseFunction* function)
+{
+  function->RemoveAllPoints();
+  function->ClampingOn();
+  function->UseLogScaleOff();
+}
+
+void Fill(vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity)
+{
+  Empty(function);
+  for (const Tissue& tissue : preset.Tissues)
+  {
+    function->AddPoint(tissue.Low, tissue.*quantity);
+    function->AddPoint(tissue.High, tissue.*quantity); // the same point if there is no range
+  }
+}
+
+} // namespace
+
+bool FillFromPreset(const char* name, vtkHapticProperty* property)
+{
+  for (const Preset& preset : Presets())
+  {
+    if (name && std::string(name) == preset.Name)
+    {
+      Fill(property->GetStiffness(), preset, &Tissue::Stiffness);
+      Fill(property->GetFriction(), preset, &Tissue::Friction);
+      Fill(property->GetViscosity(), preset, &Tissue::Viscosity);
+      Fill(property->GetSurfaceStrength(), preset, &Tissue::SurfaceStrength);
+      vtkPiecewiseFunction* const distinctness = property->GetDistinctness();
+      Empty(distinctness);
+      if (preset.DistinctnessFull > 0.0)
+      {
+        distinctness->AddPoint(preset.DistinctnessStart, 0.0);
+        distinctness->AddPoint(preset.DistinctnessFull, 1.0);
+      }
+      else
+      {
+        property->DistinctnessFromNoiseOn();
+      }
+      property->SetDistinctnessPerMillimeter(preset.DistinctnessFull > 0.0);
+      property->RemoveAllTissues();
+      for (const Tissue& tissue : preset.Tissues)
+      {
+        property->AddTissue(tissue.Name, tissue.Low, tissue.High);
+      }
+      property->SetSurfaceSide(preset.Side);
+      property->SetScalarsAreLabels(preset.IsOfLabels);
+      property->SetSolidFromImage(preset.IsOfImage);
+      property->SetShiftFromImage(IsOfCT(preset.Name));
+      return true;
+    }
+  }
+  return false;
+}
+
+bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
+{
+  const std::string wanted = name ? name : "";
+  const bool isKnown = std::any_of(Presets().begin(), Presets().end(),
+    [&](const Preset& preset) { return wanted == preset.Name; });
+  if (!isKnown || !IsOfCT(wanted))
+  {
+    return false;
+  }
+  // Of a lumbar puncture: Documentation/method.md#the-needle. The values of fluid are also those
+  // between fat and muscle, where a dip would be a loss of resistance that is not there.
+  constexpr double cutting[][2] = { { -955.0, 0.0 }, { -900.0, 0.04 }, { -300.0, 0.04 },
+    { -150.0, 0.1 }, { -80.0, 0.1 }, { 20.0, 0.3 } }; // HU, N
+  Empty(force);
+  for (const auto& [value, newtons] : cutting)
+  {
+    force->AddPoint(value, newtons);
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkStringArray> MakePresetNames()
+{
+  auto names = vtkSmartPointer<vtkStringArray>::New();
+  for (const Preset& preset : Presets())
+  {
+    names->InsertNextValue(preset.Name);
+  }
+  return names;
+}
+
+std::string ListPresets()
+{
+  std::string list;
+  for (const Preset& preset : Presets())
+  {
+    list += (list.empty() ? "\"" : ", \"") + std::string(preset.Name) + "\"";
+  }
+  return list;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Material/HapticProposal.h"
+
+#include "Core/Field/Estimates/BackgroundLevel.h"
+#include "Core/Field/Estimates/NoiseEstimate.h"
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/OutsideFiller.h"
+#include "VTK/Base/SampleRange.h"
+#include "VTK/Material/EdgeSearch.h"
+#include "VTK/Material/HapticFunctions.h"
+#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticTissues.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+constexpr int SearchRadius = 2; // of the kernel that looks for edges (voxels)
+constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
+/** Edges rise within a voxel by at least this share of the range; less is shading or rounding. */
+constexpr double LeastSlopeShare = 0.003;
+constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
+constexpr double FlatNoise = 2.0;      // standard deviations
+/** The background has noise that edges are found in if they are so many of all edges. */
+constexpr double LeastNoise = 0.003;
+
+std::string NameOf(vtkDataArray* scalars)
+{
+  const char* const name = scalars->GetName();
+  return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
+}
+
+/** Where a plateau ends and an edge begins, by the noise and the range of the values. */
+EdgeThresholds MakeThresholds(double noise, const double range[2], const GradientKernel& kernel)
+{
+  const Polyline ramp = MakeNoiseRamp(noise, kernel, Affine3{});
+  EdgeThresholds thresholds;
+  thresholds.Least = LeastSlopeShare * (range[1] - range[0]);
+  if (!ramp.empty())
+  {
+    thresholds.Least = std::max(thresholds.Least, ramp.back().X);
+    thresholds.Flat = FlatNoise * ramp.front().X / NoiseThreshold;
+  }
+  return thresholds;
+}
+
+/** Where the values of the background end, dark or bright, if the value outside is one of them. */
+std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outside)
+{
+  vtkDataArray* const scalars = input.Image->GetPointData()->GetScalars();
+  const HapticVolume& volume = input.Volume;
+  const BackgroundLevel dark = volume.Whole.IsThere
+    ? volume.Whole.Solid
+    : FindSolid(input.Image, scalars, volume.View, input.Component);
+  if (dark.IsThere && outside <= dark.Threshold)
+  {
+    return dark.Threshold;
+  }
+  if (volume.Whole.IsThere)
+  {
+    return {}; // a region tells no bright one
+  }
+  const BackgroundLevel bright = BackgroundLevel::Find([&](std::int64_t i)
+    { return -scalars->GetComponent(i, input.Component); },
+    volume.View.Dimensions);
+  return bright.IsThere && outside >= -bright.Threshold ? std::optional<double>(-bright.Threshold)
+                                                        : std::nullopt;
+}
+
+/** @param toValue from scalars, or their slopes, to the values of the property */
+template <typename ToValue>
+void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue& toValue)
+{
+  function->RemoveAllPoints();
+  function->ClampingOn();
+  function->UseLogScaleOff();
+  for (const Vertex& vertex : line)
+  {
+    function->AddPoint(toValue(vertex.X), vertex.Y);
+  }
+}
+
+/** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
+vtkSmartPointer<vtkTable> MakeBoundaryTable(
+  const MaterialProposal& proposal, vtkHapticProperty* property)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto add = [&](const char* name, const auto& get)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (std::size_t i = 0; i < proposal.Boundaries.size(); ++i)
+    {
+      column->InsertNextValue(get(i));
+    }
+    table->AddColumn(column);
+  };
+  const std::vector<Boundary>& all = proposal.Boundaries;
+  add("Low", [&](std::size_t i) { return property->ScalarToValue(all[i].Low); });
+  add("High", [&](std::size_t i) { return property->ScalarToValue(all[i].High); });
+  add("Width", [&](std::size_t i) { return all[i].Width; });
+  add("Slope", [&](std::size_t i) { return proposal.Slopes[i] * property->GetScalarScale(); });
+  add("Share", [&](std::size_t i) { return all[i].Share; });
+  return table;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input, std::string& error)
+{
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars)
+  {
+    error = !image
+      ? "There is no image to propose functions from: pass a vtkImageData."
+      : "The input image has no active point scalars to propose functions from: choose "
+        "an array with GetPointData()->SetActiveScalars(name), or turn cell data into "
+        "point data with vtkCellDataToPointData.";
+    return false;
+  }
+  input.Image = vtkSmartPointer<vtkImageData>::New();
+  input.Image->ShallowCopy(image);
+  input.Component = component;
+  // Samples that are no numbers are left out: they have no edges.
+  OutsideSamples outside = FindOutside(image, scalars, component);
+  const bool hasHoles = std::exchange(outside.AreNonFinite, false);
+  const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
+  input.Image->GetPointData()->SetScalars(filled);
+  const bool isRead = ReadVolume(image, filled, component, SearchRadius, input.Volume, error);
+  if (hasHoles)
+  {
+    input.Volume.View.BorderValue = outside.Fill;
+  }
+  return isRead;
+}
+
+//------------------------------------------------------------------------------
+bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
+  MaterialProposal& proposal, std::string& error)
+{
+  std::ostringstream message;
+  vtkImageData* const image = input.Image;
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  const int component = input.Component;
+  const HapticVolume& volume = input.Volume;
+  const VolumeView& view = volume.View;
+  const std::int64_t* const n = view.Dimensions;
+  const std::int64_t fewest = std::min({ n[0], n[1], n[2] });
+  double range[2];
+  if (IsLargeVolume(n))
+  {
+    std::copy_n(FindNoise(image, scalars, view, component).Range, 2, range);
+  }
+  else
+  {
+    FindFiniteRange(scalars, component, range);
+  }
+  if (fewest < LeastPoints)
+  {
+    message << "The input image is " << n[0] << " x " << n[1] << " x " << n[2]
+            << " points, in which edges can't be told from noise. Use an image of at least "
+            << LeastPoints << " points along every axis, or set the functions by hand.";
+  }
+  else if (!(range[0] <= range[1]))
+  {
+    message << "The " << NameOf(scalars)
+            << " of the input image has no finite value. Use another array or component.";
+  }
+  else if (!(range[1] - range[0] > 0.0))
+  {
+    message << "The " << NameOf(scalars) << " of the input image is " << range[0]
+            << " everywhere: there are no edges to propose functions from. Use another array or "
+               "component, or set the functions by hand.";
+  }
+  else
+  {
+    const GradientKernel kernel(
+      GradientEstimator::Gaussian, SearchRadius, GaussianWeights::OwnDerivative);
+    const double noise =
+      volume.Whole.IsThere ? volume.Whole.Noise : FindNoise(image, scalars, view, component).Noise;
+    const EdgeThresholds thresholds = MakeThresholds(noise, range, kernel);
+    const FieldSampler field(view, kernel);
+    ProposalFacts facts;
+    facts.SearchVariance = MeasureKernelVariance(kernel);
+    const EdgeTracer tracer(field, volume.IndexToWorld, facts.SearchVariance, thresholds);
+    std::vector<EdgeLine> lines = FindEdges(view, tracer, thresholds, part);
+    if (part.IsCancelled())
+    {
+      error = "The search for functions was cancelled.";
+      return false;
+    }
+    facts.Outside = view.BorderValue;
+    facts.BackgroundEnd = FindBackgroundEnd(input, facts.Outside);
+    if (facts.BackgroundEnd)
+    {
+      // Streaks and other noise that neighbours share, which the figure of the noise leaves.
+      const auto isNoise = [&](const EdgeLine& line)
+      { return facts.Covers(line.Low) && facts.Covers(line.High); };
+      const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
+      if (static_cast<double>(count) > LeastNoise * static_cast<double>(lines.size()))
+      {
+        lines.erase(std::remove_if(lines.begin(), lines.end(), isNoise), lines.end());
+      }
+      else
+      {
+        facts.BackgroundEnd.reset();
+      }
+    }
+    const ValueAxis axis(lines, noise);
+    facts.MostRadius =
+      static_cast<int>(std::min<std::int64_t>(GradientKernel::MaximumRadius, (fewest - 1) / 2));
+    facts.NoiseGradient = [&](int radius)
+    {
+      const Polyline ramp = MakeNoiseRamp(
+        noise, GradientKernel(GradientEstimator::Gaussian, radius), volume.IndexToWorld);
+      return ramp.empty() ? 0.0 : ramp.front().X;
+    };
+    const std::vector<Boundary> boundaries = FindBoundaries(lines, axis);
+    proposal = ProposeMaterials(boundaries, axis, facts);
+    if (!proposal.Boundaries.empty())
+    {
+      return true;
+    }
+    message << "No edge between two materials stands out in the " << NameOf(scalars)
+            << " of the input image";
+    // Smoothing helps against noise alone: it makes edges that are too wide still wider.
+    const bool isNoisy =
+      !boundaries.empty() || thresholds.Least > LeastSlopeShare * (range[1] - range[0]);
+    if (isNoisy)
+    {
+      message << ", whose noise has a standard deviation of " << noise
+              << ". Smooth it, for example with vtkImageGaussianSmooth, ";
+    }
+    else
+    {
+      message << ", which has little noise. If its edges are many voxels wide, make the voxels "
+                 "larger with vtkImageResample, ";
+    }
+    message << "or set the functions by hand.";
+  }
+  error = message.str();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
+{
+  const double k = MaterialProposal::Stiffness;
+  // Its axes stay what they are.
+  property->SetScalarShift(property->GetScalarShift() + property->GetFoundShift());
+  property->NoteShift(0.0);
+  property->ShiftFromImageOff();
+  const auto toValue = [property](double scalar) { return property->ScalarToValue(scalar); };
+  Replace(property->GetStiffness(),
+    { { proposal.SurfaceStrength.front().X, k }, { proposal.SurfaceStrength.back().X, k } },
+    toValue);
+  Replace(property->GetFriction(), proposal.Friction, toValue);
+  Replace(property->GetViscosity(), proposal.Viscosity, toValue);
+  Replace(property->GetSurfaceStrength(), proposal.SurfaceStrength, toValue);
+  Replace(property->GetDistinctness(), proposal.Distinctness,
+    [property](double slope) { return slope * property->GetScalarScale(); });
+  property->DistinctnessPerMillimeterOff();
+  property->SolidFromImageOff();
+  property->SetSurfaceSide(proposal.Side == ProposedSide::Higher ? vtkHapticProperty::HIGHER
+      : proposal.Side == ProposedSide::Lower                     ? vtkHapticProperty::LOWER
+                                                                 : vtkHapticProperty::BOTH);
+  property->RemoveAllTissues();
+  for (std::size_t i = 0; i < proposal.Materials.size(); ++i)
+  {
+    const std::string name = i == proposal.Background
+      ? "outside"
+      : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
+    // Where the functions are constant.
+    property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
+      toValue(proposal.SurfaceStrength[2 * i + 1].X));
+  }
+  property->NoteProposal(MakeBoundaryTable(proposal, property), proposal.KernelRadius);
+}
+
+//------------------------------------------------------------------------------
+void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property)
+{
+  for (const PropertyFunction& function : PropertyFunctions)
+  {
+    CopyFunction((proposed->*function.Get)(), (property->*function.Get)());
+  }
+  property->SetDistinctnessPerMillimeter(proposed->GetDistinctnessPerMillimeter());
+  property->SetSolidFromImage(proposed->GetSolidFromImage());
+  property->SetShiftFromImage(proposed->GetShiftFromImage());
+  property->SetScalarShift(proposed->GetScalarShift());
+  property->NoteShift(0.0);
+  property->SetScalarScale(proposed->GetScalarScale());
+  property->SetSurfaceSide(proposed->GetSurfaceSide());
+  SetTissues(property, GetTissues(proposed));
+  property->NoteProposal(proposed->GetProposedBoundaries(), proposed->GetProposedKernelRadius());
+}
+
+} // namespace VolumeHaptics

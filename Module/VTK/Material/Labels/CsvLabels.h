@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tables of labels as CSV: RFC 4180, whose first line names the columns.
+ *
+ *   label,name,stiffness,friction,viscosity,strength,felt,forbidden,color
+ *   5,liver,300,0.1,0.5,1.5,1,0,#dd8265
+ *   52,aorta,,,,,1,1,
+ *
+ * A column for labels is needed, the others are not; the order is free. Columns with other names
+ * are ignored, and an empty cell sets nothing. Besides commas, tabs and semicolons separate cells;
+ * between semicolons, numbers may have decimal commas.
+ *
+ * | column | also called | cells |
+ * | --- | --- | --- |
+ * | label | labelvalue, index, id, value | whole numbers |
+ * | name | labelname, structure | texts |
+ * | stiffness | | N/m |
+ * | friction | | 0 or more |
+ * | viscosity | | N |
+ * | strength | surfacestrength | N |
+ * | felt, forbidden | | 1 or 0, true or false, yes or no |
+ * | color | colour | #rrggbb; or three numbers, from 0 to 1 or from 0 to 255, with blanks between |
+ * | red, green, blue | r, g, b | the same numbers |
+ *
+ * Case, blanks and underscores in a column's name do not matter, nor does a unit in parentheses.
+ */
+#ifndef CsvLabels_h
+#define CsvLabels_h
+
+#include "VTK/Material/Labels/LabelEntry.h"
+
+#include <string>
+#include <string_view>
+
+namespace VolumeHaptics
+{
+
+/** Whether the first line that is not empty has a column for labels. */
+bool IsCsv(std::string_view text);
+
+/** False, with the reason and the cure, and entries unchanged, if the text can't be read. */
+bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error);
+
+/** A text that ReadCsv reads back to the bit. */
+std::string WriteCsv(const LabelEntries& entries);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Material/Labels/LabelFiles.h"
+
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Material/Labels/ColorTables.h"
+#include "VTK/Material/Labels/CsvLabels.h"
+#include "VTK/Material/Labels/GzipFile.h"
+#include "VTK/Material/Labels/LabelText.h"
+#include "VTK/Material/Labels/NiftiLabels.h"
+#include "VTK/Material/Labels/NrrdLabels.h"
+#include "VTK/Material/Labels/XmlLabels.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <memory>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr std::size_t LargestTable = 256 << 20; // bytes; a million labels have some 50 MiB
+constexpr std::size_t LargestHead = 64 << 20;
+constexpr std::size_t ChunkOfLabels = 1 << 16;
+
+constexpr const char* KnownTables =
+  "Give a .seg.nrrd of 3D Slicer, a NIfTI file of TotalSegmentator, label descriptions of "
+  "ITK-SNAP, a colour table of FreeSurfer, a .vti with a table, or a CSV file whose first line "
+  "names the columns, such as label,name,stiffness";
+
+/** How many bytes of a file are needed, from those that are there. */
+std::size_t CountNeeded(std::string_view bytes)
+{
+  if (IsNrrd(bytes))
+  {
+    for (const char* const end : { "\n\n", "\n\r\n" })
+    {
+      if (bytes.find(end) != std::string_view::npos)
+      {
+        return 0;
+      }
+    }
+    return LargestHead;
+  }
+  if (IsNifti(bytes))
+  {
+    return GetNiftiHeadSize(bytes, LargestHead);
+  }
+  return IsVtkFile(bytes) ? 0 : LargestTable + 1;
+}
+
+} // namespace
+
+bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& error)
+{
+  bytes.clear();
+  if (!CheckRegular(file, error))
+  {
+    error += ". Check its name.";
+    return false;
+  }
+  const GzipFile opened = OpenGzipFile(file, 0, error);
+  if (!opened)
+  {
+    return false;
+  }
+  const auto chunk = std::make_unique<char[]>(ChunkOfLabels);
+  bool hasEnded = false;
+  do
+  {
+    const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
+    int number = Z_OK;
+    const std::string why = got <= 0 ? gzerror(opened.get(), &number) : "";
+    // A file that ends too early ends for zlib as a whole one does, but for this number.
+    if (got < 0 || number == Z_BUF_ERROR)
+    {
+      error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +
+        "). Check that the file is complete.";
+      return false;
+    }
+    bytes.append(chunk.get(), static_cast<std::size_t>(got));
+    hasEnded = got == 0;
+  } while (!hasEnded && bytes.size() < CountNeeded(bytes));
+  if (bytes.size() > LargestTable)
+  {
+    error = "is larger than " + std::to_string(LargestTable >> 20) + " MiB. " + KnownTables + ".";
+    return false;
+  }
+  return true;
+}
+
+bool IsVtkFile(std::string_view bytes)
+{
+  return bytes.substr(0, 512).find("<VTKFile") != std::string_view::npos;
+}
+
+bool ReadLabels(std::string_view bytes, LabelEntries& entries, std::string& error)
+{
+  if (IsNrrd(bytes))
+  {
+    return ReadNrrdLabels(bytes, entries, error);
+  }
+  if (IsNifti(bytes))
+  {
+    std::string_view table;
+    switch (FindNiftiTable(bytes, table))
+    {
+      case NiftiTable::Xml:
+        return ReadXmlLabels(table, entries, error);
+      case NiftiTable::Names:
+        return ReadNameList(table, entries, error);
+      default:
+        error = "its NIfTI header has no table of labels. Let TotalSegmentator write it with --ml, "
+                "or give the names in a table of their own.";
+        return false;
+    }
+  }
+  if (IsPalette(bytes))
+  {
+    ReadPalette(bytes, entries);
+    return true;
+  }
+  if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF")
+  {
+    error = "it is a text in UTF-16. Save it as UTF-8.";
+    return false;
+  }
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF")
+  {
+    bytes.remove_prefix(3);
+  }
+  const bool isText = bytes.find('\0') == std::string_view::npos;
+  if (isText && IsCsv(bytes))
+  {
+    return ReadCsv(bytes, entries, error);
+  }
+  if (isText && IsItkSnapTable(bytes))
+  {
+    return ReadItkSnapTable(bytes, entries, error);
+  }
+  if (isText && IsFreeSurferTable(bytes))
+  {
+    return ReadFreeSurferTable(bytes, entries, error);
+  }
+  if (isText && IsNameList(bytes))
+  {
+    return ReadNameList(bytes, entries, error);
+  }
+  error = std::string(Trim(bytes).empty() ? "it is empty. " : "it is no known table of labels. ") +
+    KnownTables + ".";
+  return false;
+}
+
+} // namespace VolumeHaptics

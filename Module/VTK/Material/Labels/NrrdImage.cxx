@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Material/Labels/NrrdImage.h"
+
+#include "VTK/Base/ByteOrder.h"
+#include "VTK/Material/Labels/LabelText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr const char* SaveAgain =
+  ". Save it again in 3D Slicer as one file, .seg.nrrd, of a binary labelmap.";
+constexpr double MostSamples = 1e12;
+
+struct SampleType
+{
+  std::size_t Size;
+  bool IsSigned;
+  const char* Names[6];
+};
+constexpr SampleType SampleTypes[] = {
+  { 1, true, { "signedchar", "int8", "int8t" } },
+  { 1, false, { "uchar", "unsignedchar", "uint8", "uint8t" } },
+  { 2, true, { "short", "shortint", "signedshort", "signedshortint", "int16", "int16t" } },
+  { 2, false, { "ushort", "unsignedshort", "unsignedshortint", "uint16", "uint16t" } },
+  { 4, true, { "int", "signedint", "int32", "int32t" } },
+  { 4, false, { "uint", "unsignedint", "uint32", "uint32t" } },
+  { 8, true,
+    { "longlong", "longlongint", "signedlonglong", "signedlonglongint", "int64", "int64t" } },
+  { 8, false, { "ulonglong", "unsignedlonglong", "unsignedlonglongint", "uint64", "uint64t" } },
+};
+
+std::string Find(const std::map<std::string, std::string>& fields, const char* name)
+{
+  const auto field = fields.find(name);
+  return field == fields.end() ? std::string() : field->second;
+}
+
+bool ReadType(const NrrdHeader& header, NrrdImage& image, std::string& error)
+{
+  const std::string name = Find(header.Fields, "type");
+  const std::string key = MakeKey(name);
+  for (const SampleType& type : SampleTypes)
+  {
+    const auto isName = [&key](const char* known) { return known && key == known; };
+    if (std::any_of(std::begin(type.Names), std::end(type.Names), isName))
+    {
+      image.SampleSize = type.Size;
+      image.IsSigned = type.IsSigned;
+      const std::string endian = MakeKey(Find(header.Fields, "endian"));
+      image.IsSwapped = type.Size > 1 && !endian.empty() && IsOtherByteOrder(endian == "big");
+      return true;
+    }
+  }
+  error = "its samples are of the type " + Quote(name) + ", labels are whole numbers" + SaveAgain;
+  return false;
+}
+
+bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error)
+{
+  for (const char* const field : { "data file", "datafile" })
+  {
+    if (header.Fields.count(field) > 0)
+    {
+      error = std::string("its samples are in another file") + SaveAgain;
+      return false;
+    }
+  }
+  for (const char* const field :
+    { "byte skip", "byteskip", "line skip", "lineskip", "block size", "blocksize" })
+  {
+    if (!Find(header.Fields, field).empty() && Find(header.Fields, field) != "0")
+    {
+      error = std::string("its header has the field \"") + field + "\"" + SaveAgain;
+      return false;
+    }
+  }
+  const std::string encoding = MakeKey(Find(header.Fields, "encoding"));
+  image.IsCompressed = encoding == "gzip" || encoding == "gz";
+  if (!image.IsCompressed && encoding != "raw")
+  {
+    error = "its encoding is " + Quote(encoding) + ", not raw or gzip" + SaveAgain;
+    return false;
+  }
+  return true;
+}
+
+/** The three numbers in parentheses. */
+std::optional<std::array<double, 3>> ReadVector(std::string_view text)
+{
+  text = Trim(text);
+  if (text.size() < 2 || text.front() != '(' || text.back() != ')')
+  {
+    return {};
+  }
+  text = text.substr(1, text.size() - 2);
+  std::array<double, 3> vector{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t comma = text.find(',');
+    const std::optional<double> number = ReadNumber(text.substr(0, comma));
+    if (!number || (comma == std::string_view::npos) != (i == 2))
+    {
+      return {};
+    }
+    vector[i] = *number;
+    text.remove_prefix(i == 2 ? text.size() : comma + 1);
+  }
+  return vector;
+}
+
+/** Blanks within parentheses separate nothing. */
+std::vector<std::string> SplitVectors(const std::string& text)
+{
+  std::string joined;
+  int depth = 0;
+  for (const char character : text)
+  {
+    depth += character == '(' ? 1 : character == ')' ? -1 : 0;
+    if (depth <= 0 || character != ' ')
+    {
+      joined += character;
+    }
+  }
+  std::vector<std::string> words;
+  for (const std::string_view word : SplitWords(joined))
+  {
+    words.emplace_back(word);
+  }
+  return words;
+}
+
+/** The axis of the layers, or the number of axes if there is none. */
+std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
+{
+  const std::vector<std::string> directions = SplitVectors(Find(header.Fields, "space directions"));
+  const auto none = std::find(directions.begin(), directions.end(), "none");
+  if (none != directions.end())
+  {
+    return static_cast<std::size_t>(none - directions.begin());
+  }
+  const std::string kinds = Find(header.Fields, "kinds");
+  const std::vector<std::string_view> words = SplitWords(kinds);
+  const auto list = std::find(words.begin(), words.end(), "list");
+  return list == words.end() ? axes : static_cast<std::size_t>(list - words.begin());
+}
+
+bool ReadSizes(
+  const NrrdHeader& header, NrrdImage& image, std::size_t& listAxis, std::string& error)
+{
+  const std::string text = Find(header.Fields, "sizes");
+  std::vector<std::size_t> sizes;
+  double samples = 1.0;
+  for (const std::string_view word : SplitWords(text))
+  {
+    std::string ignored;
+    const int size = ReadLabel(word, ignored).value_or(0);
+    samples *= size;
+    sizes.push_back(static_cast<std::size_t>(std::max(size, 0)));
+  }
+  listAxis = FindListAxis(header, sizes.size());
+  const bool hasLayers = sizes.size() == 4;
+  if ((sizes.size() != 3 && !hasLayers) || (hasLayers && listAxis > 3) || !(samples >= 1.0) ||
+    samples > MostSamples)
+  {
+    error = "its sizes " + Quote(text) +
+      " are not three sizes of a volume, with or without a list of layers" + SaveAgain;
+    return false;
+  }
+  if (hasLayers)
+  {
+    image.Layers = sizes[listAxis];
+    for (std::size_t axis = 0; axis < listAxis; ++axis)
+    {
+      image.Inner *= sizes[axis];
+    }
+    sizes.erase(sizes.begin() + static_cast<std::ptrdiff_t>(listAxis));
+  }
+  std::copy_n(sizes.begin(), 3, image.Size.begin());
+  return true;
+}
+
+double Determinant(const std::array<double, 9>& m)
+{
+  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+    m[2] * (m[3] * m[7] - m[4] * m[6]);
+}
+
+/** Signs that turn positions into left-posterior-superior. */
+std::array<double, 3> FindSigns(const NrrdHeader& header)
+{
+  const std::string space = MakeKey(Find(header.Fields, "space"));
+  if (space == "rightanteriorsuperior" || space == "ras")
+  {
+    return { -1.0, -1.0, 1.0 };
+  }
+  if (space == "leftanteriorsuperior" || space == "las")
+  {
+    return { 1.0, -1.0, 1.0 };
+  }
+  return { 1.0, 1.0, 1.0 };
+}
+
+bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::size_t listAxis, std::string& error)
+{
+  const std::array<double, 3> signs = FindSigns(header);
+  const std::string directions = Find(header.Fields, "space directions");
+  std::vector<std::string> vectors = SplitVectors(directions);
+  if (vectors.size() == 4 && listAxis < 4)
+  {
+    vectors.erase(vectors.begin() + static_cast<std::ptrdiff_t>(listAxis));
+  }
+  for (std::size_t axis = 0; axis < 3 && !directions.empty(); ++axis)
+  {
+    const std::optional<std::array<double, 3>> vector =
+      vectors.size() == 3 ? ReadVector(vectors[axis]) : std::nullopt;
+    image.Spacing[axis] = vector ? std::hypot((*vector)[0], (*vector)[1], (*vector)[2]) : 0.0;
+    for (std::size_t row = 0; row < 3 && image.Spacing[axis] > 0.0; ++row)
+    {
+      image.Directions[3 * row + axis] = signs[row] * (*vector)[row] / image.Spacing[axis];
+    }
+  }
+  const std::string sizes = Find(header.Fields, "spacings");
+  std::vector<std::string_view> spacings = SplitWords(sizes);
+  if (spacings.size() == 4 && listAxis < 4)
+  {
+    spacings.erase(spacings.begin() + static_cast<std::ptrdiff_t>(listAxis));
+  }
+  for (std::size_t axis = 0; axis < spacings.size() && axis < 3 && directions.empty(); ++axis)
+  {
+    image.Spacing[axis] = ReadNumber(spacings[axis]).value_or(1.0);
+  }
+  const std::string origin = Find(header.Fields, "space origin");
+  const std::optional<std::array<double, 3>> position =
+    origin.empty() ? std::array<double, 3>{} : ReadVector(origin);
+  const bool isGood = std::all_of(image.Spacing.begin(), image.Spacing.end(),
+    [](double spacing) { return spacing > 0.0 && std::isfinite(spacing); });
+  if (!isGood || !position || !(std::abs(Determinant(image.Directions)) > 1e-6))
+  {
+    error = "its space directions " + Quote(directions) + ", spacings " + Quote(sizes) +
+      " or its space origin " + Quote(origin) + " place no volume in space" + SaveAgain;
+    return false;
+  }
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    image.Origin[row] = signs[row] * (*position)[row];
+  }
+  return true;
+}
+
+/** A value of a sample as one of 64 bits. */
+std::int64_t LoadSample(const char* from, const NrrdImage& image)
+{
+  unsigned char raw[sizeof(std::uint64_t)];
+  std::copy_n(from, image.SampleSize, raw);
+  if (image.IsSwapped)
+  {
+    std::reverse(raw, raw + image.SampleSize);
+  }
+  const auto load = [&raw](auto number)
+  {
+    std::memcpy(&number, raw, sizeof(number));
+    return static_cast<std::int64_t>(number);
+  };
+  switch (image.SampleSize)
+  {
+    case 1:
+      return image.IsSigned ? load(std::int8_t{}) : load(std::uint8_t{});
+    case 2:
+      return image.IsSigned ? load(std::int16_t{}) : load(std::uint16_t{});
+    case 4:
+      return image.IsSigned ? load(std::int32_t{}) : load(std::uint32_t{});
+    default:
+      return image.IsSigned ? load(std::int64_t{}) : load(std::uint64_t{});
+  }
+}
+
+/** From values in a layer to segments. */
+class SegmentMap
+{
+public:
+  SegmentMap(const NrrdHeader& header, std::size_t layers)
+    : Header(header)
+    , ByLayer(layers)
+  {
+    for (std::size_t i = 0; i < header.Segments.size(); ++i)
+    {
+      const NrrdSegment& segment = header.Segments[i];
+      this->KeepsValues = this->KeepsValues && segment.Label == segment.Value;
+      if (static_cast<std::size_t>(segment.Layer) < layers)
+      {
+        this->ByLayer[static_cast<std::size_t>(segment.Layer)][segment.Value] =
+          static_cast<int>(i) + 1;
+      }
+    }
+  }
+
+  /** The rank of a value, 0 for one without a segment, and its label. */
+  int Rank(std::size_t layer, std::int64_t value, int& label)
+  {
+    const auto found = this->ByLayer[layer].find(value);
+    if (found == this->ByLayer[layer].end())
+    {
+      label = this->KeepsValues ? static_cast<int>(value) : 0;
+      return 0;
+    }
+    label = this->Header.Segments[static_cast<std::size_t>(found->second) - 1].Label;
+    return found->second;
+  }
+
+private:
+  const NrrdHeader& Header;
+  std::vector<std::unordered_map<std::int64_t, int>> ByLayer;
+  bool KeepsValues = true;
+};
+
+} // namespace
+
+bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& error)
+{
+  image = {};
+  const std::string representation = Find(header.Values, "Segmentation_SourceRepresentation");
+  if (representation == "Fractional labelmap")
+  {
+    error = std::string("it is a fractional labelmap") + SaveAgain;
+    return false;
+  }
+  std::size_t listAxis = 0;
+  return ReadType(header, image, error) && ReadEncoding(header, image, error) &&
+    ReadSizes(header, image, listAxis, error) && ReadFrame(header, image, listAxis, error);
+}
+
+bool ReadNrrdSamples(const NrrdHeader& header, const NrrdImage& image, const NrrdBytes& bytes,
+  int* labels, std::string& error)
+{
+  constexpr std::size_t chunkSamples = 1 << 15;
+  const std::size_t voxels = image.CountVoxels();
+  const std::size_t samples = voxels * image.Layers;
+  SegmentMap segments(header, image.Layers);
+  std::vector<int> ranks(image.Layers > 1 ? voxels : 0);
+  std::vector<char> chunk(chunkSamples * image.SampleSize);
+  std::int64_t lastValue = 0;
+  std::size_t lastLayer = 0;
+  int label = 0;
+  int rank = 0;
+  for (std::size_t position = 0; position < samples;)
+  {
+    const std::size_t count = std::min(chunkSamples, samples - position);
+    if (bytes(chunk.data(), count * image.SampleSize) != count * image.SampleSize)
+    {
+      error = "it has fewer samples than its header says. Check that the file is complete.";
+      return false;
+    }
+    for (std::size_t i = 0; i < count; ++i, ++position)
+    {
+      const std::int64_t value = LoadSample(&chunk[i * image.SampleSize], image);
+      if (value == 0)
+      {
+        continue;
+      }
+      if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
+      {
+        error = "a voxel has the label " + std::to_string(value) +
+          ", which is out of range. Number the labels from -2147483648 to 2147483647.";
+        return false;
+      }
+      const std::size_t layer = position / image.Inner % image.Layers;
+      if (value != lastValue || layer != lastLayer)
+      {
+        rank = segments.Rank(layer, value, label);
+        lastValue = value;
+        lastLayer = layer;
+      }
+      const std::size_t voxel =
+        position % image.Inner + position / (image.Inner * image.Layers) * image.Inner;
+      if (ranks.empty())
+      {
+        labels[voxel] = label;
+      }
+      else if (rank >= ranks[voxel] && label != 0)
+      {
+        labels[voxel] = label;
+        ranks[voxel] = rank;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The samples of a segmentation in a NRRD file: their geometry, and one label for each voxel.
+ *
+ * Overlapping segments are in layers, which are one more axis of the samples, in most files the
+ * first one. In a voxel with several segments, the last of them in the file holds, as in 3D Slicer.
+ */
+#ifndef NrrdImage_h
+#define NrrdImage_h
+
+#include "VTK/Material/Labels/NrrdLabels.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** The samples, as the header describes them. Positions are left-posterior-superior, as in ITK. */
+struct NrrdImage
+{
+  std::array<std::size_t, 3> Size{};
+  std::size_t Layers = 1;
+  std::size_t Inner = 1; ///< samples from one layer of a voxel to the next
+  std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
+  std::array<double, 3> Origin{};
+  std::array<double, 9> Directions{ 1, 0, 0, 0, 1, 0, 0, 0, 1 }; ///< of the axes, in columns
+  std::size_t SampleSize = 1;                                    ///< bytes
+  bool IsSigned = false;
+  bool IsSwapped = false;
+  bool IsCompressed = false;
+
+  std::size_t CountVoxels() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
+  std::size_t CountBytes() const { return this->CountVoxels() * this->Layers * this->SampleSize; }
+};
+
+/**
+ * False, with the reason and the cure, if a header is not that of a segmentation, or if its samples
+ * can't be read.
+ */
+bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& error);
+
+/** Fills memory with the next bytes of the samples. Returns how many there were. */
+using NrrdBytes = std::function<std::size_t(char*, std::size_t)>;
+
+/**
+ * Reads one label for each voxel into memory that holds zeros. Values without a segment stay as
+ * they are, if labels are the values; else they become 0. False, with the reason and the cure, if
+ * that fails.
+ */
+bool ReadNrrdSamples(const NrrdHeader& header, const NrrdImage& image, const NrrdBytes& bytes,
+  int* labels, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

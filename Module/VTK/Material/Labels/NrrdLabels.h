@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The header of a NRRD file, and the segments that 3D Slicer and VolView keep in it (.seg.nrrd).
+ *
+ * A segment has a name, a colour, a layer and the value of its voxels there: SegmentN_Name, _Color,
+ * _Layer and _LabelValue. Segments that overlap are in layers of their own, in which values may
+ * occur again. Old files have neither layers nor values: segment N is layer N, with the value 1.
+ *
+ * In the table, a segment's label is its value. If two segments of different layers share a value,
+ * the label of every segment is N + 1 instead.
+ */
+#ifndef NrrdLabels_h
+#define NrrdLabels_h
+
+#include "VTK/Material/Labels/LabelEntry.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+struct NrrdSegment
+{
+  int Layer = 0;
+  int Value = 1; ///< in its layer
+  int Label = 1; ///< in the table
+  LabelEntry Entry;
+};
+
+struct NrrdHeader
+{
+  std::map<std::string, std::string> Fields; ///< "field: description", in lower case
+  std::map<std::string, std::string> Values; ///< "key:=value"
+  std::vector<NrrdSegment> Segments;         ///< in rising order of N
+  std::size_t Size = 0;                      ///< bytes, with the empty line at the end
+};
+
+/** Whether bytes begin as a NRRD file does. */
+bool IsNrrd(std::string_view bytes);
+
+/**
+ * Reads the header at the beginning of a file. False, with the reason and the cure, if that fails;
+ * no segments are no error.
+ */
+bool ReadNrrdHeader(std::string_view bytes, NrrdHeader& header, std::string& error);
+
+/** False, with the reason and the cure, and entries unchanged, if there are no segments. */
+bool ReadNrrdLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Samples of a data set that is no image, on a regular grid.
+ */
+#ifndef DataSetSampler_h
+#define DataSetSampler_h
+
+#include "VTK/Regions/DataSetParts.h"
+
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace VolumeHaptics
+{
+
+/** An array of which each sample has all components; names as in the data set. */
+struct SampledArray
+{
+  std::string Name;
+  int Components = 1;
+};
+
+/**
+ * Has a copy of the data, with its cell arrays averaged to the points, and resamples boxes of the
+ * grid by VTK's probe. Any thread may read, one after another.
+ */
+class DataSetSampler
+{
+public:
+  /**
+   * Copies a vtkDataSet, or the volumes of a vtkCompositeDataSet.
+   *
+   * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
+   * @param spacing of the grid; 0: the edge of a cube as large as a cell is on average
+   * Null, with the reason and the cure in `error`, if the data have no volume or no array.
+   */
+  static std::shared_ptr<DataSetSampler> Make(vtkDataObject* data,
+    const std::vector<std::string>& wanted, double spacing, std::string& error);
+  ~DataSetSampler();
+  DataSetSampler(const DataSetSampler&) = delete;
+  DataSetSampler& operator=(const DataSetSampler&) = delete;
+
+  /** The scalars first: those of the data, or if there are none, the magnitude of the next. */
+  const std::vector<SampledArray>& GetArrays() const { return this->Arrays; }
+  int CountValues() const;
+  const SamplingGrid& GetGrid() const { return this->Grid; }
+  /** The smallest scalar, which stands for those outside of all cells. */
+  double GetLeastScalar() const { return this->LeastScalar; }
+
+  /**
+   * Writes the samples of a box, one array after another, each with its components side by side.
+   * Outside of all cells, scalars are NaN, and vectors and tensors are 0. Throws
+   * std::runtime_error if that fails.
+   */
+  void Read(const int box[6], float* samples);
+
+private:
+  DataSetSampler();
+
+  vtkSmartPointer<vtkDataObject> Data;
+  std::vector<SampledArray> Arrays;
+  SamplingGrid Grid;
+  double LeastScalar = 0.0;
+  bool HasOwnScalars = true; ///< if not, the first array is the magnitude of the second
+  std::mutex Mutex;          ///< the probe fills caches of the data
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The arrays in which HDF5 1.10 and later list the chunks of a dataset.
+ *
+ * If no dimension can grow, it is a fixed array; if one can, an extensible one. Both have an entry
+ * for each chunk: its address and, if the dataset has filters, its size and the filters that were
+ * left out. Entries come in blocks, large blocks in pages, and what was never written is not there.
+ */
+#ifndef Hdf5ChunkArrays_h
+#define Hdf5ChunkArrays_h
+
+#include "VTK/Regions/Formats/Hdf5Object.h"
+#include "VTK/Regions/Formats/Hdf5Storage.h"
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+class Hdf5ChunkArrays
+{
+public:
+  /** Takes the number of an entry, and its chunk. */
+  using Taker = std::function<void(std::uint64_t number, const Hdf5Chunk& chunk)>;
+
+  /** `chunkSize` is that of a chunk without filters (bytes). */
+  Hdf5ChunkArrays(Hdf5Storage& storage, std::uint64_t chunkSize, Taker take)
+    : Storage(storage)
+    , ChunkSize(chunkSize)
+    , Take(std::move(take))
+  {
+  }
+
+  ///@{
+  /** Passes on all chunks that were written. */
+  void ReadFixed(std::uint64_t address);
+  void ReadExtensible(std::uint64_t address);
+  ///@}
+
+private:
+  /** Reads what both kinds of headers begin with. */
+  Hdf5Block BeginHeader(const char* signature, std::uint64_t address, std::uint64_t size);
+  /** Reads a block behind its signature and its header's address. */
+  Hdf5Block BeginBlock(const char* signature, std::uint64_t address, std::uint64_t size);
+  void ReadEntries(Hdf5Block& block, std::uint64_t first, std::uint64_t count);
+  void ReadPage(std::uint64_t address, std::uint64_t first, std::uint64_t count);
+  void ReadDataBlock(std::uint64_t address, std::uint64_t first, std::uint64_t count,
+    const std::vector<char>& written, std::uint64_t firstPage);
+  std::uint64_t GetPageSize() const { return std::uint64_t{ 1 } << this->PageBits; }
+
+  Hdf5Storage& Storage;
+  const std::uint64_t ChunkSize;
+  const Taker Take;
+  bool IsFiltered = false;
+  std::size_t EntrySize = 0;  ///< bytes
+  int PageBits = 0;           ///< a page has 2^PageBits entries
+  std::size_t NumberSize = 0; ///< of an extensible array: bytes of an entry's number
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/HeaderText.h"
+
+#include "Core/Math/NumberText.h"
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The fields of both formats are near the top; after them there may be samples. */
+constexpr int LongestHeader = 200; // lines
+
+std::string TrimBlanks(const std::string& text)
+{
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  const std::size_t end = text.find_last_not_of(" \t\r");
+  return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+}
+
+} // namespace
+
+HeaderText::HeaderText(const std::string& path, char separator)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::size_t size = 0;
+  for (int count = 0; count < LongestHeader && std::getline(file, line); ++count)
+  {
+    size += line.size() + 1;
+    const std::size_t middle = line.find(separator);
+    const std::string key = TrimBlanks(line.substr(0, middle));
+    if (key.empty())
+    {
+      this->Size = size;
+      break; // a blank line ends a NRRD header
+    }
+    if (middle != std::string::npos)
+    {
+      this->Fields.emplace(key, TrimBlanks(line.substr(middle + 1)));
+    }
+    if (key == "ElementDataFile")
+    {
+      this->Size = size;
+      break;
+    }
+  }
+}
+
+std::string HeaderText::Value(const std::vector<std::string>& keys) const
+{
+  for (const std::string& key : keys)
+  {
+    const auto field = this->Fields.find(key);
+    if (field != this->Fields.end())
+    {
+      return field->second;
+    }
+  }
+  return {};
+}
+
+std::vector<double> HeaderText::Numbers(const std::vector<std::string>& keys) const
+{
+  std::string text = this->Value(keys);
+  for (char& letter : text)
+  {
+    letter = letter == '(' || letter == ')' || letter == ',' ? ' ' : letter;
+  }
+  std::vector<double> numbers;
+  std::istringstream words(text);
+  std::string word;
+  while (words >> word)
+  {
+    if (const std::optional<double> number = ParseNumber(word))
+    {
+      numbers.push_back(*number);
+    }
+  }
+  return numbers;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/LargeFile.h"
+
+#include "VTK/Regions/Formats/RawHeader.h"
+#include "VTK/Regions/Formats/VtkHdfFile.h"
+#include "VTK/Regions/Formats/ZarrFile.h"
+
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+bool HasEnding(const std::string& name, const std::string& ending)
+{
+  return name.size() >= ending.size() &&
+    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/** Any folder, as those of the arrays of a Zarr group have other names. */
+bool IsZarrName(const std::string& name)
+{
+  return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||
+    vtksys::SystemTools::FileIsDirectory(name);
+}
+
+bool IsHeaderName(const std::string& name)
+{
+  return HasEnding(name, ".mhd") || HasEnding(name, ".mha") || HasEnding(name, ".nhdr") ||
+    HasEnding(name, ".nrrd");
+}
+
+} // namespace
+
+bool IsLargeFileName(const std::string& name)
+{
+  return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name) ||
+    IsHeaderName(name);
+}
+
+LargeFile OpenLargeFile(const std::string& name)
+{
+  if (!IsLargeFileName(name))
+  {
+    throw std::runtime_error(
+      "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr or .nrrd file or "
+      "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
+      "and spacing.");
+  }
+  return IsZarrName(name) ? OpenZarr(name)
+    : IsHeaderName(name)  ? OpenRawHeader(name)
+                          : OpenVtkHdf(name);
+}
+
+int FindScalarType(bool isInteger, bool isSigned, std::size_t size)
+{
+  if (!isInteger)
+  {
+    return size == sizeof(float) ? VTK_FLOAT : size == sizeof(double) ? VTK_DOUBLE : 0;
+  }
+  switch (size)
+  {
+    case 1:
+      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 2:
+      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
+    case 4:
+      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
+    case 8:
+      return isSigned ? VTK_LONG_LONG : VTK_UNSIGNED_LONG_LONG;
+    default:
+      return 0;
+  }
+}
+
+} // namespace VolumeHaptics

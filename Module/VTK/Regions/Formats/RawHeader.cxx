@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/RawHeader.h"
+
+#include "VTK/Base/ByteOrder.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Regions/Formats/HeaderText.h"
+#include "VTK/Regions/Formats/OpenedFile.h"
+#include "VTK/Regions/Formats/RawVolumeFile.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+const std::map<std::string, int> SampleTypes = { { "met_char", VTK_SIGNED_CHAR },
+  { "met_uchar", VTK_UNSIGNED_CHAR }, { "met_short", VTK_SHORT },
+  { "met_ushort", VTK_UNSIGNED_SHORT }, { "met_int", VTK_INT }, { "met_uint", VTK_UNSIGNED_INT },
+  // MetaIO's "long" has 4 bytes on all systems.
+  { "met_long", VTK_INT }, { "met_ulong", VTK_UNSIGNED_INT }, { "met_long_long", VTK_LONG_LONG },
+  { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
+  { "met_double", VTK_DOUBLE }, { "signed char", VTK_SIGNED_CHAR }, { "int8", VTK_SIGNED_CHAR },
+  { "int8_t", VTK_SIGNED_CHAR }, { "uchar", VTK_UNSIGNED_CHAR },
+  { "unsigned char", VTK_UNSIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
+  { "uint8_t", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT }, { "int16", VTK_SHORT },
+  { "int16_t", VTK_SHORT }, { "ushort", VTK_UNSIGNED_SHORT },
+  { "unsigned short", VTK_UNSIGNED_SHORT }, { "uint16", VTK_UNSIGNED_SHORT },
+  { "uint16_t", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "int32", VTK_INT },
+  { "int32_t", VTK_INT }, { "uint", VTK_UNSIGNED_INT }, { "unsigned int", VTK_UNSIGNED_INT },
+  { "uint32", VTK_UNSIGNED_INT }, { "uint32_t", VTK_UNSIGNED_INT }, { "int64", VTK_LONG_LONG },
+  { "int64_t", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
+  { "uint64_t", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT }, { "double", VTK_DOUBLE } };
+
+/** The fields of a header of either format. */
+struct RawHeader
+{
+  std::vector<double> Size; ///< samples along each axis
+  std::vector<double> Spacing;
+  std::vector<double> Origin;
+  std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not said
+  int Type = 0;
+  bool IsBig = false;
+  bool IsPlain = false; ///< neither compressed nor in several files, and of one component
+  std::string Data;     ///< the file
+  double Skip = 0.0;    ///< bytes before the samples; -1: all but the samples
+};
+
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+bool IsMetaName(const std::string& name)
+{
+  const std::string ending = LowerCase(name.substr(std::max<std::size_t>(name.size(), 4) - 4));
+  return ending == ".mhd" || ending == ".mha";
+}
+
+int FindSampleType(const std::string& name)
+{
+  const auto found = SampleTypes.find(LowerCase(name));
+  return found == SampleTypes.end() ? 0 : found->second;
+}
+
+double NumberOr(const std::vector<double>& numbers, double other)
+{
+  return numbers.empty() ? other : numbers.front();
+}
+
+/** A file that a header names. */
+std::string FindBeside(const std::string& name, const std::string& data)
+{
+  return data.empty() || data.front() == '/' ? data : GetFolder(MakeAbsolute(name)) + "/" + data;
+}
+
+bool IsTrue(const std::string& word)
+{
+  return LowerCase(word) == "true";
+}
+
+/** The nine numbers of the first three axes, of a matrix of any number of axes. */
+std::vector<double> FindThreeAxes(const std::vector<double>& matrix, std::size_t axes)
+{
+  if (axes < 3 || matrix.size() != axes * axes)
+  {
+    return {};
+  }
+  std::vector<double> three;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    const auto first = matrix.begin() + static_cast<std::ptrdiff_t>(row * axes);
+    three.insert(three.end(), first, first + 3);
+  }
+  return three;
+}
+
+RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
+{
+  RawHeader header;
+  header.Size = text.Numbers({ "DimSize" });
+  header.Spacing = text.Numbers({ "ElementSpacing", "ElementSize" });
+  header.Origin = text.Numbers({ "Offset", "Origin", "Position" });
+  header.Axes = FindThreeAxes(
+    text.Numbers({ "TransformMatrix", "Orientation", "Rotation" }), header.Size.size());
+  header.Type = FindSampleType(text.Value({ "ElementType" }));
+  header.IsBig = IsTrue(text.Value({ "BinaryDataByteOrderMSB", "ElementByteOrderMSB" }));
+  const std::string data = text.Value({ "ElementDataFile" });
+  header.IsPlain = !data.empty() && data != "LIST" && data.find('%') == std::string::npos &&
+    !IsTrue(text.Value({ "CompressedData" })) &&
+    LowerCase(text.Value({ "BinaryData" })) != "false" &&
+    NumberOr(text.Numbers({ "ElementNumberOfChannels" }), 1.0) == 1.0;
+  const bool isHere = LowerCase(data) == "local";
+  header.Data = isHere ? name : FindBeside(name, data);
+  const double behind = isHere ? static_cast<double>(text.GetSize()) : 0.0;
+  const double told = NumberOr(text.Numbers({ "HeaderSize" }), 0.0);
+  header.Skip = told == 0.0 ? behind : told;
+  return header;
+}
+
+/** Of vectors from right-anterior-superior to left-posterior-superior. */
+void TurnAboutZ(std::vector<double>& vectors)
+{
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    vectors[i] = i % 3 < 2 ? -vectors[i] : vectors[i];
+  }
+}
+
+RawHeader ReadNrrdHeader(const HeaderText& text, const std::string& name)
+{
+  RawHeader header;
+  header.Size = text.Numbers({ "sizes" });
+  header.Spacing = text.Numbers({ "spacings" });
+  header.Origin = text.Numbers({ "space origin" });
+  const std::vector<double> directions = text.Numbers({ "space directions" });
+  const std::string space = text.Value({ "space" });
+  if (directions.size() == 9)
+  {
+    header.Axes = directions;
+    header.Spacing.clear();
+    for (std::size_t c = 0; c < 9; c += 3)
+    {
+      header.Spacing.push_back(std::hypot(directions[c], directions[c + 1], directions[c + 2]));
+    }
+    if (space == "right-anterior-superior" || space == "RAS")
+    {
+      TurnAboutZ(header.Axes);
+      TurnAboutZ(header.Origin);
+    }
+  }
+  header.Type = FindSampleType(text.Value({ "type" }));
+  header.IsBig = text.Value({ "endian" }) == "big";
+  const std::string data = text.Value({ "data file", "datafile" });
+  const bool isMirrored =
+    space == "left-anterior-superior" || space == "LAS" || space == "3D-left-handed";
+  header.IsPlain = text.Value({ "encoding" }) == "raw" && data.find('%') == std::string::npos &&
+    data != "LIST" && !isMirrored && text.Value({ "line skip", "lineskip" }).empty();
+  header.Data = data.empty() ? name : FindBeside(name, data);
+  header.Skip = NumberOr(text.Numbers({ "byte skip", "byteskip" }), 0.0);
+  if (data.empty() && header.Skip >= 0.0)
+  {
+    // Of a very long header the end is not known.
+    header.Skip = text.GetSize() > 0 ? header.Skip + static_cast<double>(text.GetSize()) : -1.0;
+  }
+  return header;
+}
+
+bool IsReadable(const RawHeader& header)
+{
+  return header.IsPlain && header.Type != 0 && header.Size.size() >= 3 &&
+    std::all_of(header.Size.begin(), header.Size.end(),
+      [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
+}
+
+/** Bytes, as a number that can't overflow. */
+double CountBytes(const RawHeader& header)
+{
+  return header.Size[0] * header.Size[1] * header.Size[2] *
+    vtkAbstractArray::GetDataTypeSize(header.Type);
+}
+
+/** Axes after the third one, such as that of times, are one sample long, or it throws. */
+void CheckFurtherAxes(const RawHeader& header)
+{
+  if (std::any_of(
+        header.Size.begin() + 3, header.Size.end(), [](double count) { return count != 1.0; }))
+  {
+    throw std::runtime_error("it has " + std::to_string(header.Size.size()) +
+      " axes, so that it holds several volumes. Write each of them into a file of its own; "
+      "volumehaptics-explore takes their folder.");
+  }
+}
+
+/** The bytes before the samples. Throws if the file is too short. */
+std::int64_t FindSkip(const RawHeader& header)
+{
+  double size = 0.0;
+  try
+  {
+    size = static_cast<double>(OpenedFile(header.Data).GetSize());
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw std::runtime_error(
+      "it speaks of the file " + header.Data + ", which can't be opened: " + error.what());
+  }
+  const double bytes = CountBytes(header);
+  const double skip = header.Skip < 0.0 ? size - bytes : header.Skip;
+  if (skip < 0.0 || size < skip + bytes)
+  {
+    throw std::runtime_error("it speaks of more samples than " + header.Data +
+      " has. Check that the copy of that file is complete.");
+  }
+  return static_cast<std::int64_t>(skip);
+}
+
+/** The rows of `axes` are the columns of the direction, unless they are no axes. */
+void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
+{
+  if (axes.size() != 9)
+  {
+    return;
+  }
+  double unit[9];
+  for (int c = 0; c < 3; ++c)
+  {
+    double axis[3] = { axes[3 * c], axes[3 * c + 1], axes[3 * c + 2] };
+    vtkMath::Normalize(axis);
+    for (int row = 0; row < 3; ++row)
+    {
+      unit[3 * row + c] = axis[row];
+    }
+  }
+  constexpr double flattest = 1e-6;
+  if (std::abs(vtkMatrix3x3::Determinant(unit)) >= flattest)
+  {
+    std::copy_n(unit, 9, direction.begin());
+  }
+}
+
+} // namespace
+
+LargeFile OpenRawHeader(const std::string& name)
+{
+  const OpenedFile isThere(name); // or throws
+  const HeaderText text(name, IsMetaName(name) ? '=' : ':');
+  const RawHeader header =
+    IsMetaName(name) ? ReadMetaHeader(text, name) : ReadNrrdHeader(text, name);
+  if (!IsReadable(header))
+  {
+    throw std::runtime_error(
+      "its samples can't be read region by region: they are compressed, in several files, "
+      "mirrored, not three-dimensional, written as text, or of another type. Write them "
+      "uncompressed "
+      "into one raw file, or read the whole volume into memory.");
+  }
+  CheckFurtherAxes(header);
+  LargeFile file;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    file.Extent[2 * a + 1] = static_cast<int>(header.Size[a]) - 1;
+    file.Spacing[a] = a < header.Spacing.size() ? header.Spacing[a] : 1.0;
+    file.Origin[a] = a < header.Origin.size() ? header.Origin[a] : 0.0;
+  }
+  SetAxes(header.Axes, file.Direction);
+  file.ScalarType = header.Type;
+  const RawVolumeFile samples{ MakeAbsolute(header.Data), file.Extent,
+    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(header.Type)), FindSkip(header),
+    IsOtherByteOrder(header.IsBig) };
+  file.Read = [samples](const int box[6], void* to)
+  {
+    samples.Read(box, to);
+    return true;
+  };
+  return file;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * MetaImage and NRRD files: a text that says where raw samples lie.
+ */
+#ifndef RawHeader_h
+#define RawHeader_h
+
+#include "VTK/Regions/Formats/LargeFile.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/**
+ * Opens a file whose samples lie uncompressed behind its header, or in one file beside it. The
+ * volume lies in the world where ITK puts it: left-posterior-superior if the header names a space.
+ * Throws std::runtime_error, with the cure.
+ */
+LargeFile OpenRawHeader(const std::string& name);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Reads boxes of samples from a raw file.
+ */
+#ifndef RawVolumeFile_h
+#define RawVolumeFile_h
+
+#include "VTK/Regions/Formats/LargeVolume.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** A file of samples, x fastest and z slowest, after a header. */
+struct RawVolumeFile
+{
+  std::string Name;
+  BoxExtent Extent;
+  std::size_t SampleSize = 0;  ///< bytes
+  vtkTypeInt64 HeaderSize = 0; ///< bytes
+  bool IsSwapped = false;      ///< whether its byte order is not that of this computer
+
+  /**
+   * Reads a box, row by row. The file is opened for each box, so that one that is replaced or grows
+   * is read as it is; several threads may read at once. Throws std::runtime_error.
+   */
+  void Read(const int box[6], void* samples) const;
+};
+
+/** Turns the bytes of each sample round; `size` is that of all, in bytes. */
+void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize);
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/ZarrArray.h"
+
+#include "VTK/Base/ByteOrder.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Regions/Formats/ChunkCodecs.h"
+#include "VTK/Regions/Formats/LargeFile.h"
+#include "VTK/Regions/Formats/OpenedFile.h"
+#include "VTK/Regions/Formats/ZarrHead.h"
+
+#include "vtkSetGet.h"
+#include "vtk_jsoncpp.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+const char* const UsePython =
+  " Open it with volumehaptics.open_large() in Python, which uses zarr, or convert it.";
+
+[[noreturn]] void Refuse(const std::string& folder, const std::string& what)
+{
+  throw std::runtime_error("the Zarr array " + Printable(folder) + " " + what);
+}
+
+std::vector<std::uint64_t> ReadShape(const Json::Value& list, const std::string& folder)
+{
+  std::vector<std::uint64_t> shape;
+  for (const Json::Value& count : list)
+  {
+    if (!count.isUInt64() || count.asUInt64() == 0 ||
+      count.asUInt64() > std::numeric_limits<std::uint32_t>::max())
+    {
+      Refuse(folder, "has a size that no volume has. Check its head.");
+    }
+    shape.push_back(count.asUInt64());
+  }
+  return shape;
+}
+
+struct NumberType
+{
+  char Kind = 0; ///< i, u or f
+  std::size_t Size = 0;
+};
+
+/** Names such as "<i2" of version 2, and "int16" of version 3. */
+NumberType ReadType(const std::string& name, bool& isBig)
+{
+  if (name.size() == 3 && std::strchr("<>|", name[0]))
+  {
+    isBig = name[0] == '>';
+    return { name[1], static_cast<std::size_t>(name[2] - '0') };
+  }
+  const std::size_t digits = name.find_first_of("0123456789");
+  const std::string word = name.substr(0, digits);
+  const char kind = word == "int" ? 'i' : word == "uint" ? 'u' : word == "float" ? 'f' : 0;
+  const int bits = digits == std::string::npos ? 0 : std::atoi(name.c_str() + digits);
+  return { kind, static_cast<std::size_t>(bits / 8) };
+}
+
+template <typename T>
+void PutFill(const Json::Value& value, bool isSwapped, std::vector<char>& bytes)
+{
+  T number{};
+  const std::string word = value.isString() ? value.asString() : std::string();
+  if (std::is_floating_point<T>::value && !word.empty())
+  {
+    number = static_cast<T>(word == "NaN" ? std::numeric_limits<double>::quiet_NaN()
+        : word == "Infinity"              ? std::numeric_limits<double>::infinity()
+                                          : -std::numeric_limits<double>::infinity());
+  }
+  else if (std::is_floating_point<T>::value && value.isNumeric())
+  {
+    number = static_cast<T>(value.asDouble());
+  }
+  else if (value.isInt64())
+  {
+    number = static_cast<T>(value.asInt64());
+  }
+  else if (value.isUInt64())
+  {
+    number = static_cast<T>(value.asUInt64());
+  }
+  bytes.resize(sizeof(T));
+  std::memcpy(bytes.data(), &number, sizeof(T));
+  if (isSwapped)
+  {
+    std::reverse(bytes.begin(), bytes.end());
+  }
+}
+
+void SetType(const std::string& name, const Json::Value& fill, ZarrArray& array)
+{
+  const NumberType type = ReadType(name, array.IsBig);
+  const bool isKnown = type.Kind == 'i' || type.Kind == 'u' || type.Kind == 'f';
+  array.ScalarType = isKnown ? FindScalarType(type.Kind != 'f', type.Kind == 'i', type.Size) : 0;
+  array.SampleSize = type.Size;
+  switch (array.ScalarType)
+  {
+    vtkTemplateMacro(PutFill<VTK_TT>(fill, IsOtherByteOrder(array.IsBig), array.FillValue));
+    default:
+      Refuse(array.Folder,
+        "is of type " + Printable(name) +
+          ", which no volume has. Write it as integers or floating-point numbers.");
+  }
+}
+
+void AddCodec(const std::string& name, ZarrArray& array)
+{
+  if (name == "zlib" || name == "gzip")
+  {
+    array.Codecs.push_back(ZarrArray::Zlib);
+  }
+  else if (name == "lz4")
+  {
+    array.Codecs.push_back(ZarrArray::Lz4);
+  }
+  else if (name == "blosc")
+  {
+    array.Codecs.push_back(ZarrArray::Blosc);
+  }
+  else if (name != "crc32c")
+  {
+    Refuse(array.Folder,
+      "is stored with " + Printable(name) + ", and only zlib, gzip, lz4 and blosc are read here." +
+        UsePython);
+  }
+}
+
+/** Version 2: .zarray. */
+void ReadOldHead(const Json::Value& head, ZarrArray& array)
+{
+  array.Shape = ReadShape(head["shape"], array.Folder);
+  array.ChunkShape = ReadShape(head["chunks"], array.Folder);
+  const Json::Value& type = head["dtype"];
+  SetType(type.isString() ? type.asString() : "structures", head["fill_value"], array);
+  const Json::Value& separator = head["dimension_separator"];
+  array.Separator = separator.isString() && separator.asString() == "/" ? '/' : '.';
+  if (head["order"].isString() && head["order"].asString() == "F")
+  {
+    Refuse(array.Folder, std::string("has its first axis fastest (order F).") + UsePython);
+  }
+  if (head["filters"].isArray() && !head["filters"].empty())
+  {
+    Refuse(array.Folder, std::string("has filters.") + UsePython);
+  }
+  if (head["compressor"].isObject())
+  {
+    AddCodec(head["compressor"]["id"].asString(), array);
+  }
+}
+
+/** Version 3: zarr.json. */
+void ReadNewHead(const Json::Value& head, ZarrArray& array)
+{
+  array.Shape = ReadShape(head["shape"], array.Folder);
+  array.ChunkShape = ReadShape(head["chunk_grid"]["configuration"]["chunk_shape"], array.Folder);
+  const Json::Value& keys = head["chunk_key_encoding"];
+  const bool isOld = keys["name"].asString() == "v2";
+  const Json::Value& separator = keys["configuration"]["separator"];
+  array.Separator = separator.isString() && !separator.asString().empty() ? separator.asString()[0]
+    : isOld                                                               ? '.'
+                                                                          : '/';
+  array.Prefix = isOld ? std::string() : std::string("c") + array.Separator;
+  for (const Json::Value& codec : head["codecs"])
+  {
+    const std::string name = codec["name"].asString();
+    if (name == "bytes")
+    {
+      array.IsBig = codec["configuration"]["endian"].asString() == "big";
+      continue;
+    }
+    AddCodec(name, array);
+  }
+  std::reverse(array.Codecs.begin(), array.Codecs.end());
+  const Json::Value& type = head["data_type"];
+  SetType(type.isString() ? type.asString() : "structures", head["fill_value"], array);
+}
+
+} // namespace
+
+std::string ZarrArray::GetChunkFile(const ChunkPlace& place) const
+{
+  std::string name = this->Folder + "/" + this->Prefix;
+  const std::size_t rank = this->Shape.size();
+  for (std::size_t d = 0; d < rank; ++d)
+  {
+    name += d == 0 ? std::string() : std::string(1, this->Separator);
+    name += d + 3 < rank ? "0" : std::to_string(place[rank - 1 - d]);
+  }
+  return name;
+}
+
+bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const
+{
+  const std::string name = this->GetChunkFile(place);
+  struct stat status;
+  if (stat(name.c_str(), &status) != 0)
+  {
+    if (errno == ENOENT)
+    {
+      return false; // a chunk of fill values is not written
+    }
+    throw std::runtime_error(DescribeError(errno) + " (" + name + ").");
+  }
+  const OpenedFile file(name);
+  const auto size = static_cast<std::uint64_t>(file.GetSize());
+  if (size > MostChunkBytes)
+  {
+    throw std::runtime_error("its chunk " + name + " is larger than 1 GiB.");
+  }
+  bytes.resize(static_cast<std::size_t>(size));
+  file.Read(bytes.data(), bytes.size(), 0);
+  for (const CodecType codec : this->Codecs)
+  {
+    switch (codec)
+    {
+      case Zlib:
+        InflateChunk(bytes);
+        break;
+      case Lz4:
+        UnpackLz4Chunk(bytes);
+        break;
+      case Blosc:
+        UnpackBloscChunk(bytes);
+        break;
+    }
+  }
+  return true;
+}
+
+bool IsZarrArray(const std::string& folder)
+{
+  Json::Value head;
+  return ReadZarrHead(folder + "/.zarray", head) ||
+    (ReadZarrHead(folder + "/zarr.json", head) && head["node_type"].isString() &&
+      head["node_type"].asString() == "array");
+}
+
+ZarrArray OpenZarrArray(const std::string& folder)
+{
+  ZarrArray array;
+  array.Folder = folder;
+  Json::Value head;
+  try
+  {
+    if (ReadZarrHead(folder + "/.zarray", head))
+    {
+      ReadOldHead(head, array);
+    }
+    else if (ReadZarrHead(folder + "/zarr.json", head))
+    {
+      ReadNewHead(head, array);
+    }
+    else
+    {
+      Refuse(folder,
+        "has no head (.zarray or zarr.json): it may not have been copied. Copy it, or "
+        "check the name.");
+    }
+  }
+  catch (const Json::Exception&)
+  {
+    Refuse(folder, "has a head that is not as Zarr wants it. Write it again.");
+  }
+  if (array.Shape.size() < 3 || array.ChunkShape.size() != array.Shape.size())
+  {
+    Refuse(folder,
+      "has " + std::to_string(array.Shape.size()) +
+        " dimensions, and a volume needs z, y and x, as the last ones.");
+  }
+  double size = static_cast<double>(array.SampleSize);
+  for (const std::uint64_t count : array.ChunkShape)
+  {
+    size *= static_cast<double>(count);
+  }
+  if (size > static_cast<double>(MostChunkBytes))
+  {
+    Refuse(folder, "has chunks larger than 1 GiB. Write it with chunks such as 64 x 64 x 64.");
+  }
+  return array;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * An array in a folder of Zarr, version 2 or 3.
+ */
+#ifndef ZarrArray_h
+#define ZarrArray_h
+
+#include "VTK/Regions/Formats/ChunkedVolume.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace VolumeHaptics
+{
+
+/** What the head of an array says, as Zarr's published specifications have it. */
+struct ZarrArray
+{
+  enum CodecType
+  {
+    Zlib, ///< or gzip
+    Lz4,
+    Blosc
+  };
+
+  std::string Folder;
+  std::vector<std::uint64_t> Shape;
+  std::vector<std::uint64_t> ChunkShape;
+  int ScalarType = 0;
+  std::size_t SampleSize = 0;
+  bool IsBig = false;
+  std::vector<char> FillValue;   ///< in the byte order of the array
+  std::string Prefix;            ///< of the names of chunks
+  char Separator = '.';          ///< between the numbers of a chunk
+  std::vector<CodecType> Codecs; ///< in the order in which they are undone
+
+  /** The name of the file of a chunk. */
+  std::string GetChunkFile(const ChunkPlace& place) const;
+  /** See ChunkedVolume::Loader. Of dimensions before the last three, the first one is meant. */
+  bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
+};
+
+/** Whether a folder holds an array. */
+bool IsZarrArray(const std::string& folder);
+
+/** Reads the head. Throws std::runtime_error, with the cure. */
+ZarrArray OpenZarrArray(const std::string& folder);
+
+} // namespace VolumeHaptics
+
+#endif

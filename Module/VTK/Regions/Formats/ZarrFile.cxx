@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/ZarrFile.h"
+
+#include "VTK/Base/ByteOrder.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Regions/Formats/ZarrArray.h"
+#include "VTK/Regions/Formats/ZarrHead.h"
+
+#include "vtk_jsoncpp.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The affine part along one axis of an array. */
+struct AxisScale
+{
+  double Scale = 1.0;
+  double Translation = 0.0;
+};
+
+LargeFile MakeZarrLevel(const std::string& folder)
+{
+  const auto array = std::make_shared<const ZarrArray>(OpenZarrArray(folder));
+  LargeFile file;
+  ChunkedVolume volume;
+  const std::size_t x = array->Shape.size() - 1;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (array->Shape[x - a] > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    {
+      throw std::runtime_error("it has more samples along an axis than an image can have.");
+    }
+    file.Extent[2 * a] = 0;
+    file.Extent[2 * a + 1] = static_cast<int>(array->Shape[x - a]) - 1;
+    volume.ChunkSize[a] = static_cast<std::int64_t>(array->ChunkShape[x - a]);
+  }
+  file.ScalarType = array->ScalarType;
+  file.ChunkSize = volume.ChunkSize;
+  volume.Extent = file.Extent;
+  volume.SampleSize = array->SampleSize;
+  volume.IsSwapped = IsOtherByteOrder(array->IsBig);
+  volume.FillValue = array->FillValue;
+  volume.Load = [array](const ChunkPlace& place, std::vector<char>& bytes)
+  { return array->LoadChunk(place, bytes); };
+  file.Read = [volume](const int box[6], void* samples)
+  {
+    volume.Read(box, samples);
+    return true;
+  };
+  return file;
+}
+
+void ApplyTransformations(const Json::Value& steps, std::vector<AxisScale>& axes)
+{
+  for (const Json::Value& step : steps)
+  {
+    const std::string type = step["type"].asString();
+    const Json::Value& numbers = step[type];
+    const bool isScale = type == "scale";
+    if (type == "identity")
+    {
+      continue;
+    }
+    if ((!isScale && type != "translation") || numbers.size() != axes.size())
+    {
+      throw std::runtime_error("it has a coordinate transformation that is neither a scale nor a "
+                               "translation of all axes. Open its array itself, and set spacing "
+                               "and origin.");
+    }
+    for (Json::ArrayIndex a = 0; a < numbers.size(); ++a)
+    {
+      const double number = numbers[a].asDouble();
+      axes[a].Scale *= isScale ? number : 1.0;
+      axes[a].Translation = isScale ? axes[a].Translation * number : axes[a].Translation + number;
+    }
+  }
+}
+
+/** The axes have to end with z, y and x. */
+void CheckAxes(const Json::Value& axes, std::size_t rank)
+{
+  if (!axes.isArray())
+  {
+    return; // before version 0.3: they are always those
+  }
+  std::string last;
+  for (const Json::Value& axis : axes)
+  {
+    last += axis.isObject() ? axis["name"].asString() : axis.asString();
+  }
+  std::transform(last.begin(), last.end(), last.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (axes.size() != rank || last.size() < 3 || last.substr(last.size() - 3) != "zyx")
+  {
+    throw std::runtime_error(
+      "its axes are " + Printable(last) + ", and a volume needs z, y and x, as the last ones.");
+  }
+}
+
+LargeFile OpenDataset(
+  const std::string& folder, const Json::Value& scales, const Json::Value& dataset)
+{
+  const std::string path = folder + "/" + dataset["path"].asString();
+  const std::size_t rank = OpenZarrArray(path).Shape.size();
+  CheckAxes(scales["axes"], rank);
+  std::vector<AxisScale> axes(rank);
+  ApplyTransformations(dataset["coordinateTransformations"], axes);
+  ApplyTransformations(scales["coordinateTransformations"], axes);
+  LargeFile file = MakeZarrLevel(path);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const AxisScale& axis = axes[rank - 1 - a];
+    if (!std::isfinite(axis.Scale) || axis.Scale == 0.0 || !std::isfinite(axis.Translation))
+    {
+      throw std::runtime_error("its scale is zero or not finite. Correct its .zattrs.");
+    }
+    file.Spacing[a] = axis.Scale;
+    file.Origin[a] = axis.Translation;
+  }
+  return file;
+}
+
+/** The finest level, with those that are coarser. */
+LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
+{
+  LargeFile finest;
+  bool isFirst = true;
+  for (const Json::Value& dataset : scales["datasets"])
+  {
+    try
+    {
+      LargeFile level = OpenDataset(folder, scales, dataset);
+      if (isFirst)
+      {
+        finest = std::move(level);
+      }
+      else
+      {
+        finest.Coarser.push_back(std::move(level));
+      }
+    }
+    catch (const std::runtime_error&)
+    {
+      if (isFirst)
+      {
+        throw;
+      }
+      break; // of coarser levels, those that can be opened are good enough
+    }
+    isFirst = false;
+  }
+  if (isFirst)
+  {
+    throw std::runtime_error("it has no level. Check the datasets of its multiscales.");
+  }
+  return finest;
+}
+
+} // namespace
+
+LargeFile OpenZarr(const std::string& name)
+{
+  const std::string folder = MakeAbsolute(name);
+  if (IsZarrArray(folder))
+  {
+    return MakeZarrLevel(folder);
+  }
+  Json::Value head;
+  const bool isNew = !ReadZarrHead(folder + "/.zattrs", head);
+  if (isNew && !ReadZarrHead(folder + "/zarr.json", head))
+  {
+    throw std::runtime_error("it is no folder of Zarr: it has neither .zarray, .zattrs nor "
+                             "zarr.json. Check its name.");
+  }
+  try
+  {
+    const Json::Value& attributes = isNew ? head["attributes"]["ome"] : head;
+    const Json::Value& scales = attributes["multiscales"];
+    if (!scales.isArray() || scales.empty())
+    {
+      throw std::runtime_error("it is a group of Zarr without OME-Zarr's multiscales. Name one of "
+                               "its arrays.");
+    }
+    return OpenMultiscales(folder, scales[0]);
+  }
+  catch (const Json::Exception&)
+  {
+    throw std::runtime_error(
+      "its attributes are not as OME-Zarr wants them. Name one of its arrays.");
+  }
+}
+
+} // namespace VolumeHaptics

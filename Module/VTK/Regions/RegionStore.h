@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The facts and the samples of a large volume that are in memory, and the region that is read next.
+ */
+#ifndef RegionStore_h
+#define RegionStore_h
+
+#include "VTK/Base/BackgroundWork.h"
+#include "VTK/Regions/CoarseLevel.h"
+#include "VTK/Regions/Formats/LargeVolume.h"
+#include "VTK/Regions/RegionReader.h"
+#include "VTK/Regions/VolumeSurvey.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+class vtkDataArray;
+class vtkHapticRegionPlanner;
+class vtkImageData;
+
+namespace VolumeHaptics
+{
+
+/** The settings of a source from which its volume is made. */
+struct LargeVolumeKey
+{
+  BoxExtent Extent{};
+  int ScalarType = 0;
+  std::string File;
+  vtkTypeInt64 HeaderSize = 0;
+  int ByteOrder = 0;
+  int Version = 0;
+  bool AreLabels = false;
+
+  bool operator==(const LargeVolumeKey& other) const
+  {
+    return this->Extent == other.Extent && this->ScalarType == other.ScalarType &&
+      this->File == other.File && this->HeaderSize == other.HeaderSize &&
+      this->ByteOrder == other.ByteOrder && this->Version == other.Version &&
+      this->AreLabels == other.AreLabels;
+  }
+};
+
+/** From what the coarse level is made; by default there is none. */
+struct CoarseKey
+{
+  const void* Image = nullptr;
+  vtkMTimeType Time = 0;
+  Affine3 IndexToWorld{}; ///< of the volume
+
+  bool operator==(const CoarseKey& other) const
+  {
+    return this->Image == other.Image && this->Time == other.Time &&
+      IsIdentical(this->IndexToWorld, other.IndexToWorld);
+  }
+};
+
+/** For the thread of the owner. */
+class RegionStore
+{
+public:
+  RegionStore();
+  ~RegionStore();
+
+  /** Whether there is a volume, made of these settings. */
+  bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
+  /** Forgets all about the volume before. */
+  void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
+  const LargeVolume* GetVolume() const { return this->Volume.get(); }
+  /** Ends the thread, and forgets the volume and the coarse level. */
+  void Clear();
+  /** The level that stands in for samples that are late; null for none. */
+  void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
+  bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
+
+  vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
+
+  /**
+   * Takes what has come, and orders what is wanted for a tip at a time (s). Returns whether the
+   * resident region has changed.
+   */
+  bool Follow(const double tip[3], double time);
+
+  /** How long (s) it takes until a region that has come can be felt. */
+  void SetUseTime(double seconds) { this->UseTime = seconds; }
+
+  /** All values of the resident samples, as they were read; null before there are any. */
+  vtkDataArray* GetSamples() const { return this->Samples; }
+  const BoxExtent& GetRegion() const { return this->Region; }
+  /** Whether the resident samples are those of the coarse level. */
+  bool IsStandIn() const { return this->StandsIn; }
+  bool IsWaiting() const { return this->Ordered.has_value(); }
+  bool IsSurveyed() const { return this->Facts.has_value(); }
+  /** Why the last read failed; empty if it did not. */
+  const std::string& GetTrouble() const { return this->Trouble; }
+  /** Tells once what is taken for outside; else an empty text. */
+  std::string TakeNotice() { return std::exchange(this->Notice, {}); }
+
+  /** Reads a region into a new array, here and now; null, with an error, if that fails. */
+  vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
+  /** Writes the facts about the whole, as far as they are known. Read() fills no samples. */
+  void WriteFacts(vtkImageData* image, bool isFilled) const;
+
+private:
+  bool Survey(std::string& error);
+  void NoteFacts(const VolumeFacts& facts);
+  bool TakeRegion(const double tip[3], double interval);
+  /** Makes a region of the coarse level if the resident one lacks samples for the tip. */
+  bool FollowStandIn(const double tip[3]);
+  /** Whether a region has all samples for a hand that presses no deeper than the tip is. */
+  bool Holds(const BoxExtent& region, const double tip[3]) const;
+  void Show(RegionSamples&& region, bool standsIn);
+  void MeasureVelocity(const double tip[3], double time);
+  void Order(const double tip[3]);
+
+  const vtkNew<vtkHapticRegionPlanner> Planner;
+  LargeVolumeKey Key;
+  std::shared_ptr<const LargeVolume> Volume;
+  std::optional<VolumeFacts> Facts;
+  vtkMTimeType WholeTime = 0;
+  vtkSmartPointer<vtkDataArray> Samples;
+  BoxExtent Region;
+  bool StandsIn = false; ///< Samples are of the coarse level
+  CoarseKey CoarseOf;
+  std::shared_ptr<const CoarseLevel> Coarse;
+  std::optional<BoxExtent> StandInOrdered;
+  KeyedWork<BoxExtent, std::shared_ptr<RegionSamples>> StandIns;
+  std::optional<BoxExtent> Ordered;
+  vtkIdType OrderedMost = 0;  // with which voxels at most
+  std::int64_t OrderTime = 0; // ServoClock
+  std::int64_t LookTime = 0;  // ServoClock
+  double UseTime = 0.0;       // s
+  std::array<double, 3> Tip{};
+  std::array<double, 3> Velocity{};
+  double TipTime = 0.0; // s
+  std::string Trouble;
+  std::string Notice;
+  std::unique_ptr<RegionReader> Thread; // last: it ends first
+};
+
+} // namespace VolumeHaptics
+
+#endif

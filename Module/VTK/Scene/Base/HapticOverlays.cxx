@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Base/HapticOverlays.h"
+
+#include "VTK/Scene/Base/HapticPixels.h"
+
+#include "vtkActor2D.h"
+#include "vtkCoordinate.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTextMapper.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
+constexpr double ActorMargin = 3.0; // pixels around a 2D actor
+constexpr double LabelSpill = 15.0; // pixels by which labels may leave the box of a scalar bar
+
+bool ShowsSomething(vtkRenderer* renderer)
+{
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* const prop = props->GetNextProp(at))
+  {
+    if (prop->GetVisibility())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** False for a kind of actor whose place VTK does not tell, and for one that draws nothing. */
+bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
+{
+  // Each call computes in the same array.
+  const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
+  const double position[2] = { static_cast<double>(at[0]), static_cast<double>(at[1]) };
+  if (auto* const text = vtkTextActor::SafeDownCast(actor))
+  {
+    text->GetBoundingBox(renderer, box.data());
+  }
+  else if (auto* const letters = vtkTextMapper::SafeDownCast(actor->GetMapper()))
+  {
+    int size[2] = { 0, 0 };
+    letters->GetSize(renderer, size);
+    vtkTextProperty* const look = letters->GetTextProperty();
+    const double left = 0.5 * look->GetJustification() * size[0];
+    const double below = 0.5 * look->GetVerticalJustification() * size[1];
+    box = { -left, size[0] - left, -below, size[1] - below };
+  }
+  else if (auto* const shape = vtkPolyDataMapper2D::SafeDownCast(actor->GetMapper()))
+  {
+    vtkPolyData* const polygons = shape->GetInput();
+    if (!polygons || polygons->GetNumberOfPoints() == 0)
+    {
+      return false;
+    }
+    const double* const bounds = polygons->GetBounds();
+    box = { bounds[0], bounds[1], bounds[2], bounds[3] };
+    if (vtkCoordinate* const system = shape->GetTransformCoordinate())
+    {
+      for (int side = 0; side < 2; ++side)
+      {
+        system->SetValue(bounds[side], bounds[2 + side], bounds[4 + side]);
+        const int* const corner = system->GetComputedViewportValue(renderer);
+        box[side] = corner[0];
+        box[2 + side] = corner[1];
+      }
+    }
+  }
+  else if (actor->IsA("vtkScalarBarActor") || actor->IsA("vtkLegendBoxActor") ||
+    actor->IsA("vtkXYPlotActor"))
+  {
+    const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
+    const double spill = actor->IsA("vtkScalarBarActor") ? LabelSpill : 0.0;
+    box = { -spill, end[0] - position[0] + spill, -spill, end[1] - position[1] + spill };
+  }
+  else
+  {
+    return false;
+  }
+  box = { box[0] + position[0], box[1] + position[0], box[2] + position[1], box[3] + position[1] };
+  return box[1] > box[0] && box[3] > box[2];
+}
+
+/** Moves a box past one overlay after the other; see MoveOff. */
+ViewportBox Avoid(const std::vector<ViewportBox>& overlays, double width, const ViewportBox& wanted,
+  int across, int up, double margin)
+{
+  const double size[2] = { wanted[1] - wanted[0], wanted[3] - wanted[2] };
+  ViewportBox box = wanted;
+  for (std::size_t tries = 0; tries <= overlays.size(); ++tries)
+  {
+    const auto covering = std::find_if(overlays.begin(), overlays.end(),
+      [&box](const ViewportBox& overlay) { return Overlaps(overlay, box); });
+    if (covering == overlays.end())
+    {
+      break;
+    }
+    const double beside = across > 0 ? (*covering)[1] : (*covering)[0] - size[0];
+    const bool isRoom =
+      across > 0 ? beside + size[0] + margin <= width : across < 0 && beside >= margin;
+    const double left = isRoom ? beside : wanted[0];
+    const double bottom = isRoom ? box[2] : up > 0 ? (*covering)[3] : (*covering)[2] - size[1];
+    box = { left, left + size[0], bottom, bottom + size[1] };
+  }
+  return box;
+}
+
+} // namespace
+
+bool Overlaps(const ViewportBox& a, const ViewportBox& b)
+{
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
+{
+  std::vector<ViewportBox> boxes;
+  const int* const size = renderer->GetSize();
+  vtkNew<vtkPropCollection> actors;
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* const prop = props->GetNextProp(at))
+  {
+    if (prop->GetVisibility())
+    {
+      prop->GetActors2D(actors);
+    }
+  }
+  actors->InitTraversal(at);
+  while (vtkProp* const prop = actors->GetNextProp(at))
+  {
+    auto* const actor = vtkActor2D::SafeDownCast(prop);
+    ViewportBox box;
+    if (actor && actor->GetVisibility() && FindBox(actor, renderer, box) &&
+      (2.0 * (box[1] - box[0]) <= size[0] || 2.0 * (box[3] - box[2]) <= size[1]))
+    {
+      boxes.push_back(box);
+    }
+  }
+  return boxes;
+}
+
+std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
+{
+  std::vector<ViewportBox> overlays;
+  auto* const own = vtkRenderer::SafeDownCast(viewport);
+  vtkRenderWindow* const window = own ? own->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    return overlays;
+  }
+  const int* const origin = own->GetOrigin();
+  const int* const size = own->GetSize();
+  vtkCollectionSimpleIterator at;
+  window->GetRenderers()->InitTraversal(at);
+  while (vtkRenderer* const other = window->GetRenderers()->GetNextRenderer(at))
+  {
+    const int* const theirs = other->GetSize();
+    const double left = other->GetOrigin()[0] - origin[0];
+    const double bottom = other->GetOrigin()[1] - origin[1];
+    const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
+    // The layer 0 has scenes and what stands beside them.
+    if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
+      ShowsSomething(other))
+    {
+      overlays.push_back({ left, left + theirs[0], bottom, bottom + theirs[1] });
+    }
+    else if (other->GetDraw())
+    {
+      for (const ViewportBox& box : FindActorBoxes(other))
+      {
+        overlays.push_back({ left + box[0] - ActorMargin, left + box[1] + ActorMargin,
+          bottom + box[2] - ActorMargin, bottom + box[3] + ActorMargin });
+      }
+    }
+  }
+  return overlays;
+}
+
+ViewportBox MoveOff(
+  vtkViewport* viewport, const ViewportBox& wanted, int across, int up, double margin)
+{
+  const std::vector<ViewportBox> overlays = FindOverlays(viewport);
+  const int* const view = viewport->GetSize();
+  const ViewportBox beside = Avoid(overlays, view[0], wanted, across, up, margin);
+  if (beside[2] == wanted[2])
+  {
+    return beside;
+  }
+  const ViewportBox above = Avoid(overlays, view[0], wanted, 0, up, margin);
+  const auto way = [&wanted](const ViewportBox& box)
+  { return std::abs(box[0] - wanted[0]) + std::abs(box[2] - wanted[2]); };
+  const ViewportBox& nearest = way(above) < way(beside) ? above : beside;
+  // A box over something is better than none.
+  return nearest[2] < 0.0 || nearest[3] > view[1] ? wanted : nearest;
+}
+
+std::array<int, 2> FindFreeCorner(vtkViewport* viewport, int width, int height)
+{
+  const ViewportBox box{ 0.0, static_cast<double>(width), 0.0, static_cast<double>(height) };
+  const ViewportBox free =
+    MoveOff(viewport, box, 1, 1, ScalePixels(PixelsPerPoint(viewport), ScaleWidth));
+  return { static_cast<int>(free[0]), static_cast<int>(free[2]) };
+}
+
+double FindTextRight(vtkViewport* viewport)
+{
+  const int* const size = viewport->GetSize();
+  double right = size[0];
+  for (const ViewportBox& overlay : FindOverlays(viewport))
+  {
+    const bool isAbove = overlay[3] > 0.6 * size[1];
+    right = isAbove && overlay[0] > 0.5 * size[0] ? std::min(right, overlay[0]) : right;
+  }
+  return right;
+}
+
+} // namespace VolumeHaptics

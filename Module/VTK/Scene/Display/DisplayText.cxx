@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Display/DisplayText.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkHapticDevice.h"
+#include "vtkHapticMode.h"
+#include "vtkHapticPointShell.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRemoval.h"
+#include "vtkHapticSurfaceMode.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Less is not felt, N. */
+constexpr double LeastForce = 0.005;
+
+bool AreModesFelt(vtkVolumeHapticsFilter* filter)
+{
+  return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
+}
+
+/** Whether modes are felt, none of which is a surface on which a hand rests. */
+bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
+{
+  if (!AreModesFelt(filter))
+  {
+    return false;
+  }
+  for (int i = 0; i < filter->GetNumberOfModes(); ++i)
+  {
+    vtkHapticMode* const mode = filter->GetMode(i);
+    if (mode->GetActive() && vtkHapticSurfaceMode::SafeDownCast(mode))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Of an inserted needle, but for its depth and tissue; empty in the tick that has inserted it. */
+std::string DescribeNeedle(vtkHapticDevice* device)
+{
+  vtkNew<vtkPolyData> track;
+  device->GetNeedleTrack(track);
+  const auto number = [&track](const char* name)
+  {
+    vtkDataArray* const array = track->GetFieldData()->GetArray(name);
+    return array ? array->GetComponent(0, 0) : 0.0;
+  };
+  const vtkIdType layers = track->GetNumberOfCells();
+  if (layers == 0)
+  {
+    return {};
+  }
+  const auto touches = static_cast<int>(number("ForbiddenTouches"));
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  if (number("Angle") >= 0.0)
+  {
+    text << number("Angle") << " degrees from upright, ";
+  }
+  text << layers << (layers == 1 ? " layer" : " layers");
+  if (touches > 0)
+  {
+    text << ", forbidden tissue touched " << touches << (touches == 1 ? " time" : " times");
+  }
+  return text.str();
+}
+
+/** N mm, of a tool with a shape; empty without one, and if nothing turns it. */
+std::string DescribeTorque(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double torque = 1e3 * vtkMath::Norm(device->GetComputedTorque());
+  if (!filter || !vtkHapticPointShell::SafeDownCast(filter->GetTool()) || !(torque >= 0.05))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << ", turned by " << std::fixed << std::setprecision(1) << torque << " N mm";
+  return text.str();
+}
+
+/** What was found of how values are stored. */
+std::string DescribeShift(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double shift = filter ? filter->GetProperty()->GetFoundShift() : 0.0;
+  std::ostringstream text;
+  text << " HU (stored as HU + " << -shift << ")";
+  return shift == 0.0 ? std::string() : text.str();
+}
+
+} // namespace
+
+std::string DescribeStatus(vtkHapticDevice* device)
+{
+  const std::string status = device->GetStatusText();
+  if (status.rfind("Running: virtual.", 0) == 0 || status.rfind("Active: virtual.", 0) == 0)
+  {
+    return {};
+  }
+  const std::size_t sentence = status.find(". ");
+  if (sentence == std::string::npos)
+  {
+    return status;
+  }
+  const int code = device->GetStatus();
+  // For a mouse, the hint says how to go on.
+  const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
+    code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
+  const std::string first = status.substr(0, sentence + 1);
+  return asksHand ? first + "\n" + status.substr(sentence + 2) : first;
+}
+
+std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid)
+{
+  static const char* const contacts[] = { "", "Resting on ", "Sliding over ", "Pushed through " };
+  const int now = device->GetContact() & 3;
+  const int contact = now == 1 && slid ? 2 : now;
+  const double force = vtkMath::Norm(device->GetForce());
+  if (force < LeastForce && (contact == 0 || device->GetStatus() != vtkHapticDevice::ACTIVE))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  const double depth = device->GetNeedleDepth();
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  if (filter && device->IsSpinning())
+  {
+    vtkHapticRemoval* const removal = filter->GetRemoval();
+    text << "Drills, " << std::fixed << std::setprecision(1) << removal->GetRemovedVolume()
+         << " mm^3 removed" << (removal->IsUsedUp() ? " (no more can be)" : "");
+  }
+  else if (depth > 0.0)
+  {
+    text << "Needle " << std::fixed << std::setprecision(1) << depth << " deep"
+         << (tissue.empty() ? "" : " in ") << tissue;
+  }
+  else if (AreOnlyFieldsFelt(device->GetVolumeHaptics()))
+  {
+    static const char* const guidance[] = { "Pushed", "Held", "Guided", "Guided" };
+    text << guidance[contact] << (tissue.empty() ? "" : " in ") << tissue;
+  }
+  else
+  {
+    text << (contact == 0 ? "Pushed by " : contacts[contact])
+         << (tissue.empty() ? "the volume" : tissue);
+  }
+  text << ", " << std::fixed << std::setprecision(2) << force << " N of at most "
+       << std::defaultfloat << std::setprecision(3) << device->GetMaximumForce() << " N"
+       << DescribeTorque(device);
+  const std::string needle = depth > 0.0 ? DescribeNeedle(device) : std::string();
+  text << (needle.empty() ? "" : "\n") << needle;
+  return text.str();
+}
+
+std::string DescribeCut(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  vtkPlaneCollection* const planes = filter ? filter->GetClippingPlanes() : nullptr;
+  const bool isCut =
+    filter && (filter->GetCropping() || (planes && planes->GetNumberOfItems() > 0));
+  if (!isCut)
+  {
+    return {};
+  }
+  return filter->GetFeelCutFaces() ? "Cut open, its faces are felt"
+                                   : "Cut open, its faces are not felt";
+}
+
+double FindFeltValue(vtkHapticDevice* device)
+{
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  const double scalar = device->GetSurfaceValue();
+  return filter ? filter->GetProperty()->ScalarToValue(scalar) : scalar;
+}
+
+std::string DescribeDetails(vtkHapticDevice* device)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  if (!AreModesFelt(device->GetVolumeHaptics()))
+  {
+    text << "Value " << FindFeltValue(device) << DescribeShift(device) << ", ";
+  }
+  text << device->GetTickRate() << " ticks/s, " << device->GetMissedTicks() << " missed";
+  return text.str();
+}
+
+} // namespace VolumeHaptics

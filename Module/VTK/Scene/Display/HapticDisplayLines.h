@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Lines of the head-up display on modes, measurements and time.
+ */
+#ifndef HapticDisplayLines_h
+#define HapticDisplayLines_h
+
+#include "VTK/Scene/Display/HapticModeList.h"
+
+#include <string>
+#include <vector>
+
+class vtkHapticDevice;
+class vtkHapticMeasurements;
+class vtkVolumeHapticsFilter;
+
+namespace VolumeHaptics
+{
+
+/** The filter whose modes are felt; null for other methods. */
+vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device);
+/** The names of all modes, each another one. */
+std::vector<std::string> NameModes(vtkHapticDevice* device);
+/** The same, empty for those that are not active. */
+std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
+/** A line for each mode, with its force. */
+std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);
+/** Their names and values, one a line, and what is being measured. */
+std::string ListMeasurements(vtkHapticMeasurements* measurements);
+/** A line on the time of a volume that moves; empty without one. */
+std::string DescribeTime(vtkHapticDevice* device);
+
+} // namespace VolumeHaptics
+
+#endif

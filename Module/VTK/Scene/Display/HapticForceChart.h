@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Forces against time: the last seconds over a scene, or a whole trace on a page.
+ */
+#ifndef HapticForceChart_h
+#define HapticForceChart_h
+
+#include "VTK/Scene/Display/HapticCurveNames.h"
+#include "VTK/Scene/Display/HapticForceTable.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkBlockItem;
+class vtkChartXY;
+class vtkContextActor;
+class vtkPlot;
+class vtkTable;
+
+namespace VolumeHaptics
+{
+
+class HapticForceChart
+{
+public:
+  enum class Ground
+  {
+    Panel, ///< small and dark, in the lower left corner of a viewport
+    Page   ///< white, all of a viewport, with letters that grow with it
+  };
+
+  /** The ends of the axes. */
+  struct Extent
+  {
+    double From = 0.0; ///< s
+    double To = 0.0;
+    double Force = 0.0; ///< N, from 0 on
+  };
+
+  /** A stretch of time (s), and the name of the action in it. */
+  struct Phase
+  {
+    std::string Name;
+    double From;
+    double To;
+  };
+
+  explicit HapticForceChart(Ground ground);
+  ~HapticForceChart();
+
+  /** Call it once, when charts can be drawn. */
+  void Build();
+  /**
+   * Draws the curves of modes, too, which then stand for all parts of the force. Call it after
+   * Build, with the names of HapticForceTable::SetModes; one that is empty leaves its curve out.
+   */
+  void SetModes(const std::vector<std::string>& names);
+  /** The size of a panel in a viewport of this size, with the margin at its left and below it. */
+  static std::array<int, 2> PanelSize(int width, int height, double scale = 1.0);
+  /**
+   * Fits the chart into a viewport of this size (pixels). `from`: the lower left corner of a panel
+   * with its margins. Returns whether that changes the chart.
+   */
+  bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
+  /** A panel on a light ground covers more of it. Returns whether that changes the chart. */
+  bool SetOnLight(bool isOnLight);
+  /** The upper right corner of what it takes up (pixels). */
+  const int* GetCorner() const { return this->Corner; }
+  /**
+   * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
+   * whether the chart changes.
+   */
+  bool Show(vtkTable* table, const Extent& extent, const std::string& title);
+  /** Names the phases above the chart and draws lines between them. Once, after Show. */
+  void ShowPhases(const std::vector<Phase>& phases);
+
+  vtkContextActor* GetActor() { return this->Actor; }
+
+private:
+  void SetLetters(int size);
+  void SetTitle(const std::string& title);
+  /** Names the shown curves above a panel. */
+  void NameCurves();
+  vtkPlot* AddLine(int curve);
+
+  const Ground On;
+  vtkNew<vtkBlockItem> Panel;
+  vtkNew<vtkChartXY> Chart;
+  vtkNew<HapticCurveNames> Names; ///< of a panel; a page has a title and a legend
+  vtkNew<vtkContextActor> Actor;
+  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
+  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
+  std::vector<std::string> Modes;
+  double Scale = 1.0; ///< pixels for each point
+  bool IsOnLight = false;
+  int Viewport[2] = { 0, 0 }; ///< pixels, as the next three
+  std::array<int, 2> From{ 0, 0 };
+  int Corner[2] = { 0, 0 };
+  double Height = 1.0;
+  vtkTable* Shown = nullptr; ///< the source of the lines
+  vtkMTimeType ShownTime = 0;
+  Extent ShownExtent;
+  std::string ShownTitle;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The modes of a filter as lines of text, each in the colour of its curve, which can be clicked on.
+ */
+#ifndef HapticModeList_h
+#define HapticModeList_h
+
+#include "VTK/Scene/Base/HapticModeColors.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkTextActor;
+class vtkViewport;
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+
+struct ModeLine
+{
+  std::string Text;
+  bool IsActive = true; ///< if not, it is grey
+};
+
+class HapticModeList
+{
+public:
+  HapticModeList();
+  ~HapticModeList();
+
+  /** Draws the lines from a height (pixels) downwards; call it in the overlay pass. */
+  int Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport);
+  /** Nothing is there to be clicked on. */
+  void Hide() { this->Count = 0; }
+  /** The number of the line at a position of the viewport (pixels); -1 if there is none. */
+  int Find(int x, int y) const;
+  void Release(vtkWindow* window);
+
+private:
+  struct Line
+  {
+    vtkNew<vtkTextActor> Text;
+    int Low = 0; ///< pixels, as the next two
+    int High = 0;
+    int Width = 0;
+  };
+  std::array<Line, ModeColorCount> Lines;
+  std::size_t Count = 0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,544 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticHeadUpDisplay.h"
+
+#include "VTK/Scene/Base/HapticDrawing.h"
+#include "VTK/Scene/Base/HapticOverlays.h"
+#include "VTK/Scene/Base/HapticPixels.h"
+#include "VTK/Scene/Base/HapticSceneSettings.h"
+#include "VTK/Scene/Base/HapticTextLook.h"
+#include "VTK/Scene/Base/TouchedLabel.h"
+#include "VTK/Scene/Display/DisplayText.h"
+#include "VTK/Scene/Display/HapticDisplayLines.h"
+#include "VTK/Scene/Display/HapticForceChart.h"
+#include "VTK/Scene/Display/HapticForceHistory.h"
+#include "VTK/Scene/Display/HapticKeySheet.h"
+#include "VTK/Scene/Display/HapticModeList.h"
+#include "VTK/Scene/Display/HapticOverlayPicture.h"
+#include "VTK/Scene/Display/HapticTextPace.h"
+#include "VTK/Scene/Display/HapticWrappedText.h"
+
+#include "vtkContextActor.h"
+#include "vtkContextDevice2D.h"
+#include "vtkContextScene.h"
+#include "vtkDataArray.h"
+#include "vtkHapticDevice.h"
+#include "vtkHapticMeasurements.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkViewport.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkHapticHeadUpDisplay);
+
+using namespace VolumeHaptics;
+
+namespace
+{
+constexpr double TextTop = 0.975; ///< of the viewport
+constexpr double TextLeft = 0.02;
+constexpr int Gap = 8;         ///< pixels below the text
+constexpr int ChartPause = 25; ///< between pictures of the chart, in times that it takes to draw
+
+struct Tissue
+{
+  std::string Name;
+  double From;
+  double To;
+};
+
+/** VTK's clamp lets NaN through; it then becomes the default. */
+double GetShownSpan(double span)
+{
+  return std::isnan(span) ? 5.0 : span;
+}
+/** The lower left corner (pixels) of a panel with its margins at the left and below. */
+std::array<int, 2> FindPlotCorner(
+  int corner, vtkViewport* viewport, const std::array<int, 2>& panel)
+{
+  constexpr int scaleHeight = 30; // pixels at the lower right: "1 N = 10 mm"
+  switch (corner)
+  {
+    case vtkHapticHeadUpDisplay::LOWER_LEFT_CORNER:
+      return { 0, 0 };
+    case vtkHapticHeadUpDisplay::LOWER_RIGHT_CORNER:
+      return { viewport->GetSize()[0] - panel[0] - Gap,
+        ScalePixels(PixelsPerPoint(viewport), scaleHeight) };
+    default:
+      return FindFreeCorner(viewport, panel[0], panel[1]);
+  }
+}
+
+} // namespace
+
+struct vtkHapticHeadUpDisplay::vtkInternals
+{
+  vtkSmartPointer<vtkHapticDevice> Device;
+  std::vector<Tissue> Tissues;
+  HapticForceHistory History;
+  LateSlide Slide;
+  HapticForceChart Chart{ HapticForceChart::Ground::Panel };
+  HapticOverlayPicture Picture;
+  std::chrono::steady_clock::time_point Due; // of the next picture
+  vtkNew<vtkTextActor> Text;
+  HapticWrappedText Wrapped;
+  HapticTextPace TextPace;
+  double TextHeight = 0.0; // pixels
+  vtkNew<vtkTextActor> Hint;
+  vtkNew<HapticKeySheet> Keys;
+  vtkNew<vtkContextActor> Help;
+  HapticModeList Modes;
+  vtkNew<vtkTable> PlotTable; // the table for the caller
+  int CanDraw = -1;           // not known yet
+  vtkSmartPointer<vtkHapticMeasurements> Measurements;
+  std::vector<std::array<double, 4>> Covered; // boxes of the last frame, as Covers has them
+
+  std::string GetStatus(vtkHapticHeadUpDisplay& self);
+  int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  /** The height at which the text ends (pixels). */
+  int FindTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
+  int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
+  /** Whether charts can be drawn; an error tells once if not. */
+  bool FindContext(vtkHapticHeadUpDisplay& self);
+};
+
+//------------------------------------------------------------------------------
+vtkHapticHeadUpDisplay::vtkHapticHeadUpDisplay()
+  : Internals(new vtkInternals)
+{
+  auto& d = *this->Internals;
+  d.Text->GetTextProperty()->SetVerticalJustificationToTop();
+  d.Text->GetTextProperty()->SetLineSpacing(1.15);
+  d.Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  d.Text->GetPositionCoordinate()->SetValue(TextLeft, TextTop);
+  vtkTextProperty* const hint = d.Hint->GetTextProperty();
+  hint->SetColor(1.0, 1.0, 1.0);
+  hint->SetBackgroundColor(0.06, 0.07, 0.09);
+  hint->SetFrame(1);
+  hint->SetFrameColor(0.06, 0.07, 0.09);
+  hint->SetFrameWidth(4);
+  hint->SetLineSpacing(1.25);
+  hint->SetJustificationToCentered();
+  hint->SetVerticalJustificationToTop();
+  this->PickableOff();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticHeadUpDisplay::~vtkHapticHeadUpDisplay() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::SetDevice(vtkHapticDevice* device)
+{
+  if (this->Internals->Device != device)
+  {
+    this->Internals->Device = device;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticHeadUpDisplay::GetDevice()
+{
+  return this->Internals->Device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::SetMeasurements(vtkHapticMeasurements* measurements)
+{
+  if (this->Internals->Measurements != measurements)
+  {
+    this->Internals->Measurements = measurements;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticMeasurements* vtkHapticHeadUpDisplay::GetMeasurements()
+{
+  return this->Internals->Measurements;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHeadUpDisplay::Covers(const double box[4])
+{
+  const auto& all = this->Internals->Covered;
+  const auto overlaps = [box](const std::array<double, 4>& drawn)
+  { return box[0] < drawn[1] && drawn[0] < box[1] && box[2] < drawn[3] && drawn[2] < box[3]; };
+  const bool isHelp = this->HelpVisibility && !this->HelpText.empty();
+  return this->GetVisibility() && (isHelp || std::any_of(all.begin(), all.end(), overlaps));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
+{
+  static const char* const names[] = { "Time", "NormalForce", "FrictionForce", "DragForce",
+    "Command" };
+  vtkDataArray* columns[5];
+  for (int c = 0; c < 5; ++c)
+  {
+    columns[c] = states ? vtkDataArray::SafeDownCast(states->GetColumnByName(names[c])) : nullptr;
+    if (!columns[c] || columns[c]->GetNumberOfComponents() != (c == 4 ? 3 : 1))
+    {
+      vtkErrorMacro("The states have no column \"" << names[c]
+                                                   << "\" as vtkHapticDevice::DrainStates gives "
+                                                      "it. Pass its table as it is.");
+      return;
+    }
+  }
+  auto* const contacts = vtkDataArray::SafeDownCast(states->GetColumnByName("Contact"));
+  auto* const modes = vtkDataArray::SafeDownCast(states->GetColumnByName("ModeForces"));
+  auto* const armed = vtkDataArray::SafeDownCast(states->GetColumnByName("Armed"));
+  const vtkIdType rows = columns[0]->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < rows; ++i)
+  {
+    const auto isShort = [i](vtkDataArray* column) { return column->GetNumberOfTuples() <= i; };
+    if (!std::isfinite(columns[0]->GetComponent(i, 0)) ||
+      std::any_of(columns, columns + 5, isShort))
+    {
+      vtkErrorMacro(<< "The table of states lacks a column or a finite Time in row " << i
+                    << ". Pass the table of vtkHapticDevice::DrainStates as it is.");
+      return;
+    }
+    double command[3];
+    columns[4]->GetTuple(i, command);
+    // A hand that has let go feels nothing, though the tip may still be in a surface.
+    const double share =
+      armed && i < armed->GetNumberOfTuples() && armed->GetComponent(i, 0) == 0.0 ? 0.0 : 1.0;
+    HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
+      { share * columns[1]->GetComponent(i, 0), share * columns[2]->GetComponent(i, 0),
+        share * columns[3]->GetComponent(i, 0), vtkMath::Norm(command) } };
+    for (int c = 0; modes && i < modes->GetNumberOfTuples() && c < modes->GetNumberOfComponents() &&
+         HapticForceTable::Curves + c < HapticForceHistory::Curves;
+         ++c)
+    {
+      state.Forces[HapticForceTable::Curves + c] = share * modes->GetComponent(i, c);
+    }
+    this->Internals->History.Add(state, GetShownSpan(this->TimeSpan));
+    if (contacts && i < contacts->GetNumberOfTuples())
+    {
+      this->Internals->Slide.Add(state.Time, static_cast<int>(contacts->GetComponent(i, 0)));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::Clear()
+{
+  this->Internals->History.Clear();
+  this->Internals->Slide.Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::AddTissue(const char* name, double from, double to)
+{
+  this->Internals->Tissues.push_back({ name ? name : "", from, to });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::RemoveAllTissues()
+{
+  this->Internals->Tissues.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::GetTissueName(double value)
+{
+  const auto& all = this->Internals->Tissues;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&](const Tissue& t) { return value >= t.From && value < t.To; });
+  return found == all.end() ? std::string() : found->Name;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
+{
+  return static_cast<vtkIdType>(this->Internals->History.GetSize());
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
+{
+  // Not the table that is drawn, which has to stay unchanged.
+  auto& d = *this->Internals;
+  d.History.SetModes(NameModes(d.Device));
+  d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
+  return d.PlotTable;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticHeadUpDisplay::GetForceRange()
+{
+  return this->Internals->History.GetRange();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::GetPlotTitle()
+{
+  vtkHapticDevice* const device = this->Internals->Device;
+  return device ? device->GetMethodText() : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::GetText()
+{
+  auto& d = *this->Internals;
+  // The list of keys takes their place.
+  const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
+  std::string text;
+  const std::string recorded =
+    this->RecordingText.empty() ? "" : "Recording " + this->RecordingText;
+  const std::string compared = this->SettingsText.empty() ? "" : "Settings " + this->SettingsText;
+  for (const std::string& part : { recorded, compared, d.GetStatus(*this),
+         isListed ? ListMeasurements(d.Measurements) : std::string(), this->Notice })
+  {
+    text += text.empty() || part.empty() ? part : "\n" + part;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticHeadUpDisplay::vtkInternals::GetStatus(vtkHapticHeadUpDisplay& self)
+{
+  vtkHapticDevice* const device = this->Device;
+  if (!device)
+  {
+    return "No device";
+  }
+  if (!device->IsRunning())
+  {
+    return device->GetStatusText();
+  }
+  const std::string label = NameLabelAt(device->GetVolumeHaptics(), device->GetSurfacePosition());
+  // Modes have no surface with a value.
+  const bool isByValue = label.empty() && !FindModes(device);
+  const std::string tissue = isByValue ? self.GetTissueName(FindFeltValue(device)) : label;
+  std::string text;
+  for (const std::string& line :
+    { DescribeStatus(device), DescribeTouch(device, tissue, this->Slide.Is()), DescribeCut(device),
+      DescribeTime(device), self.DetailsVisibility ? DescribeDetails(device) : std::string() })
+  {
+    text += text.empty() || line.empty() ? line : "\n" + line;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::FindMode(int x, int y)
+{
+  auto& d = *this->Internals;
+  return this->GetVisibility() && this->TextVisibility && FindModes(d.Device) ? d.Modes.Find(x, y)
+                                                                              : -1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
+{
+  if (!VolumeHaptics::IsDrawing(viewport) || VolumeHaptics::IsGivenUp(viewport))
+  {
+    return 0;
+  }
+  auto& d = *this->Internals;
+  d.Modes.Hide();
+  d.Covered.clear();
+  const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
+  // The list of keys takes the place of the plot, and says more than the hint.
+  if (this->HelpVisibility && !this->HelpText.empty() && d.FindContext(*this))
+  {
+    return drawn + d.RenderHelp(*this, viewport);
+  }
+  const bool isHintShown = this->HintVisibility && !this->Hint.empty();
+  return drawn +
+    (this->PlotVisibility && d.FindContext(*this) ? d.RenderPlot(*this, viewport) : 0) +
+    (isHintShown ? d.RenderHint(*this, viewport) : 0);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderText(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  const bool isFault = this->Device && this->Device->GetStatus() == vtkHapticDevice::FAULT;
+  SetLook(this->Text->GetTextProperty(), isFault ? 1.0 : 0.90, isFault ? 0.55 : 0.92,
+    isFault ? 0.45 : 0.95, viewport);
+  const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+  const std::string& text =
+    this->TextPace.Choose(self.GetText(), VolumeHaptics::IsMoving(viewport), now.count());
+  int drawn = 0;
+  double size[2] = { 0.0, 0.0 };
+  if (!text.empty())
+  {
+    const int* const view = viewport->GetSize();
+    const std::array<int, 2> panel =
+      HapticForceChart::PanelSize(view[0], view[1], PixelsPerPoint(viewport));
+    const int plot =
+      self.PlotVisibility ? FindPlotCorner(self.PlotCorner, viewport, panel)[1] + panel[1] : 0;
+    this->Wrapped.Fit(this->Text, text, FindRoom(viewport, TextLeft, TextTop, plot + Gap));
+    this->Text->GetSize(viewport, size);
+    const double left = TextLeft * view[0];
+    const double top = TextTop * view[1];
+    const ViewportBox at = MoveOff(viewport, { left, left + size[0], top - size[1], top }, 1, -1);
+    this->Text->GetPositionCoordinate()->SetValue(at[0] / view[0], at[3] / view[1]);
+    this->Text->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    drawn += this->Text->RenderOverlay(viewport);
+    this->Covered.push_back({ at[0] - left, at[1] + Gap, at[2] - Gap, at[3] + view[1] - top });
+    size[1] = top - at[2];
+  }
+  this->TextHeight = size[1];
+  return drawn +
+    this->Modes.Render(
+      DescribeModeForces(this->Device), this->FindTextEnd(self, viewport) - Gap, viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::FindTextEnd(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const
+{
+  const double height = self.TextVisibility ? this->TextHeight : 0.0;
+  return static_cast<int>(TextTop * viewport->GetSize()[1] - height);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  constexpr int largest = 16; // points
+  constexpr int smallest = 7;
+  const int* const view = viewport->GetSize();
+  // It stands in the middle, and ends before what other renderers draw beside it.
+  const double room = 2.0 * FindTextRight(viewport) - view[0];
+  this->Hint->SetInput(self.Hint.c_str());
+  this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
+  double size[2];
+  for (int letters = largest; letters >= smallest; --letters)
+  {
+    this->Hint->GetTextProperty()->SetFontSize(letters);
+    this->Hint->GetSize(viewport, size);
+    if (size[0] + 2 * Gap <= room)
+    {
+      break;
+    }
+  }
+  const double end = this->FindTextEnd(self, viewport) - Gap;
+  const ViewportBox at = MoveOff(viewport,
+    { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, end - size[1] - Gap,
+      end + Gap },
+    0, -1);
+  // In the viewport, as all of these.
+  this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - Gap));
+  this->Covered.push_back(at);
+  this->Hint->RenderOpaqueGeometry(viewport);
+  return this->Hint->RenderOverlay(viewport);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticHeadUpDisplay::vtkInternals::FindContext(vtkHapticHeadUpDisplay& self)
+{
+  if (this->CanDraw == -1)
+  {
+    // A chart that has no device to draw on would crash.
+    const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
+    this->CanDraw = context ? 1 : 0;
+    if (context)
+    {
+      this->Chart.Build();
+      this->Help->GetScene()->AddItem(this->Keys);
+    }
+    else
+    {
+      vtkErrorWithObjectMacro(&self,
+        "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
+        "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
+        "import vtkmodules.vtkRenderingContextOpenGL2.");
+    }
+  }
+  return this->CanDraw == 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  const int* const size = viewport->GetSize();
+  const double scale = PixelsPerPoint(viewport);
+  const std::array<int, 2> panel = HapticForceChart::PanelSize(size[0], size[1], scale);
+  const std::array<int, 2> from = FindPlotCorner(self.PlotCorner, viewport, panel);
+  const bool isOther = this->Chart.SetOnLight(IsOnLight(viewport));
+  const bool isMoved = this->Chart.Fit(size[0], size[1], from, scale) || isOther;
+  // With a software renderer the chart costs some milliseconds, its picture a tenth of one.
+  const auto now = std::chrono::steady_clock::now();
+  const bool isDue = now >= this->Due;
+  const double span = GetShownSpan(self.TimeSpan);
+  const std::vector<std::string> modes = NameModes(this->Device);
+  this->History.SetModes(modes);
+  this->Chart.SetModes(NameActiveModes(this->Device));
+  const bool isStale = isDue &&
+    this->Chart.Show(
+      this->History.Plot(span), { -span, 0.0, self.GetForceRange() }, self.GetPlotTitle());
+  const int* const corner = this->Chart.GetCorner();
+  this->Covered.push_back({ static_cast<double>(from[0]), static_cast<double>(corner[0]),
+    static_cast<double>(from[1]), static_cast<double>(corner[1]) });
+  const int drawn =
+    this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
+  if (isStale)
+  {
+    // The first picture takes longer than all that follow.
+    const std::chrono::nanoseconds pause = ChartPause * (std::chrono::steady_clock::now() - now);
+    this->Due = now +
+      std::clamp<std::chrono::nanoseconds>(
+        pause, std::chrono::milliseconds(50), std::chrono::milliseconds(250));
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
+  vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
+{
+  // Below the text, unless this leaves less than half of the height.
+  const int* const size = viewport->GetSize();
+  const int below = this->FindTextEnd(self, viewport) - Gap;
+  this->Keys->Show(
+    self.HelpText, size[0], 2 * below > size[1] ? below : size[1], PixelsPerPoint(viewport));
+  return this->Help->RenderOverlay(viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Picture.ReleaseGraphicsResources(window);
+  this->Internals->Modes.Release(window);
+  this->Internals->Chart.GetActor()->ReleaseGraphicsResources(window);
+  this->Internals->Text->ReleaseGraphicsResources(window);
+  this->Internals->Hint->ReleaseGraphicsResources(window);
+  this->Internals->Help->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticHeadUpDisplay::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Device: " << this->GetDevice() << "\n";
+  PrintSettings(os, indent, this, DisplaySettings);
+  os << indent << "Measurements: " << this->GetMeasurements() << "\n";
+  os << indent << "Notice: " << this->Notice << "\n";
+  os << indent << "RecordingText: " << this->RecordingText << "\n";
+  os << indent << "SettingsText: " << this->SettingsText << "\n";
+  os << indent << "Hint: " << this->Hint << "\n";
+  os << indent << "HelpText: " << this->HelpText << "\n";
+  os << indent << "States: " << this->GetNumberOfStates() << "\n";
+  os << indent << "Tissues: " << this->Internals->Tissues.size() << "\n";
+}

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Editor/HapticTissueBands.h"
+
+#include "VTK/Scene/Base/HapticChartText.h"
+#include "VTK/Scene/Editor/HapticTissueList.h"
+
+#include "vtkBrush.h"
+#include "vtkContext2D.h"
+#include "vtkHapticProperty.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPen.h"
+#include "vtkRect.h"
+#include "vtkTextProperty.h"
+#include "vtkTransform2D.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(HapticTissueBands);
+
+namespace
+{
+
+constexpr int BandOpacity = 110; // of 255: a histogram behind it can be seen
+constexpr double BandInk[3] = { 0.25, 0.27, 0.31 };
+constexpr float NameMargin = 3.0f; // pixels
+
+} // namespace
+
+//------------------------------------------------------------------------------
+HapticTissueBands::HapticTissueBands()
+{
+  this->SetInteractive(false);
+  this->SetSelectable(false);
+}
+
+HapticTissueBands::~HapticTissueBands() = default;
+
+//------------------------------------------------------------------------------
+void HapticTissueBands::Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
+  const double range[2], int letters)
+{
+  this->Bands.clear();
+  std::copy_n(range, 2, this->Range);
+  this->Letters = letters;
+  const int tissues = property ? property->GetNumberOfTissues() : 0;
+  for (int i = 0; i < tissues; ++i)
+  {
+    double values[2];
+    property->GetTissueRange(i, values);
+    std::transform(values, values + 2, values,
+      [&](double value) { return toValue(property->ValueToScalar(value)); });
+    const double low = i == 0 ? range[0] : values[0];
+    const double high = i + 1 == tissues ? range[1] : values[1];
+    if (high > range[0] && low < range[1])
+    {
+      this->Bands.push_back({ property->GetTissueName(i), std::max(low, range[0]),
+        std::min(high, range[1]), VolumeHaptics::GetTissueColor(i) });
+    }
+  }
+  this->SetVisible(!this->Bands.empty());
+}
+
+//------------------------------------------------------------------------------
+void HapticTissueBands::PaintName(
+  vtkContext2D* painter, const Band& band, const vtkRectf& place) const
+{
+  vtkTextProperty* const text = painter->GetTextProp();
+  VolumeHaptics::SetChartText(text, this->Letters, BandInk);
+  float bounds[4]; // lower left corner, width and height
+  text->SetOrientation(0.0);
+  painter->ComputeStringBounds(band.Name, bounds);
+  const bool isUpright = bounds[2] + 2.0f * NameMargin > place.GetWidth();
+  const float across = isUpright ? bounds[3] : bounds[2];
+  const float along = isUpright ? bounds[2] : bounds[3];
+  if (across + 1.0f > place.GetWidth() || along + 2.0f * NameMargin > place.GetHeight())
+  {
+    return;
+  }
+  const float middle = std::round(place.GetLeft() + 0.5f * place.GetWidth());
+  const float top = place.GetTop() - NameMargin;
+  if (isUpright)
+  {
+    // Its end is at the top.
+    text->SetOrientation(90.0);
+    text->SetJustificationToCentered();
+    text->SetVerticalJustificationToCentered();
+    painter->DrawString(middle, std::round(top - 0.5f * bounds[2]), band.Name);
+    text->SetOrientation(0.0);
+    return;
+  }
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToTop();
+  painter->DrawString(middle, std::round(top), band.Name);
+}
+
+//------------------------------------------------------------------------------
+bool HapticTissueBands::Paint(vtkContext2D* painter)
+{
+  if (!this->Visible)
+  {
+    return false;
+  }
+  // In pixels, in which letters are measured.
+  const vtkRectd scale = this->GetShiftScale();
+  const auto scaled = [&scale](double value)
+  { return static_cast<float>((value + scale[0]) * scale[2]); };
+  std::vector<vtkRectf> places;
+  for (const Band& band : this->Bands)
+  {
+    float corners[4] = { scaled(band.Low), 0.0f, scaled(band.High), 1.0f };
+    painter->GetTransform()->TransformPoints(corners, corners, 2);
+    places.emplace_back(corners[0], corners[1], corners[2] - corners[0], corners[3] - corners[1]);
+  }
+  vtkNew<vtkTransform2D> pixels;
+  painter->PushMatrix();
+  painter->SetTransform(pixels);
+  painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    constexpr double most = 255.0;
+    const std::array<double, 3>& color = this->Bands[i].Color;
+    painter->GetBrush()->SetColor(static_cast<unsigned char>(most * color[0]),
+      static_cast<unsigned char>(most * color[1]), static_cast<unsigned char>(most * color[2]),
+      BandOpacity);
+    const vtkRectf& place = places[i];
+    painter->DrawRect(place.GetX(), place.GetY(), place.GetWidth(), place.GetHeight());
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    this->PaintName(painter, this->Bands[i], places[i]);
+  }
+  painter->PopMatrix();
+  painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticTissueBands::GetBounds(double bounds[4])
+{
+  bounds[0] = this->Range[0];
+  bounds[1] = this->Range[1];
+  bounds[2] = 0.0;
+  bounds[3] = 1.0;
+}

@@ -1,0 +1,616 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticFunctionEditor.h"
+
+#include "VTK/Scene/Base/HapticDrawing.h"
+#include "VTK/Scene/Base/HapticPixels.h"
+#include "VTK/Scene/Base/HapticSceneSettings.h"
+#include "VTK/Scene/Editor/EditHistory.h"
+#include "VTK/Scene/Editor/EditorDock.h"
+#include "VTK/Scene/Editor/EditorPages.h"
+
+#include "vtkCommand.h"
+#include "vtkContextDevice2D.h"
+#include "vtkHapticLabelTable.h"
+#include "vtkHapticProperty.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHapticFunctionEditor);
+
+//------------------------------------------------------------------------------
+struct vtkHapticFunctionEditor::vtkInternals
+{
+  explicit vtkInternals(vtkHapticFunctionEditor* editor)
+    : Dock(editor, [editor](vtkViewport* viewport) { return editor->Draw(viewport); })
+  {
+  }
+
+  VolumeHaptics::EditorPages Pages;
+  VolumeHaptics::EditHistory History;
+  VolumeHaptics::EditorDock Dock;
+  int Held = 0;       // the button, between press and release
+  int CanDraw = -1;   // not known yet
+  double Scale = 1.0; // pixels for each point of letters
+  bool IsCounting = false;
+  bool WaitsForProposal = false;
+
+  /**
+   * Does work of the editor between StartEvent and EndEvent. Observers may render meanwhile, which
+   * shows the chart as it is, and may release the editor.
+   */
+  template <typename WorkType>
+  void DoLongWork(vtkHapticFunctionEditor* editor, const WorkType& work)
+  {
+    const vtkSmartPointer<vtkHapticFunctionEditor> self(editor);
+    this->IsCounting = true;
+    editor->InvokeEvent(vtkCommand::StartEvent);
+    work();
+    this->IsCounting = false;
+    editor->InvokeEvent(vtkCommand::EndEvent);
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkHapticFunctionEditor::vtkHapticFunctionEditor()
+  : Internals(new vtkInternals(this))
+{
+}
+
+vtkHapticFunctionEditor::~vtkHapticFunctionEditor() = default;
+
+//------------------------------------------------------------------------------
+// Edits of other objects are forgotten; images are not edited.
+#define vtkHapticEditorObjectMacro(name, type, member, forget) \
+  void vtkHapticFunctionEditor::Set##name(type* object)        \
+  {                                                            \
+    if (this->Internals->Pages.member != object)               \
+    {                                                          \
+      this->Internals->Pages.member = object;                  \
+      this->Internals->Pages.EndOtherCounts();                 \
+      forget;                                                  \
+      this->Modified();                                        \
+    }                                                          \
+  }                                                            \
+  type* vtkHapticFunctionEditor::Get##name()                   \
+  {                                                            \
+    return this->Internals->Pages.member;                      \
+  }
+
+vtkHapticEditorObjectMacro(
+  Property, vtkHapticProperty, Proposed.Property, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(
+  VolumeProperty, vtkVolumeProperty, VolumeProperty, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(
+  LabelTable, vtkHapticLabelTable, LabelList.Table, this->Internals->History.Forget());
+vtkHapticEditorObjectMacro(InputData, vtkImageData, Proposed.Image, );
+vtkHapticEditorObjectMacro(LabelData, vtkImageData, LabelList.Image, );
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetFunction(int function)
+{
+  const int valid = std::clamp<int>(function, STIFFNESS, TISSUES);
+  if (valid != this->Function)
+  {
+    this->Function = valid;
+    this->Internals->Pages.SetPage(valid);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::NextFunction()
+{
+  const int before = this->Function;
+  do
+  {
+    this->SetFunction(this->Function == TISSUES ? STIFFNESS : this->Function + 1);
+  } while (this->Function != before && !this->Internals->Pages.Has(this->Function));
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetRectangle(int x, int y, int width, int height)
+{
+  constexpr int most = 16384; // as wide as a texture may be, and any display is
+  const int rectangle[4] = { std::clamp(x, -most, most), std::clamp(y, -most, most),
+    std::clamp(width, 1, most), std::clamp(height, 1, most) };
+  if (!std::equal(rectangle, rectangle + 4, this->Rectangle))
+  {
+    std::copy(rectangle, rectangle + 4, this->Rectangle);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::SetRectangle(const int rectangle[4])
+{
+  if (!rectangle)
+  {
+    vtkErrorMacro("Rectangle needs four numbers, but got a null pointer; it stays as it was.");
+    return;
+  }
+  this->SetRectangle(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHapticFunctionEditor::GetNumberOfListedLabels()
+{
+  VolumeHaptics::HapticLabelList& list = this->Internals->Pages.LabelList;
+  if (!list.IsCounted())
+  {
+    list.Count();
+  }
+  return list.GetNumberOfRows();
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetListedLabel(vtkIdType index)
+{
+  const vtkIdType labels = this->GetNumberOfListedLabels();
+  if (index < 0 || index >= labels)
+  {
+    vtkErrorMacro(<< "There is no label with the index " << index << " in a list of " << labels
+                  << " labels.");
+    return 0;
+  }
+  return this->Internals->Pages.LabelList.GetKey(index);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::SelectLabel(int label)
+{
+  return this->GetNumberOfListedLabels() > 0 && this->Internals->Pages.LabelList.Select(label);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::HasSelectedLabel()
+{
+  return this->GetNumberOfListedLabels() > 0 &&
+    this->Internals->Pages.LabelList.GetSelected().has_value();
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetSelectedLabel()
+{
+  return this->HasSelectedLabel() ? *this->Internals->Pages.LabelList.GetSelected() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::SelectTissue(int tissue)
+{
+  return this->Internals->Pages.TissueList.Select(tissue);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::GetSelectedTissue()
+{
+  return this->Internals->Pages.TissueList.GetSelected().value_or(-1);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TakeBack(bool hasChanged)
+{
+  if (hasChanged)
+  {
+    this->Modified();
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return hasChanged;
+}
+
+bool vtkHapticFunctionEditor::Undo()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Undo(d.Pages.GetEdited()));
+}
+
+bool vtkHapticFunctionEditor::Redo()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Redo(d.Pages.GetEdited()));
+}
+
+bool vtkHapticFunctionEditor::Reset()
+{
+  auto& d = *this->Internals;
+  return this->TakeBack(d.Held == 0 && d.History.Reset(d.Pages.GetEdited()));
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticFunctionEditor::GetTitle()
+{
+  return this->Internals->Pages.GetTitle();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticFunctionEditor::GetWarning()
+{
+  return this->Internals->Pages.FindWarning();
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkHapticFunctionEditor::GetPiecewiseFunction()
+{
+  return this->Internals->Pages.GetFunction();
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticFunctionEditor::EstimateUpdateTime()
+{
+  constexpr double proposing = 1.0; // s, measured on a desktop computer of 2023
+  return this->Internals->WaitsForProposal ? proposing : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHapticFunctionEditor::GetCountedShare()
+{
+  return this->Internals->Pages.GetCountedShare();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::CanPropose()
+{
+  const auto& d = *this->Internals;
+  const bool isComplete = d.Pages.Proposed.Property && d.Pages.Proposed.Image && !d.IsCounting;
+  if (!isComplete)
+  {
+    vtkErrorMacro("There is nothing to propose functions from: call SetProperty and SetInputData.");
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Propose()
+{
+  auto& d = *this->Internals;
+  if (!this->CanPropose())
+  {
+    return false;
+  }
+  const vtkSmartPointer<vtkHapticFunctionEditor> self(this); // observers may release it
+  VolumeHaptics::FoundFunctions found;
+  d.WaitsForProposal = true;
+  d.DoLongWork(this,
+    [&]
+    {
+      found = d.Pages.Proposed.FindNow();
+      if (found.Proposal)
+      {
+        this->Modified();
+      }
+      d.WaitsForProposal = false;
+    });
+  if (!found.Proposal)
+  {
+    vtkErrorMacro(<< found.Error);
+  }
+  return found.Proposal.has_value();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::BeginProposal()
+{
+  auto& d = *this->Internals;
+  if (!this->CanPropose())
+  {
+    return false;
+  }
+  std::string error;
+  if (!d.Pages.Proposed.Begin(error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::IsProposing()
+{
+  return this->Internals->Pages.Proposed.IsUnderWay();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::FollowProposal()
+{
+  if (const auto found = this->Internals->Pages.Proposed.Follow())
+  {
+    this->Modified();
+    if (!found->Proposal)
+    {
+      vtkErrorMacro(<< found->Error);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::HasProposal()
+{
+  return this->Internals->Pages.Proposed.IsThere();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TakeProposal()
+{
+  auto& d = *this->Internals;
+  const bool isDragging = d.Held != 0;
+  if (isDragging)
+  {
+    d.History.End(d.Pages.GetEdited()); // the drag up to now is a step of its own
+  }
+  d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
+  const bool isTaken = d.Pages.Proposed.Take();
+  d.History.End(d.Pages.GetEdited());
+  if (isDragging)
+  {
+    d.History.Begin(d.Pages.GetEditable());
+  }
+  if (isTaken)
+  {
+    this->Modified();
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return isTaken;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::DropProposal()
+{
+  const bool wasThere = this->Internals->Pages.Proposed.Drop();
+  if (wasThere)
+  {
+    this->Modified();
+  }
+  return wasThere;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::Update()
+{
+  auto& d = *this->Internals;
+  if (d.IsCounting)
+  {
+    return;
+  }
+  d.Pages.FollowCounts();
+  if (!d.Pages.IsCounted())
+  {
+    d.DoLongWork(this, [&d] { d.Pages.Count(); });
+  }
+  this->FollowProposal();
+  d.Pages.Proposed.FollowEdges();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::UpdatePage()
+{
+  auto& d = *this->Internals;
+  this->Update();
+  d.Pages.Show(d.Dock.GetRectangle().data(), d.Held != 0, d.Scale);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Contains(int x, int y)
+{
+  return this->Internals->Dock.Contains(x, y);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
+{
+  auto& d = *this->Internals;
+  if (d.Dock.MoveBorder(event, button == LEFT_BUTTON, d.Held == 0, x, y))
+  {
+    return true;
+  }
+  const bool starts =
+    event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
+  if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
+  {
+    return d.Held != 0; // a second button during a drag is taken, and does nothing
+  }
+  const bool ends = event == vtkCommand::LeftButtonReleaseEvent;
+  if (ends && d.Held != button)
+  {
+    return d.Held != 0;
+  }
+  this->UpdatePage();
+  if (starts)
+  {
+    d.History.Begin(d.Pages.GetEditable());
+  }
+  const vtkMTimeType before = d.Pages.GetEditTime();
+  d.Dock.ToViewport(x, y);
+  d.Held = starts ? button : d.Held;
+  const int sent = event == vtkCommand::MouseMoveEvent ? d.Held : button;
+  d.Pages.SendMouse(event, sent, x, y);
+  d.Held = ends ? 0 : d.Held;
+  if (ends)
+  {
+    d.History.End(d.Pages.GetEdited());
+  }
+  if (d.Pages.GetEditTime() > before)
+  {
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::TurnWheel(double steps, int x, int y)
+{
+  auto& d = *this->Internals;
+  if (!this->Contains(x, y))
+  {
+    return false;
+  }
+  this->UpdatePage();
+  d.Dock.ToViewport(x, y);
+  if (d.Held != 0)
+  {
+    return true;
+  }
+  d.History.Begin(d.Pages.GetEditable());
+  const vtkMTimeType before = d.Pages.GetEditTime();
+  d.Pages.Turn(x, y, steps);
+  d.History.End(d.Pages.GetEdited());
+  if (d.Pages.GetEditTime() > before)
+  {
+    this->InvokeEvent(vtkCommand::InteractionEvent);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::MouseMove(int x, int y)
+{
+  return this->Send(vtkCommand::MouseMoveEvent, 0, x, y);
+}
+
+bool vtkHapticFunctionEditor::ButtonPress(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonPressEvent, button, x, y);
+}
+
+bool vtkHapticFunctionEditor::ButtonRelease(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonReleaseEvent, button, x, y);
+}
+
+bool vtkHapticFunctionEditor::DoubleClick(int button, int x, int y)
+{
+  return this->Send(vtkCommand::LeftButtonDoubleClickEvent, button, x, y);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::GetDisplayPosition(
+  double value, double functionValue, double position[2])
+{
+  if (!position)
+  {
+    vtkErrorMacro("GetDisplayPosition() needs an array of two numbers, but got a null pointer.");
+    return;
+  }
+  this->Internals->Pages.Chart.GetPosition(value, functionValue, position);
+  this->Internals->Dock.ToDisplay(position);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetLabelPosition(int label, int part, double position[2])
+{
+  using VolumeHaptics::MaterialPart;
+  auto& d = *this->Internals;
+  const auto kind = part == LABEL_NAME ? MaterialPart::Name
+    : part == LABEL_FELT               ? MaterialPart::Felt
+                                       : MaterialPart::Forbidden;
+  const bool isShown = position && d.Pages.GetLabels().GetRowPosition(label, kind, position);
+  if (isShown)
+  {
+    d.Dock.ToDisplay(position);
+  }
+  return isShown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetTissuePosition(int tissue, double position[2])
+{
+  auto& d = *this->Internals;
+  const bool isShown = position && d.Pages.GetSheet() == &d.Pages.GetTissues() &&
+    d.Pages.GetTissues().GetRowPosition(tissue, VolumeHaptics::MaterialPart::Name, position);
+  if (isShown)
+  {
+    d.Dock.ToDisplay(position);
+  }
+  return isShown;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticFunctionEditor::GetSliderPosition(int function, double value, double position[2])
+{
+  auto& d = *this->Internals;
+  const VolumeHaptics::HapticMaterialSheet* const sheet = d.Pages.GetSheet();
+  const bool isShown = sheet && position && function >= STIFFNESS && function <= SURFACE_STRENGTH &&
+    sheet->GetSliderPosition(function, value, position);
+  if (isShown)
+  {
+    d.Dock.ToDisplay(position);
+  }
+  return isShown;
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::RenderOverlay(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  d.Dock.SetHost(vtkRenderer::SafeDownCast(viewport));
+  return d.Dock.IsTaken() ? 0 : this->Draw(viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
+{
+  auto& d = *this->Internals;
+  if (!VolumeHaptics::IsDrawing(viewport))
+  {
+    return 0;
+  }
+  if (d.CanDraw == -1)
+  {
+    // A chart that has no device to draw on would crash.
+    const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
+    d.CanDraw = device ? 1 : 0;
+    if (!device)
+    {
+      vtkErrorMacro(
+        "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
+        "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
+        "import vtkmodules.vtkRenderingContextOpenGL2.");
+    }
+  }
+  if (d.CanDraw == 0)
+  {
+    return 0;
+  }
+  d.Scale = VolumeHaptics::PixelsPerPoint(viewport);
+  this->UpdatePage();
+  int drawn = 0;
+  for (vtkContextActor* const actor : d.Pages.GetActors())
+  {
+    drawn += actor->RenderOverlay(viewport);
+  }
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkContextActor* const actor : this->Internals->Pages.GetAllActors())
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticFunctionEditor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto& d = *this->Internals;
+  os << indent << "Property: " << d.Pages.Proposed.Property.Get() << "\n";
+  os << indent << "VolumeProperty: " << d.Pages.VolumeProperty.Get() << "\n";
+  os << indent << "InputData: " << d.Pages.Proposed.Image.Get() << "\n";
+  os << indent << "LabelTable: " << d.Pages.LabelList.Table.Get() << "\n";
+  os << indent << "LabelData: " << d.Pages.LabelList.Image.Get() << "\n";
+  os << indent << "Proposal: " << (d.Pages.Proposed.IsThere() ? "to be taken" : "(none)") << "\n";
+  os << indent << "Function: " << this->GetTitle() << "\n";
+  os << indent << "Rectangle: " << this->Rectangle[0] << ", " << this->Rectangle[1] << ", "
+     << this->Rectangle[2] << ", " << this->Rectangle[3] << "\n";
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::EditorSettings);
+}

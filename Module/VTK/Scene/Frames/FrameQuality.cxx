@@ -1,0 +1,499 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Frames/FrameQuality.h"
+
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Scene/Base/SmartMapperParts.h"
+#include "VTK/Scene/Base/WindowVolumes.h"
+#include "VTK/Scene/Frames/KeptRays.h"
+#include "VTK/Scene/Frames/PendingInput.h"
+#include "VTK/Scene/Frames/SoftwareOpenGL.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double SlowestMotion = 1.0; // Hz; VTK's rate of still frames is far below
+constexpr double LeastRate = 20.0;    // Hz, in motion
+constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame and for a whole one
+constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
+constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
+constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
+constexpr double LongestTry = 1.0;   // s, until such a frame is given up
+constexpr double UnknownSteps = 4.0; // of a mapper on the processor that has drawn no frame yet
+constexpr int MostSlowFrames = 3;    // one after the other; a busy processor may delay one or two
+
+/** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
+double AutomaticDistance(vtkImageData* image)
+{
+  const double* const spacing = image->GetSpacing();
+  return (spacing[0] + spacing[1] + spacing[2]) / 6.0;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+FrameQuality::FrameQuality(std::function<Touch()> touch)
+  : AskTouch(std::move(touch))
+  , Observer(vtkSmartPointer<vtkCallbackCommand>::New())
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(
+    [](vtkObject* caller, unsigned long event, void* self, void* data)
+    {
+      auto* const quality = static_cast<FrameQuality*>(self);
+      switch (event)
+      {
+        case vtkCommand::StartEvent:
+          quality->Begin();
+          break;
+        case vtkCommand::EndEvent:
+          quality->End();
+          break;
+        case vtkCommand::ConfigureEvent:
+        case vtkCommand::ExposeEvent:
+          quality->IsExposed = true;
+          break;
+        case vtkCommand::VolumeMapperRenderStartEvent:
+          quality->FollowProgress(caller, 0.0);
+          break;
+        case vtkCommand::VolumeMapperRenderProgressEvent:
+          quality->FollowProgress(caller, data ? *static_cast<double*>(data) : 0.0);
+          [[fallthrough]];
+        default:
+          quality->Interrupt();
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+FrameQuality::~FrameQuality()
+{
+  this->SetWindow(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
+{
+  if (window == this->Window && offScreen == this->OffScreen)
+  {
+    return;
+  }
+  this->OffScreen = offScreen;
+  if (this->Window)
+  {
+    this->Window->RemoveObserver(this->Observer);
+  }
+  if (this->Interactor)
+  {
+    this->Interactor->RemoveObserver(this->Observer);
+  }
+  this->Restore();
+  this->Window = window;
+  this->InMotion = RayPace();
+  this->AtRest = RayPace();
+  this->CoarseTime = 0.0;
+  this->DrawnSize = {};
+  this->OnProcessor.reset();
+  this->Interactor = window ? window->GetInteractor() : nullptr;
+  if (this->Interactor)
+  {
+    // Before the interactor draws.
+    this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this->Observer);
+    this->Interactor->AddObserver(vtkCommand::ExposeEvent, this->Observer);
+  }
+  if (window)
+  {
+    window->AddObserver(vtkCommand::StartEvent, this->Observer);
+    window->AddObserver(vtkCommand::EndEvent, this->Observer);
+    window->AddObserver(vtkCommand::AbortCheckEvent, this->Observer);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderWindow* FrameQuality::FindWindow() const
+{
+  vtkRenderWindow* const window = this->Window;
+  return window && (this->OffScreen || !window->GetOffScreenRendering()) ? window : nullptr;
+}
+
+//------------------------------------------------------------------------------
+FrameQuality::Interruption FrameQuality::TakeInterruption()
+{
+  return std::exchange(this->Interrupted, Interruption::None);
+}
+
+//------------------------------------------------------------------------------
+template <typename Mapper>
+void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
+{
+  const bool moves = this->Moves;
+  auto* const image = vtkImageData::SafeDownCast(shown.Volume->GetMapper()->GetDataSetInput());
+  if (!image)
+  {
+    return;
+  }
+  const Settings now{ mapper->GetImageSampleDistance(), mapper->GetSampleDistance(),
+    mapper->GetAutoAdjustSampleDistances() != 0 };
+  const auto isMapper = [mapper](const Caster& caster) { return caster.Mapper == mapper; };
+  auto caster = std::find_if(this->Casters.begin(), this->Casters.end(), isMapper);
+  if (caster == this->Casters.end())
+  {
+    caster = this->Casters.insert(caster, { mapper, now, now, nullptr, {}, 0 });
+    mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Observer);
+    // VTK's interrupted mapper tells its progress more often than the window asks.
+    mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
+  }
+  // What the application has set since the last frame becomes its own setting.
+  Settings& own = caster->Own;
+  own.ImageDistance =
+    now.ImageDistance == caster->Set.ImageDistance ? own.ImageDistance : now.ImageDistance;
+  own.SampleDistance =
+    now.SampleDistance == caster->Set.SampleDistance ? own.SampleDistance : now.SampleDistance;
+  own.AutoAdjust = now.AutoAdjust == caster->Set.AutoAdjust ? own.AutoAdjust : now.AutoAdjust;
+
+  const double voxel = SmallestSpacing(image);
+  auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
+  const bool isInterruptible = cpu != nullptr;
+  const bool isShared = std::exchange(caster->Frame, this->Frame) == this->Frame;
+  caster->Progress.Clear();
+  if (isShared)
+  {
+    caster->Rays.reset();
+  }
+  else if (cpu)
+  {
+    FollowRays(*caster, cpu, shown);
+  }
+  const double finely =
+    own.AutoAdjust && !isInterruptible ? AutomaticDistance(image) : own.SampleDistance;
+  Settings next = own;
+  if (moves)
+  {
+    next.AutoAdjust = false;
+    next.SampleDistance = std::max(finely, std::min(2.0 * finely, voxel));
+  }
+  const bool isLimited = moves || this->IsArmed;
+  // Frames in motion take half of the samples.
+  if (!moves && !this->AtRest.IsKnown && this->InMotion.IsKnown)
+  {
+    this->AtRest = { 2.0 * this->InMotion.Time, this->InMotion.Steps, true };
+  }
+  else if (moves && !this->InMotion.IsKnown && this->AtRest.IsKnown)
+  {
+    this->InMotion = { 0.5 * this->AtRest.Time, this->AtRest.Steps, true };
+  }
+  else if (moves && !this->InMotion.IsKnown && cpu)
+  {
+    this->InMotion.Steps = UnknownSteps; // the first touch is not to wait
+  }
+  if (!isLimited)
+  {
+    this->AtRest.Steps = 0.0; // the frame's time will be that of all rays
+  }
+  else
+  {
+    const double rate = std::max(AimedRate, this->Window->GetDesiredUpdateRate());
+    const double distance = moves ? this->InMotion.Next(DrawingShare / rate)
+                                  : this->AtRest.Next(isInterruptible ? LongestRest : LongestWait);
+    next.ImageDistance = std::max(own.ImageDistance, distance);
+  }
+  const KeptRays* const rays = caster->Rays.get();
+  if (moves && this->SlowFrames < MostSlowFrames && rays &&
+    rays->GetImageDistance() < next.ImageDistance &&
+    rays->GetImageDistance() >= own.ImageDistance &&
+    rays->GetSampleDistance() >= own.SampleDistance && rays->IsCurrent())
+  {
+    next.ImageDistance = rays->GetImageDistance();
+    next.SampleDistance = rays->GetSampleDistance();
+    caster->Rays->Expect();
+    this->IsFine = true;
+  }
+  mapper->SetAutoAdjustSampleDistances(next.AutoAdjust);
+  mapper->SetImageSampleDistance(static_cast<float>(next.ImageDistance));
+  mapper->SetSampleDistance(static_cast<float>(next.SampleDistance));
+  caster->Set = { mapper->GetImageSampleDistance(), mapper->GetSampleDistance(), next.AutoAdjust };
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::FollowRays(
+  Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown)
+{
+  if (!caster.Rays || !caster.Rays->Follows(shown.Renderer, shown.Volume))
+  {
+    caster.Rays = std::make_shared<KeptRays>(shown.Renderer, shown.Volume, mapper);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown)
+{
+  const auto smart = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(),
+    [mapper](const Smart& known) { return known.Mapper == mapper; });
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  if (smart == this->SmartMappers.end() || !image)
+  {
+    return;
+  }
+  // VTK would leave frames at rest as coarse as the last one in motion.
+  vtkFixedPointVolumeRayCastMapper* const cpu = SmartMapperParts::FindCPUMapper(mapper);
+  const auto isCPU = [cpu](const Caster& caster) { return caster.Mapper == cpu; };
+  if (std::none_of(this->Casters.begin(), this->Casters.end(), isCPU))
+  {
+    cpu->AutoAdjustSampleDistancesOff();
+    cpu->SetImageSampleDistance(1.0F);
+    cpu->SetSampleDistance(static_cast<float>(AutomaticDistance(image)));
+  }
+  this->Adjust(cpu, shown);
+  cpu->SetLockSampleDistanceToInputSpacing(!this->Moves);
+  mapper->SetInteractiveAdjustSampleDistances(false);
+  mapper->SetAutoAdjustSampleDistances(false);
+  mapper->SetSampleDistance(
+    this->Moves ? cpu->GetSampleDistance() : static_cast<float>(smart->SampleDistance));
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::GiveBack(const Smart& smart)
+{
+  if (vtkSmartVolumeMapper* const mapper = smart.Mapper)
+  {
+    mapper->SetRequestedRenderMode(smart.Mode);
+    mapper->SetInteractiveAdjustSampleDistances(smart.IsInteractive);
+    mapper->SetAutoAdjustSampleDistances(smart.AutoAdjust);
+    mapper->SetSampleDistance(static_cast<float>(smart.SampleDistance));
+    SmartMapperParts::FindCPUMapper(mapper)->LockSampleDistanceToInputSpacingOn();
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
+{
+  const auto isMapper = [mapper](const Smart& smart) { return smart.Mapper == mapper; };
+  const auto known = std::find_if(this->SmartMappers.begin(), this->SmartMappers.end(), isMapper);
+  if (!touched && known != this->SmartMappers.end())
+  {
+    GiveBack(*known);
+    this->SmartMappers.erase(known);
+  }
+  const int mode = mapper->GetRequestedRenderMode();
+  auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  // The ray caster on the processor draws no cells and no independent components.
+  vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (touched && known == this->SmartMappers.end() &&
+    mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
+    values->GetNumberOfComponents() == 1 && this->IsOnProcessor())
+  {
+    this->SmartMappers.push_back(
+      { mapper, mode, mapper->GetSampleDistance(), mapper->GetAutoAdjustSampleDistances() != 0,
+        mapper->GetInteractiveAdjustSampleDistances() != 0 });
+    mapper->SetRequestedRenderModeToRayCast();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FrameQuality::IsOnProcessor()
+{
+  if (!this->OnProcessor && !this->Window->GetNeverRendered())
+  {
+    this->OnProcessor = IsSoftwareOpenGL(this->Window);
+  }
+  return this->OnProcessor.value_or(false);
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Begin()
+{
+  if (!this->FindWindow())
+  {
+    return;
+  }
+  const Touch touch = this->AskTouch();
+  const int* const size = this->Window->GetSize();
+  const bool isQuick = this->AtRest.IsKnown && this->AtRest.Time <= LongestWait;
+  this->IsResized = std::exchange(this->IsExposed, false) && !isQuick && this->DrawnSize[0] > 0 &&
+    !std::equal(size, size + 2, this->DrawnSize.begin());
+  this->Moves = this->IsResized || this->Window->GetDesiredUpdateRate() > SlowestMotion;
+  this->IsArmed = touch == Touch::Armed;
+  this->IsGivenUp = false;
+  this->IsFine = false;
+  ++this->Frame;
+  ForEachVolume(this->Window,
+    [&](vtkRenderer* renderer, vtkVolume* volume)
+    {
+      vtkAbstractVolumeMapper* const mapper = volume->GetMapper();
+      const Shown shown{ renderer, volume };
+      auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper);
+      auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper);
+      auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+      if (gpu)
+      {
+        this->Adjust(gpu, shown);
+      }
+      else if (cpu)
+      {
+        this->Adjust(cpu, shown);
+      }
+      else if (smart)
+      {
+        this->ChooseProcessor(smart, touch != Touch::Off);
+        this->AdjustProcessor(smart, shown);
+      }
+    });
+  this->Start = std::chrono::steady_clock::now();
+}
+
+//------------------------------------------------------------------------------
+double FrameQuality::GetElapsed() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::End()
+{
+  if (!this->FindWindow())
+  {
+    return;
+  }
+  const double time = this->GetElapsed();
+  if (this->Window->GetAbortRender())
+  {
+    this->Interrupted = this->IsGivenUp ? Interruption::Slow : Interruption::Input;
+    this->SlowFrames = this->Moves ? MostSlowFrames : this->SlowFrames;
+    const std::optional<double> whole = this->EstimateTime();
+    if (!this->Moves && (whole || time > LongestTry))
+    {
+      this->AtRest.Note(whole.value_or(time));
+    }
+    return;
+  }
+  std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
+  this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
+  // Only frames that cast all rays tell how long these take.
+  bool castsAll = false;
+  bool keepsRays = false;
+  bool isAdjusted = false;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.Frame == this->Frame)
+    {
+      castsAll = (caster.Rays && caster.Rays->TakeWhole()) || castsAll;
+      keepsRays = caster.Rays || keepsRays;
+      isAdjusted = true;
+    }
+  }
+  if (castsAll || (isAdjusted && !keepsRays))
+  {
+    (this->Moves ? this->InMotion : this->AtRest).Note(time);
+  }
+  if (!this->Moves)
+  {
+    this->SlowFrames = 0;
+  }
+  else if (this->IsFine && !castsAll)
+  {
+    // On a busy processor, coarse rays may be as slow.
+    const double coarsely = std::max(this->InMotion.Time, this->CoarseTime);
+    this->SlowFrames = time > std::max(1.0 / LeastRate, 1.5 * coarsely) ? this->SlowFrames + 1 : 0;
+  }
+  else if (keepsRays && !castsAll)
+  {
+    constexpr double share = 0.2; // of the last frame in the mean
+    this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : share) * (time - this->CoarseTime);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::FollowProgress(vtkObject* mapper, double share)
+{
+  for (Caster& caster : this->Casters)
+  {
+    if (caster.Mapper != mapper)
+    {
+      continue;
+    }
+    if (share == 0.0)
+    {
+      caster.Progress.Begin(this->GetElapsed());
+    }
+    else if (caster.Rays && caster.Rays->IsCastingAll())
+    {
+      caster.Progress.Note(this->GetElapsed(), share);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> FrameQuality::EstimateTime() const
+{
+  const Caster* only = nullptr;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.Frame == this->Frame && std::exchange(only, &caster))
+    {
+      return {}; // what comes after the first one is unknown
+    }
+  }
+  return only ? only->Progress.GetWhole() : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Interrupt()
+{
+  if (this->FindWindow() && !this->Moves && this->Window->CheckInRenderStatus())
+  {
+    const bool isSlow = this->IsArmed && this->AtRest.Steps < RayPace::MostSteps &&
+      std::max(this->GetElapsed(), this->EstimateTime().value_or(0.0)) > LongestTry;
+    const bool hasInput = HasPendingInput(this->Window);
+    this->IsGivenUp = isSlow && !hasInput;
+    this->Window->SetAbortRender(isSlow || hasInput || this->Window->GetAbortRender());
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameQuality::Restore()
+{
+  const auto restore = [this](auto* mapper, const Caster& caster)
+  {
+    mapper->RemoveObserver(this->Observer);
+    mapper->SetAutoAdjustSampleDistances(caster.Own.AutoAdjust);
+    mapper->SetImageSampleDistance(static_cast<float>(caster.Own.ImageDistance));
+    mapper->SetSampleDistance(static_cast<float>(caster.Own.SampleDistance));
+  };
+  for (const Caster& caster : this->Casters)
+  {
+    if (auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(caster.Mapper))
+    {
+      restore(gpu, caster);
+    }
+    else if (auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(caster.Mapper))
+    {
+      restore(cpu, caster);
+    }
+  }
+  for (const Smart& smart : this->SmartMappers)
+  {
+    GiveBack(smart);
+  }
+  this->Casters.clear();
+  this->SmartMappers.clear();
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// In a file of its own, because X11's headers define macros with common names.
+#include "VTK/Scene/Frames/PendingInput.h"
+
+#include "vtkRenderWindow.h"
+
+#if defined(__linux__) && __has_include(<X11/Xlib.h>)
+#include <X11/Xlib.h>
+
+#include <dlfcn.h>
+
+namespace
+{
+
+struct Search
+{
+  Window Of;
+  bool Found;
+};
+
+/** True would take the event out of the queue. */
+Bool Note(Display*, XEvent* event, char* data)
+{
+  auto* const search = reinterpret_cast<Search*>(data);
+  if (event->xany.window == search->Of)
+  {
+    switch (event->type)
+    {
+      case KeyPress:
+      case ButtonPress:
+      case ButtonRelease:
+      case MotionNotify:
+      case ClientMessage: // of the window manager's close button
+        search->Found = true;
+        break;
+      default:
+        break;
+    }
+  }
+  return False;
+}
+
+/** Of the library that VTK has loaded, in case it has: not every VTK is linked to it. */
+template <typename Function>
+Function* FindFunction(const char* name)
+{
+  void* const library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  return library ? reinterpret_cast<Function*>(dlsym(library, name)) : nullptr;
+}
+
+decltype(&XCheckIfEvent) CheckIfEvent()
+{
+  static const auto found = FindFunction<decltype(XCheckIfEvent)>("XCheckIfEvent");
+  return found;
+}
+
+bool HasEvent(vtkRenderWindow* window)
+{
+  if (!VolumeHaptics::KnowsInput(window))
+  {
+    return false;
+  }
+  Search search{ reinterpret_cast<Window>(window->GetGenericWindowId()), false };
+  XEvent event;
+  CheckIfEvent()(static_cast<Display*>(window->GetGenericDisplayId()), &event, Note,
+    reinterpret_cast<XPointer>(&search));
+  return search.Found;
+}
+
+/** The window may have been destroyed by the toolkit that it belongs to. */
+int IgnoreError(Display*, XErrorEvent*)
+{
+  return 0;
+}
+
+} // namespace
+
+bool VolumeHaptics::MayBeSeen(vtkRenderWindow* window)
+{
+  static const auto get = FindFunction<decltype(XGetWindowAttributes)>("XGetWindowAttributes");
+  static const auto handle = FindFunction<decltype(XSetErrorHandler)>("XSetErrorHandler");
+  const auto id = KnowsInput(window) ? reinterpret_cast<Window>(window->GetGenericWindowId()) : 0;
+  if (id == 0 || !get || !handle)
+  {
+    return true;
+  }
+  const XErrorHandler before = handle(IgnoreError);
+  XWindowAttributes attributes = {};
+  const bool isThere =
+    get(static_cast<Display*>(window->GetGenericDisplayId()), id, &attributes) != 0;
+  handle(before);
+  return isThere && attributes.map_state == IsViewable;
+}
+
+bool VolumeHaptics::KnowsInput(vtkRenderWindow* window)
+{
+  return window && CheckIfEvent() && window->IsA("vtkXOpenGLRenderWindow") &&
+    window->GetGenericDisplayId();
+}
+
+void VolumeHaptics::WakeEventLoop(vtkRenderWindow* window)
+{
+  static const auto send = FindFunction<decltype(XSendEvent)>("XSendEvent");
+  static const auto flush = FindFunction<decltype(XFlush)>("XFlush");
+  const auto id = KnowsInput(window) ? reinterpret_cast<Window>(window->GetGenericWindowId()) : 0;
+  if (id == 0 || !send || !flush)
+  {
+    return;
+  }
+  auto* const display = static_cast<Display*>(window->GetGenericDisplayId());
+  XEvent event = {};
+  event.type = NoExpose; // of copied areas, of which VTK has none
+  event.xnoexpose.drawable = id;
+  send(display, id, False, NoEventMask, &event);
+  flush(display);
+}
+#else
+namespace
+{
+bool HasEvent(vtkRenderWindow*)
+{
+  return false;
+}
+} // namespace
+
+bool VolumeHaptics::KnowsInput(vtkRenderWindow*)
+{
+  return false;
+}
+
+void VolumeHaptics::WakeEventLoop(vtkRenderWindow*) {}
+
+bool VolumeHaptics::MayBeSeen(vtkRenderWindow*)
+{
+  return true;
+}
+#endif
+
+namespace VolumeHaptics
+{
+
+bool HasPendingInput(vtkRenderWindow* window)
+{
+  return window->GetEventPending() || HasEvent(window);
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A needle in tissue, in the scene: its track in the colours of the labels, its shaft and its hub.
+ */
+#ifndef DrawnNeedle_h
+#define DrawnNeedle_h
+
+#include "VTK/Scene/Hand/ColoredTubes.h"
+
+#include "vtkActor.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTubeFilter.h"
+
+class vtkBoundingBox;
+class vtkHapticDevice;
+class vtkViewport;
+class vtkWindow;
+
+namespace VolumeHaptics
+{
+
+class DrawnNeedle
+{
+public:
+  DrawnNeedle();
+
+  /** Shows the latest state; nothing without a device. Lengths are in world units. */
+  void Update(vtkHapticDevice* device, double radius, double length);
+
+  /** Whether a needle is in tissue. */
+  bool IsShown() const { return this->Lines.AreShown(); }
+  void RenderOpaque(vtkViewport* viewport);
+  /** Draws the faint copy. */
+  void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box) { this->Lines.AddTo(box); }
+
+private:
+  void Draw(vtkHapticDevice* device, double length);
+
+  vtkNew<vtkPolyData> Track;
+  ColoredTubes Lines{ 12 }; ///< the stretches of the track, then the shaft outside
+  vtkNew<vtkPolyData> HubLine;
+  vtkNew<vtkTubeFilter> Hub;
+  vtkNew<vtkPolyDataMapper> HubMapper;
+  vtkNew<vtkActor> HubActor;
+  double Time = -1.0; ///< of the lines, with the next one
+  double Length = 0.0;
+};
+
+} // namespace VolumeHaptics
+
+#endif

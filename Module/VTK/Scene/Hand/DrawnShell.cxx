@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Hand/DrawnShell.h"
+
+#include "VTK/Scene/Hand/HeldTool.h"
+#include "VTK/Scene/Hand/SceneMarker.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkHapticBurr.h"
+#include "vtkHapticDevice.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Degrees; edges of a tool that are sharper are drawn as edges. */
+constexpr double FeatureAngle = 40.0;
+constexpr double Pi = 3.14159265358979323846;
+
+/** Turns a second, as it looks like while it spins: faster could not be seen. */
+constexpr double SeenTurns = 1.7;
+
+/** What turns the tool to the world's axes; NoOrientation if it is not felt. */
+Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaternion& leaning)
+{
+  const double* const wxyz = device->GetToolOrientation();
+  const Quaternion felt{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] };
+  if (IsIdentical(felt, NoOrientation) || !vtkHapticBurr::SafeDownCast(tool))
+  {
+    return felt;
+  }
+  // Its head is a ball, which is felt without an orientation: the stylus has one.
+  const double* const wanted = device->GetTipOrientation();
+  const bool isLeaning = !device->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
+  const Quaternion held =
+    isLeaning ? leaning : Quaternion{ wanted[0], wanted[1], wanted[2], wanted[3] };
+  const double half = device->IsSpinning() ? Pi * SeenTurns * device->GetTime() : 0.0;
+  return held * Quaternion{ std::cos(half), 0.0, 0.0, std::sin(half) };
+}
+
+} // namespace
+
+DrawnShell::DrawnShell()
+{
+  this->Normals->SetFeatureAngle(FeatureAngle);
+  this->Mapper->SetInputConnection(this->Normals->GetOutputPort());
+  this->Mapper->ScalarVisibilityOff();
+  for (vtkActor* const actor : { this->Solid.Get(), this->Ghost.Get() })
+  {
+    actor->SetMapper(this->Mapper);
+    actor->SetUserMatrix(this->Pose);
+    actor->GetProperty()->SetColor(0.75, 0.79, 0.84);
+  }
+  this->Solid->GetProperty()->SetAmbient(0.2);
+  this->Solid->GetProperty()->SetDiffuse(0.7);
+  this->Solid->GetProperty()->SetSpecular(0.4);
+  this->Solid->GetProperty()->SetSpecularPower(30.0);
+  this->Ghost->GetProperty()->LightingOff();
+  this->Ghost->GetProperty()->SetOpacity(HiddenOpacity);
+  // vtkHapticRepresentation draws it in the overlay pass, which does not sort.
+  this->Ghost->ForceOpaqueOn();
+}
+
+void DrawnShell::Update(vtkHapticDevice* device, const Quaternion& leaning)
+{
+  vtkHapticTool* const tool = FindHeldTool(device);
+  const Quaternion q = tool ? FindTurn(device, tool, leaning) : NoOrientation;
+  this->Shown = !IsIdentical(q, NoOrientation);
+  if (!this->Shown)
+  {
+    return;
+  }
+  if (this->Tool != tool || this->ToolTime != tool->GetMTime())
+  {
+    this->Tool = tool;
+    this->ToolTime = tool->GetMTime();
+    this->Normals->SetInputData(MakeToolShape(tool));
+  }
+  const Matrix3 rotation = ToMatrix(q);
+  const double* const at = device->GetProxyPosition();
+  for (int row = 0; row < 3; ++row)
+  {
+    const Vector3& r = rotation.Row[row];
+    this->Pose->SetElement(row, 0, r.X);
+    this->Pose->SetElement(row, 1, r.Y);
+    this->Pose->SetElement(row, 2, r.Z);
+    this->Pose->SetElement(row, 3, at[row]);
+  }
+}
+
+void DrawnShell::RenderOpaque(vtkViewport* viewport)
+{
+  if (this->Shown)
+  {
+    this->Solid->RenderOpaqueGeometry(viewport);
+  }
+}
+
+void DrawnShell::RenderHidden(vtkViewport* viewport)
+{
+  if (this->Shown)
+  {
+    this->Ghost->RenderOpaqueGeometry(viewport);
+  }
+}
+
+void DrawnShell::Release(vtkWindow* window)
+{
+  this->Solid->ReleaseGraphicsResources(window);
+  this->Ghost->ReleaseGraphicsResources(window);
+}
+
+void DrawnShell::AddTo(vtkBoundingBox& box)
+{
+  if (this->Shown)
+  {
+    box.AddBounds(this->Solid->GetBounds());
+  }
+}
+
+} // namespace VolumeHaptics

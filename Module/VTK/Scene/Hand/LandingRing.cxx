@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Hand/LandingRing.h"
+
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Scene/Base/HapticViewRay.h"
+
+#include "vtkHapticDevice.h"
+#include "vtkRenderer.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/// In radii of the proxy: the distance at which the ring begins to close, and how far the patch is
+/// above the surface, which would hide a part of it.
+constexpr double FarAway = 20.0;
+constexpr double Above = 0.1;
+constexpr double Gap = 8.0; ///< pixels between the ring and the text
+
+std::string DescribeDistance(double distance, const std::string& unit)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(distance < 10.0 ? 1 : 0) << distance << " " << unit;
+  return text.str();
+}
+
+} // namespace
+
+LandingRing::LandingRing()
+{
+  vtkTextProperty* const text = this->Distance->GetTextProperty();
+  text->SetFontSize(13);
+  text->SetColor(0.93, 0.95, 0.98);
+  text->SetBackgroundColor(0.07, 0.09, 0.12);
+  text->SetBackgroundOpacity(0.6);
+  text->SetVerticalJustificationToCentered();
+}
+
+void LandingRing::Update(
+  vtkRenderer* renderer, vtkHapticDevice* device, double radius, const std::string& unit)
+{
+  this->Ring.Show(false);
+  this->Patch.Show(false);
+  this->Distance->VisibilityOff();
+  if (!renderer || !device)
+  {
+    return;
+  }
+  if (device->GetContact() != 0)
+  {
+    const Vector3 normal = FromArray(device->GetNormal());
+    if (Norm(normal) > 0.0)
+    {
+      const Vector3 proxy = FromArray(device->GetProxyPosition());
+      const double depth = Dot(FromArray(device->GetTipPosition()) - proxy, normal);
+      const double patch = FindPatchRadius(depth, radius);
+      this->Ring.Show(true);
+      this->Ring.PlaceRing(proxy, normal, patch);
+      this->Patch.Show(true);
+      this->Patch.PlaceRing(proxy - (Above * radius) * normal, normal, patch);
+    }
+    return;
+  }
+  const Vector3 tip = FromArray(device->GetTipPosition());
+  vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
+  Vector3 contact;
+  Vector3 normal;
+  if (!filter || !FindContactAhead(renderer, tip, filter, contact, normal))
+  {
+    return;
+  }
+  const Vector3 sight = LineOfSight(renderer, tip);
+  const double distance = Dot(contact - tip, sight);
+  const double share = std::clamp(distance / (FarAway * radius), 0.0, 1.0);
+  const double ring = (ClosedRing + share * (OpenRing - ClosedRing)) * radius;
+  this->Ring.Show(true);
+  this->Ring.PlaceRing(contact, Norm(normal) > 0.0 ? normal : sight, ring);
+  if (distance >= radius)
+  {
+    renderer->SetWorldPoint(contact.X, contact.Y, contact.Z, 1.0);
+    renderer->WorldToDisplay();
+    double display[3];
+    renderer->GetDisplayPoint(display);
+    this->Distance->SetInput(DescribeDistance(distance, unit).c_str());
+    this->Distance->SetPosition(display[0] + ring / PixelSize(renderer, contact) + Gap, display[1]);
+    this->Distance->VisibilityOn();
+  }
+}
+
+void LandingRing::RenderText(vtkViewport* viewport)
+{
+  if (this->Distance->GetVisibility())
+  {
+    this->Distance->RenderOpaqueGeometry(viewport); // draws the letters into the texture shown next
+    this->Distance->RenderOverlay(viewport);
+  }
+}
+
+void LandingRing::Release(vtkWindow* window)
+{
+  this->Ring.Release(window);
+  this->Patch.Release(window);
+  this->Distance->ReleaseGraphicsResources(window);
+}
+
+} // namespace VolumeHaptics

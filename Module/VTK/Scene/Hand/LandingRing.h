@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Shows where a hand is in depth: where it would land, how far away that is, and what it touches.
+ */
+#ifndef LandingRing_h
+#define LandingRing_h
+
+#include "VTK/Scene/Hand/SceneMarker.h"
+
+#include "vtkNew.h"
+#include "vtkTextActor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+class vtkBoundingBox;
+class vtkHapticDevice;
+class vtkRenderer;
+
+namespace VolumeHaptics
+{
+
+///@{
+/** Of rings, in radii of the proxy: where a contact begins, and the widest. */
+constexpr double ClosedRing = 1.8;
+constexpr double OpenRing = 5.0;
+///@}
+
+/**
+ * The radius of the patch if the tip is pressed in by `depth`, beyond a surface on which the proxy
+ * has this `radius`. Its area grows in proportion to the depth, as that of a soft ball of radius R
+ * on a plane does, pi R d (Hertz), up to the widest ring.
+ */
+inline double FindPatchRadius(double depth, double radius)
+{
+  constexpr double fingertip = 5.0; // R in radii of the proxy
+  const double begin = ClosedRing * radius;
+  const double grown = fingertip * radius * std::max(0.0, depth);
+  return std::min(std::sqrt(begin * begin + grown), OpenRing * radius);
+}
+
+/**
+ * In free space: a ring on the first surface that the tip would touch on its way along the line of
+ * sight, and the distance as a text beside the ring. The ring closes as the tip comes near. In
+ * contact: the patch that a soft fingertip would touch, in the plane of the surface, with the
+ * colour of the contact, and the ring around it.
+ */
+class LandingRing
+{
+public:
+  LandingRing();
+
+  /** `radius` is that of the proxy. A null device hides it. */
+  void Update(
+    vtkRenderer* renderer, vtkHapticDevice* device, double radius, const std::string& unit);
+  void SetColor(const double contact[3]) { this->Patch.SetColor(contact); }
+
+  void RenderOpaque(vtkViewport* viewport) { this->Ring.RenderOpaque(viewport); }
+  /** What is behind other objects. */
+  void RenderHidden(vtkViewport* viewport) { this->Ring.RenderHidden(viewport); }
+  /** Translucent; wants a viewport that blends. */
+  void RenderPatch(vtkViewport* viewport) { this->Patch.RenderHidden(viewport); }
+  void RenderText(vtkViewport* viewport);
+  void Release(vtkWindow* window);
+  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the patch is within it
+
+private:
+  SceneMarker Ring{ SceneMarker::Ring, 0.97, 0.97, 0.97 };
+  SceneMarker Patch{ SceneMarker::Disc, 1.0, 1.0, 1.0 };
+  vtkNew<vtkTextActor> Distance;
+};
+
+} // namespace VolumeHaptics
+
+#endif

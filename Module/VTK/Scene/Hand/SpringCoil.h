@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The spring between proxy and tip, as a coil that a hand stretches.
+ */
+#ifndef SpringCoil_h
+#define SpringCoil_h
+
+#include "VTK/Scene/Hand/SceneMarker.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTubeFilter.h"
+
+namespace VolumeHaptics
+{
+
+/**
+ * A wire from the proxy to the tip. Where the spring is slack, it is straight; what is stretched is
+ * a coil of a wire that always has the same length, so that its windings open and get narrower the
+ * farther it is stretched. The coil ends as a straight wire, too, if that is too short.
+ */
+class SpringCoil
+{
+public:
+  SpringCoil();
+
+  /** `slack` is the part of the distance that gives no force. `radius` is that of the proxy. */
+  void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
+  void Show(bool shown) { this->Marker.Show(shown); }
+
+  /** The middle of the wire, for tests. */
+  vtkPolyData* GetWire() { return this->Wire; }
+
+  void RenderOpaque(vtkViewport* viewport) { this->Marker.RenderOpaque(viewport); }
+  void RenderHidden(vtkViewport* viewport) { this->Marker.RenderHidden(viewport); }
+  void Release(vtkWindow* window) { this->Marker.Release(window); }
+  void AddTo(vtkBoundingBox& box) { this->Marker.AddTo(box); }
+
+private:
+  vtkNew<vtkPolyData> Wire;
+  vtkNew<vtkTubeFilter> Tube;
+  SceneMarker Marker;
+  ///@{
+  /** Of the wire. */
+  Vector3 Proxy;
+  Vector3 Tip;
+  double Slack = 0.0;
+  double Radius = 0.0;
+  ///@}
+};
+
+} // namespace VolumeHaptics
+
+#endif

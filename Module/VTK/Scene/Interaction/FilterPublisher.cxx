@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Interaction/FilterPublisher.h"
+
+#include "VTK/Device/Playback/HapticChangeTime.h"
+#include "VTK/Filter/HapticMethods.h"
+
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+vtkMTimeType FilterPublisher::GetChangeTime() const
+{
+  return FindChangeTime(this->Scene.Device->GetVolumeHaptics());
+}
+
+void FilterPublisher::Reset()
+{
+  this->Published = 0;
+  if (!this->Awaited.Wanted.empty())
+  {
+    this->Awaited = {};
+    this->SetNotice("");
+  }
+}
+
+void FilterPublisher::SetNotice(const std::string& notice)
+{
+  if (const vtkSmartPointer<vtkHapticHeadUpDisplay> display = this->Scene.Display)
+  {
+    display->SetNotice(notice.c_str());
+  }
+}
+
+void FilterPublisher::Update(bool isPlaced)
+{
+  this->FollowAwaited();
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkMTimeType time = this->GetChangeTime();
+  // The application or another style may have published it.
+  const bool hasChanged = time != this->Published && !device->IsPublished();
+  this->Published = time;
+  if ((isPlaced || hasChanged) && device->Publish() && hasChanged && this->Scene.Display)
+  {
+    this->Scene.Display->SetNotice("");
+  }
+}
+
+bool FilterPublisher::Try(const std::function<void()>& change, const std::function<void()>& undo,
+  const std::string& name, const std::function<void(const std::string&)>& notify)
+{
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
+  MethodChange method{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {}, undo,
+    name };
+  const bool wasPublished = this->Published == this->GetChangeTime();
+  change();
+  method.Wanted = filter->GetMethodText();
+  this->Unfelt.clear();
+  this->Awaited = {};
+  const bool isFelt = device->Publish();
+  const bool isOurs = this->Scene.Device == device;
+  if (!isFelt)
+  {
+    this->TakeBack(undo, name, isOurs && wasPublished, notify);
+    return false;
+  }
+  this->Published = isOurs ? this->GetChangeTime() : this->Published;
+  const bool isAwaited = isOurs && !device->IsPublished();
+  if (isAwaited)
+  {
+    this->Awaited = method;
+  }
+  notify(isAwaited ? method.Wanted + " is being prepared ..." : "");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
+{
+  // Observers of the following events may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
+    device ? device->GetVolumeHaptics() : nullptr;
+  if (!filter)
+  {
+    vtkErrorWithObjectMacro(style,
+      "There is no method to change: SetDevice() one that SetVolumeHaptics() was called on.");
+    return false;
+  }
+  MethodChange change{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {} };
+  const bool wasPublished = this->Published == this->GetChangeTime();
+  if (!this->Unfelt.empty() && this->FeltInstead == change.Before)
+  {
+    filter->SetMethodByName(this->Unfelt.c_str());
+  }
+  filter->NextMethod();
+  change.Wanted = filter->GetMethodText();
+  const bool isPrepared = GetMethodChoice(filter->GetMethod(), filter->GetSolver()).IsPrepared;
+  notify(isPrepared ? change.Wanted + " is being prepared ..." : "");
+  this->Unfelt.clear();
+  this->Awaited = {};
+  const bool isFelt = device->Publish();
+  const bool isOurs = this->Scene.Device == device;
+  if (isFelt)
+  {
+    this->Published = isOurs ? this->GetChangeTime() : this->Published;
+    if (isOurs && !device->IsPublished())
+    {
+      this->Awaited = change;
+      return true;
+    }
+    notify("");
+    return true;
+  }
+  this->GoBack(change, filter, isOurs && wasPublished, notify);
+  return false;
+}
+
+void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::string& name,
+  bool wasPublished, const Notify& notify)
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  undo();
+  // The servo still has the model of before.
+  this->Published = wasPublished ? this->GetChangeTime() : 0;
+  vtkErrorWithObjectMacro(
+    style, << "Settings " << name << " can't be felt here, for the reason given before.");
+  notify("Settings " + name + " can't be felt here: see the messages.");
+}
+
+void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter* filter,
+  bool wasPublished, const Notify& notify)
+{
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  this->Unfelt = filter->GetMethodName();
+  this->FeltInstead = change.Before;
+  filter->SetMethod(change.Method);
+  filter->SetSolver(change.Solver);
+  // The servo still has the previous method, so publishing is needed only if it was needed before.
+  this->Published = wasPublished ? this->GetChangeTime() : 0;
+  vtkErrorWithObjectMacro(style, << change.Wanted
+                                 << " can't be felt here, for the reason given before; "
+                                 << change.Before << " goes on.");
+  notify(change.Wanted + " can't be felt here: see the messages.\n" + change.Before + " goes on.");
+}
+
+void FilterPublisher::FollowAwaited()
+{
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (this->Awaited.Wanted.empty() || !device->IsPublished())
+  {
+    return;
+  }
+  const MethodChange change = std::exchange(this->Awaited, {});
+  const Notify notify = [this](const std::string& notice) { this->SetNotice(notice); };
+  const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics();
+  // The servo feels the latest model that could be made.
+  const bool isWanted = filter && filter->GetMethodText() == change.Wanted;
+  if (isWanted && device->GetMethodText() != change.Wanted)
+  {
+    const bool wasPublished = this->Published == this->GetChangeTime();
+    if (change.Undo)
+    {
+      this->TakeBack(change.Undo, change.Name, wasPublished, notify);
+      return;
+    }
+    this->GoBack(change, filter, wasPublished, notify);
+    return;
+  }
+  notify("");
+}
+
+} // namespace VolumeHaptics

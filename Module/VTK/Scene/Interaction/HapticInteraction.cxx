@@ -1,0 +1,633 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Interaction/HapticInteraction.h"
+
+#include "Core/Realtime/ServoClock.h"
+#include "VTK/Scene/Base/HapticViewRay.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <chrono>
+#include <cstdint>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** The factor by which the keys + and - scale the workspace. */
+constexpr double WorkspaceStep = 1.25;
+
+constexpr int LeftButton = vtkHapticFunctionEditor::LEFT_BUTTON;
+
+} // namespace
+
+//------------------------------------------------------------------------------
+HapticInteraction::HapticInteraction(vtkInteractorStyleHaptic* style, Calls calls)
+  : Scene(style)
+  , Window(style, [this] { this->LetGo(); })
+  , Frames(Scene, Window, std::move(calls.DrawScene))
+  , Workspace(Scene, std::move(calls.ArmsAfterClutch))
+  , Touch(Scene, Window, Workspace)
+  , Turn(Scene)
+  , Displays(Scene, Touch, Turn, Keys)
+  , Touched(Scene, ShownFrames, Carved)
+  , Publisher(Scene)
+  , Compared(Scene, Publisher)
+  , Playback(Scene)
+  , Modes(Scene)
+  , Editor(Scene, Frames)
+  , Slices(Scene, Touch)
+  , Measure(Scene, Frames)
+{
+  this->Touch.BeforeBegin = [this] { this->FollowVolumes(); };
+  this->Touch.BeforeLanding = [this](vtkRenderer* renderer, const Vector3& through)
+  { this->Touched.ChooseAt(renderer, through); };
+  this->DisarmObserver->SetClientData(this);
+  this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+    { static_cast<HapticInteraction*>(self)->Touch.StopBeginning(); });
+  this->WorkObserver->SetClientData(this);
+  this->WorkObserver->SetCallback(
+    [](vtkObject* worker, unsigned long event, void* self, void*) {
+      static_cast<HapticInteraction*>(self)->FollowWork(worker, event == vtkCommand::StartEvent);
+    });
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::Leave()
+{
+  this->LeaveDevice();
+  this->SetFunctionEditor(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::LeaveDevice()
+{
+  if (vtkHapticDevice* const device = this->Scene.Device)
+  {
+    device->RemoveObserver(this->DisarmObserver);
+    device->RemoveObserver(this->WorkObserver);
+    device->RemoveReader(this->Reader);
+    this->Workspace.LeaveDevice();
+    this->ShownFrames.Restore();
+    this->Carved.Clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SetDevice(vtkHapticDevice* device)
+{
+  if (this->Scene.Device == device)
+  {
+    return false;
+  }
+  this->LetGo(); // an observer of that may take the device away, too
+  this->LeaveDevice();
+  this->Scene.Device = device;
+  if (device)
+  {
+    this->Reader = device->AddReader();
+    this->Updated = device->GetTime();
+    device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver);
+    device->AddObserver(vtkCommand::StartEvent, this->WorkObserver);
+    device->AddObserver(vtkCommand::EndEvent, this->WorkObserver);
+  }
+  this->Workspace.Reset();
+  this->Watch.Reset();
+  this->Publisher.Reset();
+  this->Compared.End();
+  this->Touch.Reset();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SetFunctionEditor(vtkHapticFunctionEditor* editor)
+{
+  if (this->Scene.Editor == editor)
+  {
+    return false;
+  }
+  if (this->Scene.Editor)
+  {
+    this->Scene.Editor->RemoveObserver(this->WorkObserver);
+    this->FollowWork(this->Scene.Editor, false);
+  }
+  this->Scene.Editor = editor;
+  if (editor)
+  {
+    editor->AddObserver(vtkCommand::StartEvent, this->WorkObserver);
+    editor->AddObserver(vtkCommand::EndEvent, this->WorkObserver);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
+{
+  if (this->Scene.Measurements == measurements)
+  {
+    return false;
+  }
+  this->Measure.End();
+  this->Scene.Measurements = measurements;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::LetGo()
+{
+  constexpr double most = 0.1; // s; the servo takes a tick or two
+  this->Measure.End();
+  this->Touch.Set(false);
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (!device)
+  {
+    return;
+  }
+  device->Disarm();
+  // Nobody may update the state later, and the last one would go on to tell of force.
+  const std::int64_t begin = ServoClock::Now();
+  while (this->Scene.Device == device && device->IsRunning() && this->Scene.IsArmed() &&
+    ServoClock::SecondsSince(begin) < most)
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+    device->UpdateState();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FadeOut()
+{
+  this->Measure.End();
+  if (const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device)
+  {
+    device->FadeOut();
+  }
+  this->Touch.Set(false);
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::MoveMouse()
+{
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  const int* const now = interactor->GetEventPosition();
+  const int* const before = interactor->GetLastEventPosition();
+  if (this->Scene.Style->GetState() == VTKIS_NONE && this->Scene.Editor &&
+    this->Scene.Editor->MouseMove(now[0], now[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
+  if (this->Slices.Move(now[0], now[1]))
+  {
+    return this->DrawSlices();
+  }
+  if (this->Scene.Style->GetState() == VTKIS_NONE && this->Turn.IsOn())
+  {
+    this->Turn.Roll(before, now);
+    return true;
+  }
+  if (!this->Touch.LeadsTip())
+  {
+    return false;
+  }
+  if (interactor->GetControlKey())
+  {
+    constexpr double stepsPerPixel = 0.25;
+    this->Touch.MoveInDepth(stepsPerPixel * (now[1] - before[1]));
+  }
+  else
+  {
+    this->Touch.MoveInPlane(before, now);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->ButtonPress(LeftButton, at[0], at[1]))
+  {
+    this->EditorHasMouse = true;
+    return true;
+  }
+  if (this->Slices.Press(at[0], at[1], false))
+  {
+    return this->DrawSlices();
+  }
+  if (this->Modes.Click(at[0], at[1]))
+  {
+    this->ListHasMouse = true;
+    this->Frames.Draw(true);
+    return true;
+  }
+  if (this->Touch.LeadsTip())
+  {
+    this->Touch.PressButton();
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (std::exchange(this->EditorHasMouse, false))
+  {
+    if (this->Scene.Editor) // else an observer took it away
+    {
+      this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
+      this->Frames.Draw(true);
+    }
+    return true;
+  }
+  if (this->Slices.Release(false) || std::exchange(this->ListHasMouse, false))
+  {
+    return true;
+  }
+  return this->Touch.ReleaseButton() || this->Touch.LeadsTip();
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::DoubleClickLeftButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->DoubleClick(LeftButton, at[0], at[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
+  return this->Slices.Press(at[0], at[1], false) && this->DrawSlices();
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressRightButton()
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  return this->Slices.Press(at[0], at[1], true);
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseRightButton()
+{
+  return this->Slices.Release(true);
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::DrawSlices()
+{
+  if (this->Slices.TakeChange())
+  {
+    this->Frames.Draw(true);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::TurnWheel(double steps)
+{
+  const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
+  if (this->Scene.Editor && this->Scene.Editor->TurnWheel(steps, at[0], at[1]))
+  {
+    this->Frames.Draw(true);
+    return true;
+  }
+  if (this->Slices.TurnWheel(steps, at[0], at[1]))
+  {
+    return this->DrawSlices();
+  }
+  if (this->Turn.IsOn())
+  {
+    this->Turn.Twist(steps);
+    return true;
+  }
+  if (!this->Touch.LeadsTip() || this->Scene.Style->GetInteractor()->GetControlKey())
+  {
+    return false;
+  }
+  this->Touch.MoveInDepth(steps);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::PressKey(const std::string& pressed)
+{
+  auto& scene = this->Scene;
+  const std::string key = this->Keys.Find(pressed);
+  if (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key))
+  {
+    return this->IsRepeat(pressed);
+  }
+  this->UsedKey.clear();
+  if (key.empty())
+  {
+    return false;
+  }
+  if (key == "t")
+  {
+    this->Touch.Set(!this->Touch.IsOn());
+  }
+  else if (key == "Escape")
+  {
+    this->Displays.HideKeys();
+    this->Measure.End();
+    this->Touch.Set(false);
+    if (scene.Device)
+    {
+      scene.Device->Disarm();
+      // A window that loses the focus gets no release of the key k.
+      this->Workspace.SetClutch(false);
+    }
+  }
+  else if (key == "a" && scene.Device)
+  {
+    this->Workspace.IsClutched() || scene.IsArmed() ? scene.Device->Disarm() : scene.Device->Arm();
+  }
+  else if (key == "c" && scene.IsReal())
+  {
+    this->Workspace.Recenter();
+  }
+  else if (key == "k" && scene.IsReal())
+  {
+    this->Workspace.SetClutch(true);
+  }
+  else if ((key == "plus" || key == "minus") && scene.IsReal())
+  {
+    const bool larger = key == "plus";
+    scene.Style->SetWorkspaceScale(
+      this->Workspace.GetScale() * (larger ? WorkspaceStep : 1.0 / WorkspaceStep));
+  }
+  else if (key == "Home" && scene.IsReal())
+  {
+    scene.Device->Home();
+  }
+  else if (key == "m" && scene.Device)
+  {
+    this->NextMethod();
+  }
+  else if (key == "C" && scene.Device)
+  {
+    this->SwapSettings();
+  }
+  else if (key == "s" && scene.Slices)
+  {
+    scene.Slices->SetVisibility(!scene.Slices->GetVisibility());
+  }
+  else if (key == "M" && this->Modes.Next())
+  {
+    // Frames.Draw below shows it.
+  }
+  else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
+    !this->Measure.Press(key))
+  {
+    return false;
+  }
+  this->UsedKey = pressed;
+  this->Frames.Draw(true);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::ReleaseKey(const std::string& released)
+{
+  this->Repeat.NoteRelease(released);
+  if (this->Keys.Find(released) != "k")
+  {
+    return false;
+  }
+  this->Workspace.SetClutch(false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::TypeKey(const std::string& typed) const
+{
+  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
+  // animation, its R resets the camera, its p picks a prop, its s shows surfaces, and what else an
+  // application may choose.
+  const std::string key = this->Keys.Find(typed);
+  return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
+    (key == "R" && this->Scene.Editor) || (key == "s" && this->Scene.Slices) ||
+    (key == "p" && this->Scene.Editor) || (key == "P" && this->Scene.Measurements) ||
+    (!key.empty() && key != typed);
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
+{
+  auto& scene = this->Scene;
+  if (worker == scene.Editor)
+  {
+    if (this->DeviceAtRest)
+    {
+      // Taken first, because the end of the work calls this function again.
+      const auto device = std::move(this->DeviceAtRest);
+      this->DeviceAtRest = nullptr;
+      device->EndLongWork();
+    }
+    if (begins && scene.Device && scene.Editor)
+    {
+      this->DeviceAtRest = scene.Device;
+      scene.Device->BeginLongWork("functions are proposed", scene.Editor->EstimateUpdateTime());
+    }
+    return;
+  }
+  vtkRenderWindowInteractor* const interactor = scene.Style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  this->Frames.NoteEvent();
+  if (begins && scene.Display && worker == scene.Device && scene.IsArmed() && window &&
+    !window->CheckInRenderStatus())
+  {
+    this->Frames.Draw(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::NextMethod()
+{
+  return this->Publisher.NextMethod(
+    [this](const std::string& notice) { this->Frames.Notify(notice); });
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::SwapSettings()
+{
+  return this->Compared.Swap([this](const std::string& notice) { this->Frames.Notify(notice); });
+}
+
+//------------------------------------------------------------------------------
+bool HapticInteraction::UpdateHaptics()
+{
+  auto& scene = this->Scene;
+  // Observers of the following events may take any of these away.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
+  this->Window.Look();
+  this->Window.LookAt(scene.FindRenderer());
+  vtkRenderWindowInteractor* const interactor = style->GetInteractor();
+  this->Frames.SetWindow(
+    interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr,
+    style->GetAutoAdjustOffScreen());
+  this->Editor.FollowProposal();
+  this->Displays.UpdateHint();
+  this->Compared.Tell();
+  this->FollowCarving();
+  if (!scene.Device || !scene.Device->IsRunning())
+  {
+    return false;
+  }
+  const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
+  // Changes go to the servo first, so that they are felt before they are seen.
+  const bool isPlaced =
+    renderer && !this->Workspace.IsClutched() && this->Workspace.Follow(renderer);
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  if ((this->Touch.IsOn() || device->IsArmOrdered()) && this->Window.HasVanished())
+  {
+    this->FadeOut();
+  }
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->FollowVolumes();
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->Touched.ChooseAhead(renderer);
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->Publisher.Update(isPlaced);
+
+  if (renderer && scene.Device == device)
+  {
+    this->ShownFrames.Find(renderer, device);
+  }
+  bool isNew = device->UpdateState();
+  if (scene.Device != device || !device->IsRunning())
+  {
+    return false;
+  }
+  if (this->ShownFrames.Show(device))
+  {
+    this->Frames.NoteEvent();
+  }
+  // Another style with this device may have taken the state already.
+  const double before = std::exchange(this->Updated, device->GetTime());
+  if (this->Updated > before && renderer)
+  {
+    const double* const rate = device->GetTurnRate();
+    if (TurnView(renderer, { rate[0], rate[1], rate[2] }, this->Updated - before,
+          style->GetAutoAdjustCameraClippingRange() != 0))
+    {
+      this->Frames.NoteEvent();
+    }
+  }
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  this->Workspace.KeepClutch();
+  if (scene.Device != device)
+  {
+    return false;
+  }
+  device->DrainStates(this->States, this->Reader);
+  isNew = isNew || this->States->GetNumberOfRows() > 0;
+  if (scene.Display)
+  {
+    scene.Display->AddStates(this->States);
+  }
+  this->Measure.Follow(this->States);
+  for (const unsigned long event : this->Watch.Watch(this->States))
+  {
+    this->Frames.NoteEvent();
+    style->InvokeEvent(event);
+  }
+  if (isNew)
+  {
+    style->InvokeEvent(vtkInteractorStyleHaptic::StatesEvent);
+  }
+  this->CheckShownVolumes();
+  // An observer of the events may have ended the loop.
+  this->Window.Look();
+  return isNew;
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowVolumes()
+{
+  this->Touched.Follow();
+  if (this->Scene.Hidden.empty())
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  if (this->Touch.IsOn() || device->IsArmOrdered())
+  {
+    vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
+    this->FadeOut(); // a volume that is hidden is no emergency
+    return;
+  }
+  // Feel another volume only after the fade, so that it does not push the hand.
+  if (this->Scene.Device == device && !this->Scene.IsArmed())
+  {
+    this->Touched.FeelShown();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::FollowCarving()
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  if (!renderer || !this->Scene.Device)
+  {
+    return;
+  }
+  const std::vector<CarvedArray> arrays = this->Touched.FindCarved();
+  // Slices and regions of large volumes show it, too.
+  std::uint64_t changes = 0;
+  for (const CarvedArray& array : arrays)
+  {
+    changes += array.Removal->Bricks.GetChanges();
+  }
+  const bool isNew = changes != std::exchange(this->CarvedChanges, changes);
+  if (this->Carved.Update(renderer, arrays) || isNew)
+  {
+    this->Frames.NoteEvent();
+  }
+}
+
+//------------------------------------------------------------------------------
+void HapticInteraction::CheckShownVolumes()
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  vtkImageData* const image = this->Scene.FindImage();
+  if (renderer && image)
+  {
+    vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+    for (const std::string& warning : this->Volumes.Check(
+           renderer, image, filter, this->ShownFrames, this->Carved, this->Touched.Get()))
+    {
+      vtkWarningWithObjectMacro(this->Scene.Style, << warning);
+    }
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Interaction/SliceMouse.h"
+
+#include "VTK/Scene/Interaction/TouchMode.h"
+
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+int SliceMouse::Find(int x, int y) const
+{
+  vtkHapticSliceView* const slices = this->Scene.Slices;
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  // A motion that began in the scene goes on over the slices.
+  return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
+      this->Scene.Style->GetState() == VTKIS_NONE
+    ? slices->FindSlice(x, y)
+    : -1;
+}
+
+bool SliceMouse::Press(int x, int y, bool isRight)
+{
+  const int slice = this->Find(x, y);
+  if (slice < 0)
+  {
+    return false;
+  }
+  if (this->Dragged != Drag::None)
+  {
+    return true; // the other button
+  }
+  const bool isLook = isRight || this->Scene.Style->GetInteractor()->GetShiftKey() != 0;
+  this->Dragged = isLook ? Drag::WindowLevel : Drag::Position;
+  this->IsRight = isRight;
+  this->Slice = slice;
+  this->From[0] = x;
+  this->From[1] = y;
+  this->Scene.Slices->GetShownWindowLevel(this->Before);
+  if (!isLook)
+  {
+    this->GoTo(x, y);
+  }
+  return true;
+}
+
+bool SliceMouse::Release(bool isRight)
+{
+  if (this->Dragged == Drag::None || this->IsRight != isRight)
+  {
+    return false;
+  }
+  this->Dragged = Drag::None;
+  return true;
+}
+
+bool SliceMouse::Move(int x, int y)
+{
+  if (!this->Scene.Slices)
+  {
+    this->Dragged = Drag::None;
+    return false;
+  }
+  if (this->Dragged == Drag::Position)
+  {
+    this->GoTo(x, y);
+    return true;
+  }
+  if (this->Dragged == Drag::WindowLevel)
+  {
+    this->SetWindowLevel(x, y);
+    return true;
+  }
+  return this->Find(x, y) >= 0;
+}
+
+bool SliceMouse::TurnWheel(double steps, int x, int y)
+{
+  const int slice = this->Find(x, y);
+  if (slice < 0)
+  {
+    return false;
+  }
+  double position[3];
+  this->Scene.Slices->GetPosition(position);
+  if (this->Touch.LeadsTip())
+  {
+    // The tip may be on its way.
+    const Vector3& lead = this->Touch.GetLead();
+    position[0] = lead.X;
+    position[1] = lead.Y;
+    position[2] = lead.Z;
+  }
+  if (this->Scene.Slices->MoveAcross(slice, this->Touch.GetFineness() * steps, position))
+  {
+    this->GoTo(position);
+  }
+  return true;
+}
+
+bool SliceMouse::TakeChange()
+{
+  return std::exchange(this->HasChanged, false);
+}
+
+void SliceMouse::GoTo(int x, int y)
+{
+  double position[3];
+  if (!this->Scene.Slices->FindPosition(this->Slice, x, y, position))
+  {
+    return;
+  }
+  const bool canBegin =
+    this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && !this->Touch.IsOn();
+  if (canBegin)
+  {
+    this->Touch.BeginAt({ position[0], position[1], position[2] });
+  }
+  this->GoTo(position);
+}
+
+void SliceMouse::GoTo(const double position[3])
+{
+  if (this->Touch.LeadsTip())
+  {
+    this->Touch.LeadTo({ position[0], position[1], position[2] });
+    return;
+  }
+  // An observer of the beginning may have taken them away.
+  if (this->Scene.Slices)
+  {
+    this->Scene.Slices->SetPosition(position);
+    this->HasChanged = true;
+  }
+}
+
+void SliceMouse::SetWindowLevel(int x, int y)
+{
+  // As vtkInteractorStyleImage: the width of the slice is four times the window.
+  constexpr double speed = 4.0;
+  constexpr double least = 0.01; // of the window, in proportion to what it was
+  vtkRenderer* const renderer = this->Scene.Slices->GetRenderer(this->Slice);
+  const int* const size = renderer->GetSize();
+  const double across = speed * (x - this->From[0]) / std::max(1, size[0]);
+  const double upwards = speed * (y - this->From[1]) / std::max(1, size[1]);
+  const double window = this->Before[0];
+  this->Scene.Slices->SetColorWindow(window * std::max(least, 1.0 + across));
+  this->Scene.Slices->SetColorLevel(this->Before[1] + upwards * window);
+  this->HasChanged = true;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Interaction/TouchMode.h"
+
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Device/HapticLongWork.h"
+#include "VTK/Device/VirtualTip.h"
+#include "VTK/Filter/HapticBaker.h"
+#include "VTK/Scene/Base/HapticViewRay.h"
+#include "VTK/Scene/Frames/HapticWindowWatch.h"
+#include "VTK/Scene/Hand/HeldTool.h"
+#include "VTK/Scene/Interaction/WorkspaceControl.h"
+
+#include "vtkCamera.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeHapticsFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace VolumeHaptics
+{
+
+void TouchMode::Set(bool on)
+{
+  if (!on)
+  {
+    this->IsBeginning = false;
+  }
+  if (on == this->IsTouching)
+  {
+    return;
+  }
+  if (on)
+  {
+    this->Begin(nullptr);
+    return;
+  }
+  this->IsTouching = false;
+  this->ReleaseButton();
+  this->Window.Look();
+  if (this->Scene.Device && this->Scene.Device->IsArmOrdered())
+  {
+    this->Scene.Device->Disarm(); // a force that fades already goes on to fade
+  }
+  this->Scene.Style->Modified();
+}
+
+void TouchMode::Begin(const Vector3* at)
+{
+  if (this->BeforeBegin)
+  {
+    this->BeforeBegin();
+  }
+  vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
+  if (!this->Scene.Device || !this->Scene.Device->IsRunning())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "There is nothing to touch with: SetDevice() one that is open and started.");
+    return;
+  }
+  if (!interactor)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The touch mode needs a window, but this style has no interactor: pass the style "
+      "to SetInteractorStyle() of the window's interactor.");
+    return;
+  }
+  if (this->Window.IsClosed())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The touch mode needs a window, but it was closed: Render() it to open it again.");
+    return;
+  }
+  if (!this->Scene.Hidden.empty())
+  {
+    vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
+    return;
+  }
+  // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
+  // Each of these also ends the beginning, and nothing is armed then.
+  const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
+  const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+  const vtkSmartPointer<vtkRenderer> renderer = this->Scene.FindRenderer();
+  const bool leadsTip = this->Scene.IsVirtual() && renderer;
+  Vector3 start;
+  this->IsBeginning = true;
+  if (leadsTip && at)
+  {
+    start = *at;
+  }
+  else if (leadsTip)
+  {
+    const double* const focus = renderer->GetActiveCamera()->GetFocalPoint();
+    const int pointer[2] = { interactor->GetEventPosition()[0], interactor->GetEventPosition()[1] };
+    start = UnderPointer(renderer, pointer, { focus[0], focus[1], focus[2] });
+    if (this->BeforeLanding)
+    {
+      this->BeforeLanding(renderer, start);
+    }
+    if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
+    {
+      // A mesh that is made in the background is not waited for.
+      const HapticBaker baker(filter);
+      const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
+      if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
+      {
+        start = start - FindToolReach(filter->GetTool()) * LineOfSight(renderer, start);
+      }
+    }
+  }
+  this->Window.Look();
+  if (!std::exchange(this->IsBeginning, false))
+  {
+    return;
+  }
+  if (leadsTip)
+  {
+    this->Lead = start;
+    device->PlaceVirtualTip(start.X, start.Y, start.Z);
+  }
+  this->IsTouching = true;
+  if (!this->Workspace.IsClutched())
+  {
+    device->Arm();
+  }
+  style->Modified();
+}
+
+bool TouchMode::LeadsTip() const
+{
+  return this->IsTouching && this->Scene.Style->GetState() == VTKIS_NONE &&
+    this->Scene.IsVirtual() && this->Scene.Device->IsRunning() && this->Scene.FindRenderer();
+}
+
+void TouchMode::PressButton()
+{
+  this->IsPressed = true;
+  this->Scene.Device->SetVirtualButtons(1);
+}
+
+bool TouchMode::ReleaseButton()
+{
+  if (!std::exchange(this->IsPressed, false))
+  {
+    return false;
+  }
+  if (this->Scene.Device && this->Scene.IsVirtual())
+  {
+    this->Scene.Device->SetVirtualButtons(0);
+  }
+  return true;
+}
+
+double TouchMode::GetDepthStep() const
+{
+  const double wanted = this->Scene.Style->GetDepthStep();
+  vtkImageData* const image = this->Scene.FindImage();
+  if (wanted > 0.0 || !image)
+  {
+    return wanted > 0.0 ? wanted : 1.0;
+  }
+  return SmallestSpacing(image);
+}
+
+double TouchMode::GetFineness() const
+{
+  constexpr double fine = 0.2; // with Shift
+  return this->Scene.Style->GetInteractor()->GetShiftKey() ? fine : 1.0;
+}
+
+void TouchMode::LeadTo(const Vector3& world)
+{
+  this->Lead = world;
+  this->Scene.Device->SetVirtualTip(world.X, world.Y, world.Z);
+}
+
+void TouchMode::MoveInDepth(double steps)
+{
+  const double length = this->GetFineness() * steps * this->GetDepthStep();
+  this->LeadTo(this->Lead + length * LineOfSight(this->Scene.FindRenderer(), this->Lead));
+}
+
+void TouchMode::MoveInPlane(const int from[2], const int to[2])
+{
+  vtkRenderer* const renderer = this->Scene.FindRenderer();
+  const Vector3 motion =
+    UnderPointer(renderer, to, this->Lead) - UnderPointer(renderer, from, this->Lead);
+  const Vector3 target = this->Lead + this->GetFineness() * motion;
+  const bool follows = this->Scene.Style->GetTipFollowsSurface() && this->HasSurfaces();
+  this->LeadTo(follows ? this->FollowSurface(renderer, target) : target);
+}
+
+double TouchMode::GetTravelTime() const
+{
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // for each world unit
+  return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualTip::GetSpeed();
+}
+
+bool TouchMode::HasSurfaces() const
+{
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  return filter && filter->GetMethod() != vtkVolumeHapticsFilter::FORCE_FIELD &&
+    filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
+}
+
+Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) const
+{
+  /// The slope up to which a touched surface is followed; beyond it is an edge.
+  constexpr double steepest = 2.0;
+  /// The height, in voxels, from which the hand comes back to the surface.
+  constexpr double highest = 10.0;
+  vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
+  Vector3 before;
+  Vector3 after;
+  const bool isOver = FindFirstContact(renderer, this->Lead, filter, before);
+  if (!FindFirstContact(renderer, target, filter, after))
+  {
+    return target;
+  }
+  const double depth = Dot(this->Lead - before, LineOfSight(renderer, this->Lead));
+  const Vector3 sight = LineOfSight(renderer, target);
+  const double voxel = SmallestSpacing(filter->GetTouchedImage());
+  if (this->Scene.Device->GetContact() == 0)
+  {
+    const double reach = FindToolReach(filter->GetTool());
+    const bool isNear = isOver && depth > -highest * voxel - reach;
+    return after + (isNear ? depth : -reach) * sight;
+  }
+  const double change = Dot(after - target, sight) + depth;
+  const bool isEdge = std::abs(change) > steepest * Norm(target - this->Lead) + voxel;
+  return isOver && !isEdge ? target + change * sight : target;
+}
+
+} // namespace VolumeHaptics

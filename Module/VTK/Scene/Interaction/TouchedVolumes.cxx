@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Interaction/TouchedVolumes.h"
+
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Scene/Base/WindowVolumes.h"
+#include "VTK/Scene/Volumes/FilterCarving.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double Pause = 0.1;        // s between choices, each of which walks along a line
+constexpr double SmallForce = 0.005; // N
+
+/** What a choice between volumes looks at. */
+struct SurfaceAhead
+{
+  double Distance = HUGE_VAL; // world units along the line of sight
+  double Force = 0.0;         // N, of a press
+};
+
+/** Whether two renderers show the same positions of the world at the same pixels. */
+bool IsSameView(vtkRenderer* a, vtkRenderer* b)
+{
+  return a == b ||
+    (a->IsActiveCameraCreated() && b->IsActiveCameraCreated() &&
+      a->GetActiveCamera() == b->GetActiveCamera() &&
+      std::equal(a->GetViewport(), a->GetViewport() + 4, b->GetViewport()));
+}
+
+/**
+ * The volumes that are drawn where a style touches: in its default renderer, or if it has none, in
+ * all of its window. False if it has no window.
+ */
+bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
+{
+  vtkRenderWindowInteractor* const interactor = style->GetInteractor();
+  vtkRenderWindow* const window = interactor ? interactor->GetRenderWindow() : nullptr;
+  vtkRendererCollection* const renderers = window ? window->GetRenderers() : nullptr;
+  vtkRenderer* const touched = style->GetDefaultRenderer();
+  vtkCollectionSimpleIterator it;
+  if (renderers)
+  {
+    renderers->InitTraversal(it);
+  }
+  while (vtkRenderer* const renderer = renderers ? renderers->GetNextRenderer(it) : nullptr)
+  {
+    if (!touched || IsSameView(renderer, touched))
+    {
+      const std::vector<DrawnVolume> here = FindDrawnVolumes(renderer);
+      drawn.insert(drawn.end(), here.begin(), here.end());
+    }
+  }
+  return renderers && renderers->GetNumberOfItems() > 0;
+}
+
+bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
+{
+  // About equal forces, such as those of one material: the nearest one.
+  constexpr double clearly = 1.05;
+  const bool isStronger = a.Force > clearly * b.Force + SmallForce;
+  const bool isWeaker = b.Force > clearly * a.Force + SmallForce;
+  return choice == vtkInteractorStyleHaptic::STRONGEST && (isStronger || isWeaker)
+    ? isStronger
+    : a.Distance < b.Distance;
+}
+
+} // namespace
+
+bool TouchedVolumes::CanTouch(vtkVolume* volume) const
+{
+  if (!this->Scene.Device)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "There is no device to touch a volume with: call SetDevice() before TouchVolume().");
+    return false;
+  }
+  if (!this->Scene.Device->GetVolumeHaptics())
+  {
+    // Whether the volume can be touched or not: callers go on to its settings.
+    this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
+  }
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "A vtkMultiVolume shows several volumes, each at a place of its own, and can't be touched as "
+      "one. Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume, and AddTouchedVolume() "
+      "with that of each other port.");
+    return false;
+  }
+  std::vector<DrawnVolume> drawn;
+  FindDrawn(this->Scene.Style, drawn);
+  TouchedVolume touched;
+  touched.Set(volume);
+  touched.FindPlace(drawn);
+  if (!touched.HasData())
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "The volume has no mapper that shows data: call vtkVolume::SetMapper(), for example with a "
+      "vtkGPUVolumeRayCastMapper, and its SetInputData() or SetInputConnection(), before "
+      "TouchVolume().");
+    return false;
+  }
+  return true;
+}
+
+bool TouchedVolumes::Set(vtkVolume* volume)
+{
+  if (volume && !this->CanTouch(volume))
+  {
+    return false;
+  }
+  if (volume && !this->All.empty())
+  {
+    // The first one's filter feels the new volume, whichever is felt now.
+    this->Feel(this->All.front().Filter);
+  }
+  this->All.clear();
+  if (!volume)
+  {
+    return true;
+  }
+  this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr, true });
+  this->All.back().Volume->Set(volume);
+  this->Follow();
+  return true;
+}
+
+bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
+{
+  if (!volume || !filter)
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "Another volume to be touched takes a vtkVolume and a vtkVolumeHapticsFilter of its own, and "
+      "one of them is missing. Cure: AddTouchedVolume(volume, filter).");
+    return false;
+  }
+  if (!this->CanTouch(volume))
+  {
+    return false;
+  }
+  for (Entry& entry : this->All)
+  {
+    // The first one may have the device's.
+    entry.Filter = entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
+    if (entry.Filter == filter)
+    {
+      vtkErrorWithObjectMacro(this->Scene.Style,
+        "This filter feels another volume already. Cure: a vtkVolumeHapticsFilter for each "
+        "volume.");
+      return false;
+    }
+  }
+  if (this->All.empty())
+  {
+    this->Scene.Device->SetVolumeHaptics(filter);
+  }
+  this->All.push_back({ std::make_unique<TouchedVolume>(), filter, true });
+  this->All.back().Volume->Set(volume);
+  this->Follow();
+  return true;
+}
+
+const TouchedVolumes::Entry* TouchedVolumes::FindFelt() const
+{
+  vtkVolumeHapticsFilter* const felt =
+    this->Scene.Device ? this->Scene.Device->GetVolumeHaptics() : nullptr;
+  for (const Entry& entry : this->All)
+  {
+    if (!entry.Filter || entry.Filter == felt)
+    {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+vtkVolume* TouchedVolumes::Get() const
+{
+  const Entry* const felt = this->FindFelt();
+  return felt ? felt->Volume->Get() : nullptr;
+}
+
+std::vector<CarvedArray> TouchedVolumes::FindCarved() const
+{
+  std::vector<vtkVolumeHapticsFilter*> filters{ this->Scene.Device->GetVolumeHaptics() };
+  for (const Entry& entry : this->All)
+  {
+    filters.push_back(this->FilterOf(entry));
+  }
+  std::vector<CarvedArray> found;
+  for (vtkVolumeHapticsFilter* const filter : filters)
+  {
+    CarvedArray carved;
+    const auto isThere = [&carved](const CarvedArray& one) { return one.IsSame(carved); };
+    if (filter && VolumeHaptics::FindCarved(filter, carved) &&
+      std::none_of(found.begin(), found.end(), isThere))
+    {
+      found.push_back(carved);
+    }
+  }
+  return found;
+}
+
+void TouchedVolumes::Follow()
+{
+  this->Scene.Hidden.clear();
+  if (!this->Scene.Device || this->All.empty())
+  {
+    return;
+  }
+  std::vector<DrawnVolume> drawn;
+  const bool hasWindow = FindDrawn(this->Scene.Style, drawn);
+  for (Entry& entry : this->All)
+  {
+    entry.IsShown = (entry.Volume->FindPlace(drawn) || !hasWindow) && entry.Volume->HasData();
+    if (vtkVolumeHapticsFilter* const filter = this->FilterOf(entry))
+    {
+      entry.Volume->Update(filter, this->Pictures, this->Carved);
+    }
+  }
+  const Entry* const felt = this->FindFelt();
+  if (felt && !felt->IsShown)
+  {
+    const bool isVisible = felt->Volume->Get()->GetVisibility() != 0;
+    this->Scene.Hidden = !isVisible
+      ? "What is touched is hidden, so that it is not felt. Cure: VisibilityOn() of the vtkVolume."
+      : !felt->Volume->HasData()
+      ? "What is touched shows nothing, so that it is not felt: it has no mapper, or its mapper no "
+        "input. Cure: SetMapper() of the vtkVolume, and SetInputData() or SetInputConnection() of "
+        "the mapper."
+      : "What is touched is not in the renderer that shows the hand, so that it is not felt. Cure: "
+        "TouchVolume() of the interactor style with a vtkVolume that is there, AddVolume() of that "
+        "renderer, VisibilityOn() of the assembly around the volume, DrawOn() of the renderer, or "
+        "SetDefaultRenderer() of the style with the one that has the volume.";
+  }
+}
+
+void TouchedVolumes::FeelShown()
+{
+  const auto shown = std::find_if(
+    this->All.begin(), this->All.end(), [](const Entry& entry) { return entry.IsShown; });
+  if (shown != this->All.end())
+  {
+    this->Scene.Hidden.clear();
+    this->Feel(shown->Filter);
+  }
+}
+
+void TouchedVolumes::Feel(vtkVolumeHapticsFilter* filter)
+{
+  if (filter && this->Scene.Device->GetVolumeHaptics() != filter)
+  {
+    const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
+    device->SetVolumeHaptics(filter);
+    device->Publish();
+  }
+}
+
+Press TouchedVolumes::FindPress() const
+{
+  if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
+  {
+    return {}; // the nearest one is found without a press
+  }
+  constexpr double voxels = 4.0;
+  double least = HUGE_VAL;
+  for (const Entry& entry : this->All)
+  {
+    vtkVolumeHapticsFilter* const filter = this->FilterOf(entry);
+    vtkImageData* const image = filter ? filter->GetTouchedImage() : nullptr;
+    least = image ? std::fmin(least, SmallestSpacing(image)) : least;
+  }
+  return { least < HUGE_VAL ? voxels * least : 0.0, 0.0 };
+}
+
+void TouchedVolumes::ChooseAt(vtkRenderer* renderer, const Vector3& through)
+{
+  if (this->All.size() < 2)
+  {
+    return;
+  }
+  const int choice = this->Scene.Style->GetFeltVolume();
+  const Press wanted = this->FindPress();
+  vtkVolumeHapticsFilter* chosen = nullptr;
+  SurfaceAhead best;
+  for (const Entry& entry : this->All)
+  {
+    Vector3 landing;
+    Press press = wanted;
+    if (entry.IsShown && FindFirstContact(renderer, through, entry.Filter, landing, &press))
+    {
+      const SurfaceAhead ahead{ Dot(landing - through, LineOfSight(renderer, through)),
+        press.Force };
+      if (IsBetter(ahead, best, choice))
+      {
+        chosen = entry.Filter;
+        best = ahead;
+      }
+    }
+  }
+  this->Feel(chosen);
+}
+
+void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
+{
+  const double now = vtkTimerLog::GetUniversalTime();
+  // FORCE_FIELD has no contact, only a force.
+  if (this->All.size() < 2 || !renderer || this->Scene.Device->GetContact() != 0 ||
+    Norm(FromArray(this->Scene.Device->GetComputedForce())) > SmallForce ||
+    now - this->ChosenTime < Pause)
+  {
+    return;
+  }
+  vtkVolumeHapticsFilter* const felt = this->Scene.Device->GetVolumeHaptics();
+  vtkImageData* const image = felt ? felt->GetTouchedImage() : nullptr;
+  const double voxel = image ? SmallestSpacing(image) : 0.0;
+  const Vector3 tip = this->Scene.GetTip();
+  if (Norm(tip - this->ChosenTip) < 0.5 * voxel)
+  {
+    return;
+  }
+  this->ChosenTip = tip;
+  this->ChosenTime = now;
+  const int choice = this->Scene.Style->GetFeltVolume();
+  const Press wanted = this->FindPress();
+  vtkVolumeHapticsFilter* chosen = nullptr;
+  SurfaceAhead best;
+  SurfaceAhead own;
+  double least = HUGE_VAL;
+  for (const Entry& entry : this->All)
+  {
+    Vector3 contact;
+    Vector3 normal;
+    Press press = wanted;
+    if (!entry.IsShown || !FindContactAhead(renderer, tip, entry.Filter, contact, normal, &press))
+    {
+      continue;
+    }
+    const SurfaceAhead ahead{ Norm(contact - tip), press.Force };
+    own = entry.Filter == felt ? ahead : own;
+    least = std::fmin(ahead.Distance, least);
+    if (IsBetter(ahead, best, choice))
+    {
+      chosen = entry.Filter;
+      best = ahead;
+    }
+  }
+  // Near a surface, the hand may have touched it since the last state. What is hardly better would
+  // change to and fro.
+  const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
+  if (least > voxel && IsBetter(best, demanded, choice))
+  {
+    this->Feel(chosen);
+  }
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,706 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticWidget.h"
+
+#include "VTK/Scene/Base/HostParts.h"
+#include "VTK/Scene/Base/KeptSettings.h"
+#include "VTK/Scene/Base/WindowVolumes.h"
+#include "VTK/Scene/Interaction/HapticInteraction.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRepresentation.h"
+#include "vtkInteractorStyleHaptic.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+
+/// Above VTK's widgets, whose priority is 0.5.
+constexpr float WidgetPriority = 0.9f;
+/// Without a timer event for so long (s), force fades: no frame takes as long.
+constexpr double Attention = 10.0;
+/// Of the proxy, and of the arrow of a newton, in lengths of the volume's diagonal.
+constexpr double ProxyShare = 0.007;
+constexpr double ArrowShare = 0.05;
+
+/// One significant digit, so that the scale beside the arrows shows a round number.
+double Round(double value)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  return unit * std::round(value / unit);
+}
+
+/// An interaction that uses events of the interactor in the touch mode, and leaves all others to
+/// the observers behind it.
+class StyleBeside : public vtkInteractorStyleHaptic
+{
+public:
+  static StyleBeside* New();
+  vtkTypeMacro(StyleBeside, vtkInteractorStyleHaptic);
+  using vtkInteractorStyleHaptic::GetInteraction;
+
+  /// Makes what a touch mode needs; false if there is nothing to be touched.
+  std::function<bool()> Prepare;
+  bool HasActivationKey = true;
+
+  /// Also observes releases of buttons as a passive observer: a style or a widget of the program
+  /// that has grabbed the focus with a press gets the release alone.
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override
+  {
+    if (interactor != this->Interactor)
+    {
+      if (this->Interactor)
+      {
+        this->Interactor->RemoveObserver(this->ReleaseObserver);
+      }
+      this->Buttons = 0;
+      this->UsedButtons = 0;
+      this->HeldKey.clear();
+      if (interactor)
+      {
+        for (const unsigned long event : { vtkCommand::LeftButtonReleaseEvent,
+               vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+        {
+          interactor->AddObserver(event, this->ReleaseObserver);
+        }
+      }
+    }
+    this->Superclass::SetInteractor(interactor);
+  }
+  void OnTimer() override
+  {
+    const bool isOwn = this->IsOwnTimer();
+    this->Superclass::OnTimer();
+    if (isOwn)
+    {
+      this->Abort(); // the program did not ask for this timer
+    }
+  }
+  void OnMouseMove() override
+  {
+    if (this->HasMouse() && this->UseMouseMove())
+    {
+      this->Abort();
+    }
+  }
+  void OnLeftButtonDown() override
+  {
+    const bool isUsed = this->HasClick() && this->GetInteraction().PressLeftButton();
+    this->Take(Left, isUsed);
+  }
+  void OnLeftButtonUp() override
+  {
+    if (this->Release(Left))
+    {
+      this->GetInteraction().ReleaseLeftButton();
+    }
+  }
+  void OnLeftButtonDoubleClick() override
+  {
+    if (this->HasClick() && this->GetInteraction().DoubleClickLeftButton())
+    {
+      this->Abort();
+    }
+  }
+  void OnRightButtonDown() override
+  {
+    const bool isUsed = this->HasClick() && this->GetInteraction().PressRightButton();
+    this->Take(Right, isUsed);
+  }
+  void OnRightButtonUp() override
+  {
+    if (this->Release(Right))
+    {
+      this->GetInteraction().ReleaseRightButton();
+    }
+  }
+  void OnMiddleButtonDown() override { this->Take(Middle, false); }
+  void OnMiddleButtonUp() override {}
+  void OnMouseWheelForward() override { this->TurnWheel(1.0); }
+  void OnMouseWheelBackward() override { this->TurnWheel(-1.0); }
+  void OnKeyPress() override
+  {
+    const std::string name = this->FindKeyName();
+    auto& interaction = this->GetInteraction();
+    const bool begins = !this->GetTouchMode();
+    // A key that has let go and is still held is not the program's either.
+    // If something else has ended or begun the touch since, the release was lost.
+    const bool isHeld = interaction.IsRepeat(name) ||
+      (!this->HeldKey.empty() && this->HeldKey == name && begins != this->HeldInTouch);
+    if (!isHeld && begins && (!this->HasActivationKey || interaction.Keys.Find(name) != "t"))
+    {
+      return;
+    }
+    if (isHeld || (begins && !this->Prepare()) || interaction.PressKey(name))
+    {
+      this->HeldKey = name;
+      this->HeldInTouch = this->GetTouchMode();
+      this->Abort();
+    }
+  }
+  void OnKeyRelease() override
+  {
+    const std::string name = this->FindKeyName();
+    this->GetInteraction().ReleaseKey(name);
+    if (!this->HeldKey.empty() && this->HeldKey == name)
+    {
+      this->HeldKey.clear();
+      this->Abort();
+    }
+  }
+  void OnChar() override
+  {
+    if (!this->HeldKey.empty() && this->HeldKey == this->FindKeyName())
+    {
+      this->Abort();
+    }
+  }
+
+protected:
+  StyleBeside()
+  {
+    this->ReleaseObserver->PassiveObserverOn();
+    this->ReleaseObserver->SetClientData(this);
+    this->ReleaseObserver->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void*)
+      {
+        const Button released = event == vtkCommand::LeftButtonReleaseEvent ? Left
+          : event == vtkCommand::MiddleButtonReleaseEvent                   ? Middle
+                                                                            : Right;
+        static_cast<StyleBeside*>(self)->Buttons &= ~static_cast<unsigned int>(released);
+      });
+  }
+
+private:
+  enum Button : unsigned int
+  {
+    Left = 1,
+    Middle = 2,
+    Right = 4
+  };
+
+  void Abort() { this->EventCallbackCommand->SetAbortFlag(1); }
+  /// Whether the hand has the mouse: a drag that the program has begun goes on. Slices beside the
+  /// scene are the hand's at any time.
+  bool HasMouse()
+  {
+    const int* const at = this->Interactor->GetEventPosition();
+    vtkHapticSliceView* const slices = this->GetSliceView();
+    const bool isOurs = this->GetTouchMode() || this->UsedButtons != 0 ||
+      (slices && slices->FindSlice(at[0], at[1]) >= 0);
+    return isOurs && this->Buttons == 0 && this->Interactor->GetRenderWindow();
+  }
+  /// The same of a click: one on a slider, a handle or a text of the program is the program's.
+  bool HasClick()
+  {
+    const int* const at = this->Interactor->GetEventPosition();
+    return this->HasMouse() && !IsOverPartOfHost(this->Interactor->GetRenderWindow(), at[0], at[1]);
+  }
+  void Take(Button button, bool isUsed)
+  {
+    (isUsed ? this->UsedButtons : this->Buttons) |= button;
+    if (isUsed)
+    {
+      this->Abort();
+    }
+  }
+  /// True if the press was used; then the program must not get the release.
+  bool Release(Button button)
+  {
+    const bool isUsed = (this->UsedButtons & button) != 0;
+    this->UsedButtons &= ~static_cast<unsigned int>(button);
+    if (isUsed)
+    {
+      this->Abort();
+    }
+    return isUsed;
+  }
+  void TurnWheel(double steps)
+  {
+    if (this->HasMouse() && this->GetInteraction().TurnWheel(steps))
+    {
+      this->Abort();
+    }
+  }
+
+  vtkNew<vtkCallbackCommand> ReleaseObserver;
+  unsigned int Buttons = 0;     ///< pressed, by the program
+  unsigned int UsedButtons = 0; ///< pressed, by the hand
+  std::string HeldKey;          ///< that was used; repeats are not the program's either
+  bool HeldInTouch = false;     ///< the touch mode after it was used
+};
+
+vtkStandardNewMacro(StyleBeside);
+
+/// Whether a filter can feel what is drawn: an image, or data with cells.
+bool IsTouchable(const DrawnVolume& drawn)
+{
+  vtkDataObject* const data = drawn.FindData();
+  return vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+struct vtkHapticWidget::vtkInternals
+{
+  vtkInternals()
+  {
+    this->Hand->UseBoundsOff(); // a camera that is reset shows the volume, wherever the hand is
+    this->Display->UseBoundsOff();
+    this->Style->GetInteraction().Scene.TurnsView = false;
+    this->Style->SetHeadUpDisplay(this->Display);
+    this->Style->SetPriority(WidgetPriority);
+    vtkNew<vtkHapticDevice> device;
+    device->SetAttentionTime(Attention);
+    this->SetDevice(device);
+  }
+
+  void SetDevice(vtkHapticDevice* device)
+  {
+    this->Leave();
+    this->Device = device;
+    device->SetVolumeHaptics(this->Filter);
+    this->Style->SetDevice(device);
+    this->Hand->SetDevice(device);
+    this->Display->SetDevice(device);
+  }
+
+  /** Whether the program has connected what its filter feels. */
+  bool HasOwnInput() const
+  {
+    return !this->Volume && !this->IsInputOurs && this->Filter->GetNumberOfInputConnections(0) > 0;
+  }
+
+  /** All volumes that can be touched in a renderer; only `Volume`, if there is one. */
+  std::vector<vtkVolume*> FindVolumes(vtkRenderer* renderer) const
+  {
+    std::vector<vtkVolume*> found;
+    for (const DrawnVolume& drawn : FindDrawnVolumes(renderer))
+    {
+      if (this->Volume ? drawn.Volume == this->Volume : IsTouchable(drawn))
+      {
+        found.push_back(drawn.Volume);
+      }
+    }
+    return found;
+  }
+
+  /** The uppermost renderer with volumes under the pointer; or else the first one with volumes. */
+  vtkRenderer* FindRenderer(vtkRenderWindowInteractor* interactor) const
+  {
+    vtkRenderWindow* const window = interactor->GetRenderWindow();
+    const int* const at = interactor->GetEventPosition();
+    vtkRenderer* found = nullptr;
+    vtkRenderer* first = nullptr;
+    vtkCollectionSimpleIterator it;
+    vtkRendererCollection* const renderers = window ? window->GetRenderers() : nullptr;
+    if (renderers)
+    {
+      renderers->InitTraversal(it);
+    }
+    while (vtkRenderer* const renderer = renderers ? renderers->GetNextRenderer(it) : nullptr)
+    {
+      if (this->FindVolumes(renderer).empty())
+      {
+        continue;
+      }
+      first = first ? first : renderer;
+      if (renderer->IsInViewport(at[0], at[1]) &&
+        (!found || renderer->GetLayer() >= found->GetLayer()))
+      {
+        found = renderer;
+      }
+    }
+    return found ? found : first;
+  }
+
+  /** Touches these volumes from now on, each with a filter of its own. */
+  void Touch(const std::vector<vtkVolume*>& volumes)
+  {
+    const bool isSame =
+      std::equal(volumes.begin(), volumes.end(), this->Touched.begin(), this->Touched.end(),
+        [](vtkVolume* a, const vtkSmartPointer<vtkVolume>& b) { return a == b; });
+    if (!isSame)
+    {
+      this->IsInputOurs = true;
+      this->Others.clear();
+      this->Device->SetVolumeHaptics(this->Filter);
+      this->Style->TouchVolume(volumes.front());
+      for (std::size_t i = 1; i < volumes.size(); ++i)
+      {
+        this->Others.push_back(vtkSmartPointer<vtkVolumeHapticsFilter>::New());
+        this->Style->AddTouchedVolume(volumes[i], this->Others.back());
+      }
+      this->Touched.assign(volumes.begin(), volumes.end());
+    }
+    KeptSettings settings(this->Filter);
+    for (vtkVolumeHapticsFilter* const other : this->Others)
+    {
+      // Each volume's opacity says what is felt of it.
+      settings.Property->SetVisibilityFrom(other->GetProperty()->GetVisibilityFrom());
+      settings.Apply(other);
+    }
+  }
+
+  /** The hand and the display, for what is so long (world units). */
+  void Show(vtkRenderer* renderer, double length)
+  {
+    if (this->Renderer != renderer)
+    {
+      this->Hide();
+      this->Renderer = renderer;
+      this->Style->SetDefaultRenderer(renderer);
+      this->Style->SetCurrentRenderer(renderer);
+    }
+    // Again, too: the program may have cleared its scene.
+    renderer->AddViewProp(this->Hand);
+    renderer->AddViewProp(this->Display);
+    // As long as the application has not chosen other sizes.
+    if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
+    {
+      this->Radius = ProxyShare * length;
+      this->Hand->SetRadius(this->Radius);
+    }
+    if (length > 0.0 && this->Hand->GetForceScale() == this->ForceScale)
+    {
+      this->ForceScale = 1.0 / Round(ArrowShare * length);
+      this->Hand->SetForceScale(this->ForceScale);
+    }
+  }
+
+  void Hide()
+  {
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveViewProp(this->Hand);
+      this->Renderer->RemoveViewProp(this->Display);
+    }
+    this->Renderer = nullptr;
+    this->Style->SetDefaultRenderer(nullptr);
+    this->Style->SetCurrentRenderer(nullptr);
+  }
+
+  /** Opens and starts the device as far as it isn't; false, after its own error, if it can't. */
+  bool Start()
+  {
+    if (!this->Device->IsOpen())
+    {
+      this->HasOpened = this->Device->Open("virtual");
+    }
+    if (this->Device->IsOpen() && !this->Device->IsRunning())
+    {
+      this->HasStarted = this->Device->Start();
+    }
+    return this->Device->IsRunning();
+  }
+
+  /** Ends the touch, and takes away what was made for it. */
+  void Leave()
+  {
+    this->Style->SetInteractor(nullptr);
+    this->Hide();
+    this->Touched.clear();
+    this->Others.clear();
+    if (this->Device && this->Style->GetDevice())
+    {
+      this->Style->TouchVolume(nullptr);
+    }
+    if (std::exchange(this->HasStarted, false))
+    {
+      this->Device->Stop();
+    }
+    if (std::exchange(this->HasOpened, false))
+    {
+      this->Device->Close();
+    }
+  }
+
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter = vtkSmartPointer<vtkVolumeHapticsFilter>::New();
+  vtkSmartPointer<vtkHapticDevice> Device;
+  vtkSmartPointer<vtkVolume> Volume;
+  vtkNew<vtkHapticRepresentation> Hand;
+  vtkNew<vtkHapticHeadUpDisplay> Display;
+  vtkNew<StyleBeside> Style;
+  vtkSmartPointer<vtkRenderer> Renderer; ///< that shows the hand
+  std::vector<vtkSmartPointer<vtkVolume>> Touched;
+  std::vector<vtkSmartPointer<vtkVolumeHapticsFilter>> Others; ///< of all but the first volume
+  double Radius = this->Hand->GetRadius();
+  double ForceScale = this->Hand->GetForceScale();
+  bool IsInputOurs = false; ///< that of the filter is what a volume shows
+  bool HasOpened = false;
+  bool HasStarted = false;
+};
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(vtkHapticWidget);
+
+//------------------------------------------------------------------------------
+vtkHapticWidget::vtkHapticWidget()
+  : Internals(new vtkInternals)
+{
+  this->Priority = WidgetPriority;
+  this->KeyPressActivationValue = 't';
+  this->Internals->Style->Prepare = [this] { return this->Prepare(true); };
+}
+
+//------------------------------------------------------------------------------
+vtkHapticWidget::~vtkHapticWidget()
+{
+  this->SetInteractor(nullptr);
+  this->Internals->Leave();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetEnabled(int enabling)
+{
+  auto& d = *this->Internals;
+  if ((enabling != 0) == (this->Enabled != 0))
+  {
+    return;
+  }
+  if (!enabling)
+  {
+    this->Enabled = 0;
+    d.Leave();
+    this->InvokeEvent(vtkCommand::DisableEvent);
+    return;
+  }
+  if (!this->Interactor)
+  {
+    vtkErrorMacro("The widget has no window whose events it could observe. Cure: SetInteractor() "
+                  "with the window's vtkRenderWindowInteractor before On().");
+    return;
+  }
+  d.Style->SetInteractor(this->Interactor);
+  if (!this->Prepare(false))
+  {
+    d.Leave();
+    return;
+  }
+  this->Enabled = 1;
+  this->InvokeEvent(vtkCommand::EnableEvent);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticWidget::Prepare(bool isNeeded)
+{
+  auto& d = *this->Internals;
+  if (d.HasOwnInput())
+  {
+    vtkRenderWindow* const window = this->Interactor->GetRenderWindow();
+    vtkRenderer* const first = window ? window->GetRenderers()->GetFirstRenderer() : nullptr;
+    vtkRenderer* const shown = this->DefaultRenderer ? this->DefaultRenderer : first;
+    vtkImageData* const image = d.Filter->GetTouchedImage();
+    if (shown)
+    {
+      d.Show(shown, image ? image->GetLength() : 0.0);
+    }
+    return d.Start();
+  }
+  if (vtkRenderer* const renderer = d.FindRenderer(this->Interactor))
+  {
+    d.Touch(d.FindVolumes(renderer));
+    d.Show(renderer, d.Touched.front()->GetLength());
+    return d.Start();
+  }
+  if (isNeeded)
+  {
+    vtkErrorMacro(<< (d.Volume ? "The volume to be touched is not shown in the window. Cure: "
+                                 "AddVolume() of a renderer of the window, and VisibilityOn()."
+                               : "The window shows no volume that can be touched. Cure: add a "
+                                 "visible vtkVolume whose mapper has an input."));
+  }
+  return !isNeeded;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetTouchMode(bool on)
+{
+  auto& d = *this->Internals;
+  if (on && !this->Enabled)
+  {
+    vtkErrorMacro("The widget is off. Cure: On() before SetTouchMode(true).");
+    return;
+  }
+  if (!on || d.Style->GetTouchMode() || this->Prepare(true))
+  {
+    d.Style->SetTouchMode(on);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticWidget::GetTouchMode()
+{
+  return this->Internals->Style->GetTouchMode();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetVolume(vtkVolume* volume)
+{
+  if (this->Internals->Volume != volume)
+  {
+    this->SetTouchMode(false);
+    this->Internals->Volume = volume;
+    if (this->Enabled)
+    {
+      this->Prepare(false);
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkHapticWidget::GetVolume()
+{
+  return this->Internals->Volume;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetDevice(vtkHapticDevice* device)
+{
+  auto& d = *this->Internals;
+  if (!device)
+  {
+    vtkErrorMacro("The widget needs a device. Cure: a vtkHapticDevice, or Off().");
+    return;
+  }
+  if (d.Device != device)
+  {
+    const bool wasOn = this->Enabled != 0;
+    this->Off();
+    d.SetDevice(device);
+    this->SetEnabled(wasOn);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticDevice* vtkHapticWidget::GetDevice()
+{
+  return this->Internals->Device;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
+{
+  auto& d = *this->Internals;
+  if (!filter)
+  {
+    vtkErrorMacro("The widget needs a filter, which says how volumes feel. Cure: a "
+                  "vtkVolumeHapticsFilter.");
+    return;
+  }
+  if (d.Filter != filter)
+  {
+    const bool wasOn = this->Enabled != 0;
+    this->Off();
+    d.Filter = filter;
+    d.IsInputOurs = false;
+    d.Device->SetVolumeHaptics(filter);
+    this->SetEnabled(wasOn);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsFilter* vtkHapticWidget::GetVolumeHaptics()
+{
+  return this->Internals->Filter;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticProperty* vtkHapticWidget::GetProperty()
+{
+  return this->Internals->Filter->GetProperty();
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRepresentation* vtkHapticWidget::GetRepresentation()
+{
+  return this->Internals->Hand;
+}
+
+//------------------------------------------------------------------------------
+vtkHapticHeadUpDisplay* vtkHapticWidget::GetHeadUpDisplay()
+{
+  return this->Internals->Display;
+}
+
+//------------------------------------------------------------------------------
+vtkInteractorStyleHaptic* vtkHapticWidget::GetStyle()
+{
+  return this->Internals->Style;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticWidget::UpdateHaptics()
+{
+  return this->Enabled && this->Internals->Style->UpdateHaptics();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetKeyPressActivation(vtkTypeBool on)
+{
+  this->Internals->Style->HasActivationKey = on != 0;
+  this->Superclass::SetKeyPressActivation(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::SetKeyPressActivationValue(char key)
+{
+  const std::string name = KeyMap::FindName(nullptr, key, true);
+  if (this->Internals->Style->SetKey("Touch", name.c_str()))
+  {
+    this->Superclass::SetKeyPressActivationValue(key);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::OnChar()
+{
+  // While the widget is on, the interaction beside the style has the key.
+  if (!this->Enabled && this->KeyPressActivation && this->Interactor &&
+    this->Interactor->GetKeyCode() == this->KeyPressActivationValue)
+  {
+    this->On();
+    if (this->Enabled)
+    {
+      this->SetTouchMode(true);
+    }
+    this->KeyPressCallbackCommand->SetAbortFlag(1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  auto& d = *this->Internals;
+  os << indent << "TouchMode: " << (this->GetTouchMode() ? "On" : "Off") << "\n";
+  os << indent << "Volume: " << d.Volume.GetPointer() << "\n";
+  os << indent << "Device: " << d.Device.GetPointer() << "\n";
+  os << indent << "VolumeHaptics: " << d.Filter.GetPointer() << "\n";
+  os << indent << "Representation: " << d.Hand.GetPointer() << "\n";
+  os << indent << "HeadUpDisplay: " << d.Display.GetPointer() << "\n";
+  os << indent << "Style: " << d.Style.GetPointer() << "\n";
+}

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Slices/SlicePanel.h"
+
+#include "VTK/Scene/Base/HapticPixels.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCoordinate.h"
+#include "vtkImageData.h"
+#include "vtkImageProperty.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty.h"
+#include "vtkProperty2D.h"
+#include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double CrossGap = 7.0;     ///< of the crosshair around the tip, pixels
+constexpr double SliceMargin = 1.03; ///< of the viewport to the slice
+constexpr int LeastLettered = 120;   ///< of a viewport with letters at its sides, pixels
+
+void SetUpSliceText(vtkTextActor* actor, double grey)
+{
+  vtkTextProperty* const text = actor->GetTextProperty();
+  text->SetColor(grey, grey + 0.02, grey + 0.05);
+  text->SetShadow(1);
+  text->SetLineSpacing(1.15);
+  actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+}
+
+/** A line along the left and the lower edge, which divides a panel from what is beside it. */
+void SetUpSliceFrame(vtkActor2D* actor)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 1.0, 0.0);
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(1.0, 0.0, 0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType corner[] = { 0, 1, 2 };
+  lines->InsertNextCell(3, corner);
+  vtkNew<vtkPolyData> frame;
+  frame->SetPoints(points);
+  frame->SetLines(lines);
+  vtkNew<vtkCoordinate> coordinate;
+  coordinate->SetCoordinateSystemToNormalizedViewport();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(frame);
+  mapper->SetTransformCoordinate(coordinate);
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.30, 0.35, 0.42);
+}
+
+void ShowSliceText(vtkTextActor* actor, const std::string& text)
+{
+  if (!actor->GetInput() || text != actor->GetInput())
+  {
+    actor->SetInput(text.c_str());
+  }
+  actor->SetVisibility(!text.empty());
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+SlicePanel::SlicePanel()
+{
+  this->Renderer->SetBackground(0.045, 0.055, 0.07);
+  this->Renderer->InteractiveOff();
+  this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+  this->Mapper->BorderOn();
+  this->Slice->SetMapper(this->Mapper);
+  this->Slice->VisibilityOff();
+  this->Renderer->AddViewProp(this->Slice);
+  vtkNew<vtkPolyDataMapper> lines;
+  lines->SetInputData(this->Cross);
+  this->CrossActor->SetMapper(lines);
+  this->CrossActor->GetProperty()->LightingOff();
+  this->CrossActor->VisibilityOff();
+  this->Renderer->AddViewProp(this->CrossActor);
+  SetUpSliceFrame(this->Frame);
+  this->Renderer->AddViewProp(this->Frame);
+  for (vtkTextActor* const text : { this->Title.Get(), this->Facts.Get(), this->Below.Get() })
+  {
+    SetUpSliceText(text, text == this->Below.Get() ? 0.62 : 0.90);
+    this->Renderer->AddViewProp(text);
+  }
+  this->Title->GetTextProperty()->BoldOn();
+  this->Title->GetTextProperty()->SetVerticalJustificationToTop();
+  this->Facts->GetTextProperty()->SetVerticalJustificationToTop();
+  for (auto& side : this->Sides)
+  {
+    SetUpSliceText(side, 0.72);
+    side->GetTextProperty()->SetJustificationToCentered();
+    side->GetTextProperty()->SetVerticalJustificationToCentered();
+    this->Renderer->AddViewProp(side);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::SetImage(vtkImageData* plain, const SliceAxes& axes, vtkImageProperty* look)
+{
+  this->Axes = axes;
+  std::copy_n(plain->GetSpacing(), 3, this->Spacing.begin());
+  this->Mapper->SetInputData(plain);
+  this->Mapper->SetOrientation(axes.Through.Axis);
+  this->Slice->SetProperty(look);
+  this->Slice->VisibilityOn();
+  this->CrossActor->VisibilityOn();
+  for (int side = 0; side < 4; ++side)
+  {
+    ShowSliceText(this->Sides[side], axes.Sides[side]);
+  }
+  this->IsFitted = false;
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::SetLayer(vtkImageData* layer)
+{
+  if (this->Mapper->GetInput() != layer)
+  {
+    this->Mapper->SetInputData(layer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::Hide()
+{
+  this->Slice->VisibilityOff();
+  this->CrossActor->VisibilityOff();
+  for (auto& side : this->Sides)
+  {
+    side->VisibilityOff();
+  }
+  this->SetTexts("", "", "");
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::SetColor(const std::array<unsigned char, 3>& color)
+{
+  this->Title->GetTextProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::SetTexts(
+  const std::string& title, const std::string& facts, const std::string& below)
+{
+  ShowSliceText(this->Title, title);
+  ShowSliceText(this->Facts, facts);
+  ShowSliceText(this->Below, below);
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::Show(
+  const std::array<double, 3>& index, const std::array<std::array<unsigned char, 3>, 3>& colors)
+{
+  const int through = this->Axes.Through.Axis;
+  const auto slice = static_cast<int>(std::lround(index[through]));
+  const bool isOther = slice != this->Mapper->GetSliceNumber();
+  this->Index = index;
+  this->Colors = colors;
+  if (isOther)
+  {
+    this->Mapper->SetSliceNumber(slice);
+    this->IsFitted = false;
+  }
+  if (this->IsFitted)
+  {
+    this->PlaceCrosshair();
+  }
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::Fit()
+{
+  const int* const size = this->Renderer->GetSize();
+  auto* const plain = vtkImageData::SafeDownCast(this->Mapper->GetInput());
+  if (!plain || size[0] <= 0 || size[1] <= 0 ||
+    (this->IsFitted && size[0] == this->FittedSize[0] && size[1] == this->FittedSize[1]))
+  {
+    return;
+  }
+  const SliceAxes& axes = this->Axes;
+  const int* const extent = plain->GetExtent();
+  double focus[3];
+  double length[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double middle = 0.5 * (extent[2 * axis] + extent[2 * axis + 1]);
+    focus[axis] =
+      this->Spacing[axis] * (axis == axes.Through.Axis ? this->Mapper->GetSliceNumber() : middle);
+    length[axis] = this->Spacing[axis] * (extent[2 * axis + 1] - extent[2 * axis] + 1);
+  }
+  double right[3] = {};
+  double up[3] = {};
+  right[axes.Right.Axis] = axes.Right.Sign;
+  up[axes.Up.Axis] = axes.Up.Sign;
+  double back[3]; // towards the viewer
+  vtkMath::Cross(right, up, back);
+  const double distance = vtkMath::Norm(length);
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(focus);
+  camera->SetPosition(
+    focus[0] + distance * back[0], focus[1] + distance * back[1], focus[2] + distance * back[2]);
+  camera->SetViewUp(up);
+  camera->SetClippingRange(0.5 * distance, 1.5 * distance);
+  const double aspect = static_cast<double>(size[0]) / size[1];
+  camera->SetParallelScale(
+    0.5 * SliceMargin * std::max(length[axes.Up.Axis], length[axes.Right.Axis] / aspect));
+  this->IsFitted = true;
+  this->FittedSize = { size[0], size[1] };
+  this->PlaceCrosshair();
+  this->PlaceTexts(size);
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::PlaceCrosshair()
+{
+  auto* const plain = vtkImageData::SafeDownCast(this->Mapper->GetInput());
+  const int* const extent = plain->GetExtent();
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  const double pixel = 2.0 * camera->GetParallelScale() / this->FittedSize[1];
+  double back[3];
+  camera->GetDirectionOfProjection(back);
+  double centre[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double shown =
+      axis == this->Axes.Through.Axis ? this->Mapper->GetSliceNumber() : this->Index[axis];
+    // In front of the slice.
+    centre[axis] = this->Spacing[axis] * shown - 0.01 * camera->GetDistance() * back[axis];
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  const auto add = [&](int along, int across, double from, double to)
+  {
+    if (from >= to)
+    {
+      return;
+    }
+    double end[3] = { centre[0], centre[1], centre[2] };
+    end[along] = from;
+    const vtkIdType first = points->InsertNextPoint(end);
+    end[along] = to;
+    const vtkIdType line[] = { first, points->InsertNextPoint(end) };
+    lines->InsertNextCell(2, line);
+    colors->InsertNextTypedTuple(this->Colors[across].data());
+  };
+  const int axes[] = { this->Axes.Right.Axis, this->Axes.Up.Axis };
+  for (int a = 0; a < 2; ++a)
+  {
+    const int along = axes[a];
+    const double begin = this->Spacing[along] * (extent[2 * along] - 0.5);
+    const double end = this->Spacing[along] * (extent[2 * along + 1] + 0.5);
+    add(along, axes[1 - a], begin, centre[along] - CrossGap * pixel);
+    add(along, axes[1 - a], centre[along] + CrossGap * pixel, end);
+  }
+  this->Cross->SetPoints(points);
+  this->Cross->SetLines(lines);
+  this->Cross->GetCellData()->SetScalars(colors);
+}
+
+//------------------------------------------------------------------------------
+void SlicePanel::PlaceTexts(const int size[2])
+{
+  const double scale = PixelsPerPoint(this->Renderer);
+  const int edge = ScalePixels(scale, 7);
+  const int letters = FitLetters(std::min(size[0], size[1]), 15, scale, 9, 14);
+  for (vtkTextActor* const text : { this->Title.Get(), this->Facts.Get(), this->Below.Get() })
+  {
+    text->GetTextProperty()->SetFontSize(letters);
+  }
+  this->Title->SetPosition(edge, size[1] - edge + 2);
+  this->Facts->SetPosition(edge, size[1] - edge + 2 - 1.45 * scale * letters);
+  this->Below->SetPosition(edge, edge);
+  const bool hasRoom = size[0] >= LeastLettered && size[1] >= LeastLettered;
+  const double inset = 0.8 * scale * letters;
+  const double places[4][2] = { { inset, 0.5 * size[1] }, { size[0] - inset, 0.5 * size[1] },
+    { 0.5 * size[0], inset }, { 0.5 * size[0], size[1] - inset } };
+  for (int side = 0; side < 4; ++side)
+  {
+    this->Sides[side]->GetTextProperty()->SetFontSize(letters);
+    this->Sides[side]->SetPosition(places[side][0], places[side][1]);
+    this->Sides[side]->SetVisibility(hasRoom && this->Axes.Sides[side][0] != '\0');
+  }
+  this->Below->SetVisibility(hasRoom && this->Below->GetInput() && *this->Below->GetInput());
+}
+
+//------------------------------------------------------------------------------
+bool SlicePanel::Contains(int x, int y) const
+{
+  const int* const origin = this->Renderer->GetOrigin();
+  const int* const size = this->Renderer->GetSize();
+  return x >= origin[0] && x < origin[0] + size[0] && y >= origin[1] && y < origin[1] + size[1];
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> SlicePanel::FindIndex(int x, int y) const
+{
+  const int* const origin = this->Renderer->GetOrigin();
+  const int* const size = this->Renderer->GetSize();
+  vtkCamera* const camera = this->Renderer->GetActiveCamera();
+  const double pixel = 2.0 * camera->GetParallelScale() / size[1];
+  // The middle of the pixel, from the middle of the viewport.
+  const double across = pixel * (x + 0.5 - origin[0] - 0.5 * size[0]);
+  const double upwards = pixel * (y + 0.5 - origin[1] - 0.5 * size[1]);
+  const SliceAxes& axes = this->Axes;
+  double at[3];
+  camera->GetFocalPoint(at);
+  at[axes.Right.Axis] += axes.Right.Sign * across;
+  at[axes.Up.Axis] += axes.Up.Sign * upwards;
+  std::array<double, 3> index;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = at[axis] / this->Spacing[axis];
+  }
+  // The position in the slice, not its middle, if the tip has not moved across it.
+  index[axes.Through.Axis] = this->Index[axes.Through.Axis];
+  return index;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Volumes/CarvedImage.h"
+
+#include "Core/Field/CarvedSamples.h"
+#include "VTK/Base/ArrayMemory.h"
+#include "VTK/Scene/Volumes/CarvedArray.h"
+
+#include "vtkPointData.h"
+#include "vtkSetGet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Shares along an axis, the last one not included. */
+struct ShareRange
+{
+  std::int64_t Begin;
+  std::int64_t End;
+};
+
+/** Which shares belong to the samples of a part of an image, by axis. */
+class ShareRaster
+{
+public:
+  /** False if the axes are not parallel. */
+  bool Find(vtkImageData* place, vtkImageData* volume, const int part[6], CarvedCover cover)
+  {
+    const double first[3] = { static_cast<double>(part[0]), static_cast<double>(part[2]),
+      static_cast<double>(part[4]) };
+    double origin[3];
+    Map(place, volume, first, origin);
+    for (int a = 0; a < 3; ++a)
+    {
+      double next[3] = { first[0], first[1], first[2] };
+      next[a] += 1.0;
+      double step[3];
+      Map(place, volume, next, step);
+      for (int b = 0; b < 3; ++b)
+      {
+        step[b] -= origin[b];
+      }
+      const double across = std::abs(step[(a + 1) % 3]) + std::abs(step[(a + 2) % 3]);
+      // False for NaN, too.
+      if (!(across <= Rounding * step[a]))
+      {
+        return false;
+      }
+      const int* const extent = volume->GetExtent();
+      this->SetAxis(a, origin[a] - extent[2 * a], step[a], part[2 * a + 1] - part[2 * a] + 1,
+        extent[2 * a + 1] - extent[2 * a] + 1, cover);
+    }
+    return true;
+  }
+  /** The samples to which shares of a range belong, along an axis. */
+  ShareRange FindSamples(int axis, std::int64_t begin, std::int64_t end) const
+  {
+    const std::vector<ShareRange>& all = this->Axes[axis];
+    const auto first = std::partition_point(
+      all.begin(), all.end(), [begin](const ShareRange& one) { return one.End <= begin; });
+    const auto last = std::partition_point(
+      first, all.end(), [end](const ShareRange& one) { return one.Begin < end; });
+    return { first - all.begin(), last - all.begin() };
+  }
+  /** The mean share of a sample, in bytes. */
+  double FindShare(const CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    const ShareRange& x = this->Axes[0][static_cast<std::size_t>(i)];
+    const ShareRange& y = this->Axes[1][static_cast<std::size_t>(j)];
+    const ShareRange& z = this->Axes[2][static_cast<std::size_t>(k)];
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::int64_t c = z.Begin; c < z.End; ++c)
+    {
+      for (std::int64_t b = y.Begin; b < y.End; ++b)
+      {
+        for (std::int64_t a = x.Begin; a < x.End; ++a, ++count)
+        {
+          sum += bricks.GetShare(a, b, c);
+        }
+      }
+    }
+    return count > 0.0 ? sum / count : CarvedBricks::Whole;
+  }
+
+private:
+  static constexpr double Rounding = 1e-6; ///< voxels
+
+  static void Map(vtkImageData* from, vtkImageData* to, const double index[3], double mapped[3])
+  {
+    double world[3];
+    from->TransformContinuousIndexToPhysicalPoint(index, world);
+    to->TransformPhysicalPointToContinuousIndex(world, mapped);
+  }
+  void SetAxis(
+    int axis, double first, double step, int count, std::int64_t shares, CarvedCover cover)
+  {
+    this->Axes[axis].clear();
+    for (int n = 0; n < count; ++n)
+    {
+      const double middle = first + n * step;
+      ShareRange range{ std::llround(middle), std::llround(middle) + 1 };
+      if (cover == CarvedCover::Voxel && step > 1.0)
+      {
+        range = { std::llround(std::ceil(middle - 0.5 * step - Rounding)),
+          std::llround(std::ceil(middle + 0.5 * step - Rounding)) };
+      }
+      range.Begin = std::clamp<std::int64_t>(range.Begin, 0, shares);
+      range.End = std::clamp<std::int64_t>(range.End, range.Begin, shares);
+      this->Axes[axis].push_back(range);
+    }
+  }
+
+  std::vector<ShareRange> Axes[3];
+};
+
+/** Of the rows of a part of an image. */
+template <typename F>
+void ForEachRow(const int extent[6], const int part[6], F&& f)
+{
+  const vtkIdType nx = extent[1] - extent[0] + 1;
+  const vtkIdType ny = extent[3] - extent[2] + 1;
+  const vtkIdType length = part[1] - part[0] + 1;
+  vtkIdType to = 0;
+  for (int k = part[4]; k <= part[5]; ++k)
+  {
+    for (int j = part[2]; j <= part[3]; ++j, to += length)
+    {
+      f(part[0] - extent[0] + nx * (j - extent[2] + ny * (k - extent[4])), to, length);
+    }
+  }
+}
+
+void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDataArray* left)
+{
+  left->SetNumberOfComponents(whole->GetNumberOfComponents());
+  AllocateTuples(left,
+    static_cast<vtkIdType>(part[1] - part[0] + 1) * (part[3] - part[2] + 1) *
+      (part[5] - part[4] + 1));
+  if (!whole->HasStandardMemoryLayout())
+  {
+    ForEachRow(extent, part,
+      [&](vtkIdType from, vtkIdType to, vtkIdType count)
+      { left->InsertTuples(to, count, from, whole); });
+    return;
+  }
+  const auto tuple =
+    static_cast<vtkIdType>(whole->GetDataTypeSize()) * whole->GetNumberOfComponents();
+  const auto* const source = static_cast<const char*>(whole->GetVoidPointer(0));
+  auto* const target = static_cast<char*>(left->GetVoidPointer(0));
+  ForEachRow(extent, part,
+    [=](vtkIdType from, vtkIdType to, vtkIdType count)
+    {
+      std::memcpy(
+        target + tuple * to, source + tuple * from, static_cast<std::size_t>(tuple * count));
+    });
+}
+
+/** Takes the removed share of one component from the samples that have lost tissue. */
+template <typename T>
+void CarvePart(
+  const RemovedTissue& removed, const ShareRaster& raster, const int part[6], vtkDataArray* left)
+{
+  const CarvedBricks& bricks = removed.Removal->Bricks;
+  const CarvedView view{ &bricks, removed.Air };
+  const std::int64_t nx = part[1] - part[0] + 1;
+  const std::int64_t ny = part[3] - part[2] + 1;
+  const int components = left->GetNumberOfComponents();
+  auto* const values = static_cast<T*>(left->GetVoidPointer(0)) + removed.Component;
+  // A sample may have shares of several bricks.
+  std::vector<bool> isDone(static_cast<std::size_t>(left->GetNumberOfTuples()), false);
+  const std::uint32_t count = bricks.GetCount();
+  for (std::uint32_t brick = 0; brick < count; ++brick)
+  {
+    const BrickPlace place = CarvedBricks::PlaceOf(bricks.GetKey(brick));
+    const std::int64_t at[3] = { place.X, place.Y, place.Z };
+    ShareRange box[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      const std::int64_t begin = CarvedBricks::Side * at[a];
+      box[a] = raster.FindSamples(a, begin, begin + CarvedBricks::Side);
+    }
+    for (std::int64_t k = box[2].Begin; k < box[2].End; ++k)
+    {
+      for (std::int64_t j = box[1].Begin; j < box[1].End; ++j)
+      {
+        for (std::int64_t i = box[0].Begin; i < box[0].End; ++i)
+        {
+          const std::int64_t sample = i + nx * (j + ny * k);
+          if (isDone[static_cast<std::size_t>(sample)])
+          {
+            continue;
+          }
+          isDone[static_cast<std::size_t>(sample)] = true;
+          const double share = raster.FindShare(bricks, i, j, k);
+          if (share < CarvedBricks::Whole)
+          {
+            T& value = values[sample * components];
+            value = NearestOf<T>(view.Left(static_cast<double>(value), share));
+          }
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+
+void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* place,
+  vtkDataArray* whole, const int part[6], vtkDataArray* left)
+{
+  CopyPart(whole, place->GetExtent(), part, left);
+  ShareRaster raster;
+  if (!removed.Removal || removed.Component >= whole->GetNumberOfComponents() ||
+    !raster.Find(place, removed.Volume, part, cover))
+  {
+    return;
+  }
+  switch (left->GetDataType())
+  {
+    vtkTemplateMacro(CarvePart<VTK_TT>(removed, raster, part, left));
+    default:
+      break;
+  }
+}
+
+bool CarvedImage::Follow(
+  vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover)
+{
+  const vtkMTimeType time = image ? image->GetMTime() : 0;
+  if (image == this->Image && time == this->Time && removed.IsSame(this->Removed))
+  {
+    return false;
+  }
+  this->Image = image;
+  this->Time = time;
+  this->Removed = removed;
+  vtkDataArray* const whole = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!whole || !removed.Removal || whole->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    const bool isOther = this->Left != image;
+    this->Left = image;
+    return isOther;
+  }
+  const auto left =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(whole->GetDataType()));
+  left->SetName(whole->GetName());
+  CopyLeft(removed, cover, place, whole, image->GetExtent(), left);
+  this->Left = vtkSmartPointer<vtkImageData>::New();
+  this->Left->CopyStructure(image);
+  this->Left->GetPointData()->SetScalars(left);
+  return true;
+}
+
+} // namespace VolumeHaptics

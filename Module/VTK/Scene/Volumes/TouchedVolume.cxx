@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Scene/Volumes/TouchedVolume.h"
+
+#include "Core/Math/Vector3.h"
+#include "VTK/Filter/HapticBaker.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticRemoval.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+bool IsSamePlace(vtkImageData* a, vtkImageData* b)
+{
+  return std::equal(a->GetOrigin(), a->GetOrigin() + 3, b->GetOrigin()) &&
+    std::equal(a->GetSpacing(), a->GetSpacing() + 3, b->GetSpacing()) &&
+    std::equal(a->GetDirectionMatrix()->GetData(), a->GetDirectionMatrix()->GetData() + 9,
+      b->GetDirectionMatrix()->GetData());
+}
+
+void Connect(vtkVolumeHapticsFilter* filter, vtkAlgorithmOutput* input)
+{
+  if (filter->GetNumberOfInputConnections(0) == 0 || filter->GetInputConnection(0, 0) != input)
+  {
+    filter->SetInputConnection(0, input);
+  }
+}
+
+/** Whether a filter asks for an array of data that are no image. */
+bool IsNamed(vtkVolumeHapticsFilter* filter, vtkDataArray* array, bool areCells)
+{
+  vtkInformation* const asked = filter->GetInputArrayInformation(0);
+  const char* const name = asked->Get(vtkDataObject::FIELD_NAME());
+  const int wanted =
+    areCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return array->GetName() ? name && std::string(name) == array->GetName() &&
+      asked->Get(vtkDataObject::FIELD_ASSOCIATION()) == wanted
+                          : !name;
+}
+
+} // namespace
+
+TouchedVolume::TouchedVolume() = default;
+TouchedVolume::~TouchedVolume() = default;
+
+vtkDataArray* FindDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells)
+{
+  auto* set = vtkDataSet::SafeDownCast(data);
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    it->InitTraversal();
+    set =
+      it->IsDoneWithTraversal() ? nullptr : vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+  }
+  int cells = 0;
+  vtkDataArray* const array = set
+    ? vtkAbstractMapper::GetScalars(set, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), mapper->GetArrayName(), cells)
+    : nullptr;
+  areCells = cells != 0;
+  return array;
+}
+
+bool TouchesIsosurface(vtkVolumeHapticsFilter* filter)
+{
+  const int method = filter->GetMethod();
+  return method == vtkVolumeHapticsFilter::SURFACE_PROXY ||
+    method == vtkVolumeHapticsFilter::LOCAL_SURFACE;
+}
+
+bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array)
+{
+  vtkDataArray* const felt = HapticBaker(filter).GetTouched()[0].Array;
+  return felt == array ||
+    (felt && array->HasInformation() &&
+      array->GetInformation()->Get(vtkHapticRemoval::TOUCHED_ARRAY()) == felt);
+}
+
+bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component)
+{
+  double range[2];
+  array->GetRange(range, component);
+  vtkPiecewiseFunction* const opacity = property->GetScalarOpacity(component);
+  bool isSeen = opacity->GetValue(range[0]) > 0.0 || opacity->GetValue(range[1]) > 0.0;
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4]; // value, opacity, midpoint, sharpness
+    opacity->GetNodeValue(i, node);
+    isSeen = isSeen || (node[1] > 0.0 && node[0] >= range[0] && node[0] <= range[1]);
+  }
+  return isSeen && property->GetComponentWeight(component) > 0.0;
+}
+
+int FindDrawnComponent(
+  vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted)
+{
+  const int count = array->GetNumberOfComponents();
+  auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  if (smart && smart->GetVectorMode() == vtkSmartVolumeMapper::COMPONENT && count > 1)
+  {
+    return std::min(smart->GetVectorComponent(), count - 1);
+  }
+  if (!property->GetIndependentComponents())
+  {
+    return count == 2 || count == 4 ? count - 1 : wanted;
+  }
+  for (int c = 0; c < std::min(count, VTK_MAX_VRCOMP); ++c)
+  {
+    const int component = (std::max(wanted, 0) + c) % count;
+    if (component < VTK_MAX_VRCOMP && IsComponentDrawn(property, array, component))
+    {
+      return component;
+    }
+  }
+  return wanted;
+}
+
+bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed)
+{
+  constexpr double rounding = 1e-9;
+  double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
+  std::copy(image->GetOrigin(), image->GetOrigin() + 3, origin);
+  matrix->MultiplyPoint(origin, origin);
+  Vector3 columns[3];
+  double spacing[3];
+  double direction[9];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double step[4] = { 0.0, 0.0, 0.0, 0.0 };
+    for (int row = 0; row < 3; ++row)
+    {
+      step[row] = image->GetDirectionMatrix()->GetElement(row, axis) * image->GetSpacing()[axis];
+    }
+    matrix->MultiplyPoint(step, step);
+    columns[axis] = { step[0], step[1], step[2] };
+    spacing[axis] = Norm(columns[axis]);
+    for (int row = 0; row < 3; ++row)
+    {
+      direction[3 * row + axis] = step[row] / spacing[axis];
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int next = (axis + 1) % 3;
+    const double together = std::abs(Dot(columns[axis], columns[next]));
+    // False for NaN, too.
+    if (!(together <= rounding * spacing[axis] * spacing[next]) || !(spacing[axis] > 0.0))
+    {
+      return false;
+    }
+  }
+  placed->SetOrigin(origin);
+  placed->SetSpacing(spacing);
+  placed->SetDirectionMatrix(direction);
+  return true;
+}
+
+void MapCropping(vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt, double planes[6])
+{
+  mapper->GetCroppingRegionPlanes(planes);
+  for (int i = 0; i < 6; ++i)
+  {
+    const int axis = i / 2;
+    const double index = (planes[i] - shown->GetOrigin()[axis]) / shown->GetSpacing()[axis] -
+      shown->GetExtent()[2 * axis] + felt->GetExtent()[2 * axis] -
+      0.5 * (shown->GetDimensions()[axis] - felt->GetDimensions()[axis]);
+    planes[i] = felt->GetOrigin()[axis] + index * felt->GetSpacing()[axis];
+  }
+}
+
+bool TouchedVolume::FindPlace(const std::vector<DrawnVolume>& drawn)
+{
+  const auto one = std::find_if(drawn.begin(), drawn.end(),
+    [this](const DrawnVolume& candidate) { return candidate.Volume == this->Volume; });
+  const bool isDrawn = one != drawn.end();
+  if (isDrawn)
+  {
+    this->Drawn = *one;
+    return true;
+  }
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  matrix->DeepCopy(this->Volume->GetMatrix());
+  this->Drawn = { this->Volume, this->Volume->GetMapper(), 0, matrix };
+  return false;
+}
+
+vtkAlgorithmOutput* TouchedVolume::FindInput(const CarvedPictures& carved) const
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Drawn.Mapper);
+  return mapper && this->Drawn.Port == 0
+    ? carved.FindInput(mapper)
+    : this->Drawn.Mapper->GetInputConnection(this->Drawn.Port, 0);
+}
+
+void TouchedVolume::Update(
+  vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved)
+{
+  vtkAlgorithmOutput* const input = this->HasData() ? this->FindInput(carved) : nullptr;
+  vtkDataObject* const data =
+    input ? input->GetProducer()->GetOutputDataObject(input->GetIndex()) : nullptr;
+  if (!data)
+  {
+    return;
+  }
+  auto* const shown = vtkImageData::SafeDownCast(data);
+  vtkVolumeProperty* const property = this->Volume->GetProperty();
+  const bool isPicture = shown && pictures.IsPicture(shown);
+  if (!shown)
+  {
+    Connect(filter, input);
+  }
+  else if (!isPicture)
+  {
+    this->Place(input, shown, filter);
+  }
+  if (!isPicture)
+  {
+    this->ChooseArray(data, filter);
+  }
+  filter->GetProperty()->SetVisibilityFrom(this->Voxels.ReplacesOpacity() ? nullptr : property);
+  this->Crop(shown, filter);
+  filter->SetClippingPlanes(this->Drawn.Mapper->GetClippingPlanes());
+}
+
+void TouchedVolume::ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter)
+{
+  bool areCells = false;
+  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, data, areCells);
+  auto* const image = vtkImageData::SafeDownCast(filter->GetInputDataObject(0, 0));
+  if (!array)
+  {
+    return;
+  }
+  if (image ? !FeelsArray(filter, array) : !IsNamed(filter, array, areCells))
+  {
+    const int association = !image && areCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                               : vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    if (array->GetName())
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, association, array->GetName());
+    }
+    else
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, association, vtkDataSetAttributes::SCALARS);
+    }
+  }
+  const bool areFrames = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS &&
+    filter->GetTimeUnitsPerSecond() != 0.0;
+  if (array->GetNumberOfComponents() > 1 && !areFrames)
+  {
+    filter->GetProperty()->SetComponent(this->FindComponent(array, filter));
+  }
+}
+
+int TouchedVolume::FindComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const
+{
+  return array->GetNumberOfComponents() > 1
+    ? FindDrawnComponent(this->Drawn.Mapper, this->Volume->GetProperty(), array,
+        filter->GetProperty()->GetComponent())
+    : 0;
+}
+
+void TouchedVolume::CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags)
+{
+  this->PlacedTime = shown->GetMTime();
+  this->ArePlacedCells = areCells;
+  this->PlacedFlags = flags;
+  vtkPointData* const points = this->Placed->GetPointData();
+  const char* const name = vtkDataSetAttributes::GhostArrayName();
+  if (areCells)
+  {
+    int extent[6];
+    shown->GetExtent(extent);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      --extent[2 * axis + 1];
+    }
+    this->Placed->Initialize();
+    this->Placed->SetExtent(extent);
+    points->ShallowCopy(shown->GetCellData());
+    points->RemoveArray(name); // flags of points are others
+  }
+  else
+  {
+    this->Placed->ShallowCopy(shown);
+  }
+  if (flags)
+  {
+    points->RemoveArray(name);
+    points->AddArray(flags);
+  }
+  if (flags && !HidesBlanked(this->Drawn.Mapper, areCells))
+  {
+    this->Placed->GetCellData()->RemoveArray(name);
+  }
+}
+
+void TouchedVolume::Place(
+  vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+{
+  bool areCells = false;
+  vtkDataArray* const array = FindDrawnArray(this->Drawn.Mapper, shown, areCells);
+  const DrawnImage drawn{ this->Drawn.Mapper, this->Volume->GetProperty(), shown, array, areCells,
+    array ? this->FindComponent(array, filter) : 0, TouchesIsosurface(filter) };
+  vtkUnsignedCharArray* const flags = this->Drawn.Port != 0 ? nullptr : this->Voxels.Find(drawn);
+  vtkNew<vtkImageData> place;
+  place->SetExtent(shown->GetExtent());
+  // What is sheared stays where its image is: the style warns of it.
+  if (!PlaceImage(this->Drawn.Matrix, shown, place))
+  {
+    place->CopyStructure(shown);
+  }
+  if (!areCells && !flags && IsSamePlace(place, shown))
+  {
+    Connect(filter, input);
+    return;
+  }
+  if (areCells)
+  {
+    // A mapper shows the value of a cell at its centre.
+    const int* const first = shown->GetExtent();
+    double centre[3];
+    place->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);
+    place->SetExtent(first[0], first[1] - 1, first[2], first[3] - 1, first[4], first[5] - 1);
+    place->SetOrigin(centre);
+  }
+  if (this->PlacedTime != shown->GetMTime() || this->ArePlacedCells != areCells ||
+    this->PlacedFlags != flags)
+  {
+    this->CopyImage(shown, areCells, flags);
+  }
+  if (!IsSamePlace(place, this->Placed))
+  {
+    this->Placed->SetOrigin(place->GetOrigin());
+    this->Placed->SetSpacing(place->GetSpacing());
+    this->Placed->SetDirectionMatrix(place->GetDirectionMatrix());
+  }
+  if (filter->GetInputDataObject(0, 0) != this->Placed)
+  {
+    filter->SetInputData(0, this->Placed);
+  }
+}
+
+void TouchedVolume::Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter)
+{
+  auto* const mapper = vtkVolumeMapper::SafeDownCast(this->Drawn.Mapper);
+  vtkImageData* const felt = filter->GetTouchedImage();
+  filter->SetCropping(mapper && mapper->GetCropping());
+  if (felt && filter->GetCropping())
+  {
+    double planes[6];
+    MapCropping(mapper, shown ? shown : felt, felt, planes);
+    filter->SetCroppingRegionPlanes(planes);
+    filter->SetCroppingRegionFlags(mapper->GetCroppingRegionFlags());
+  }
+}
+
+} // namespace VolumeHaptics

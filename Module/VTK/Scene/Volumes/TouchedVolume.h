@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Lets a filter feel what a vtkVolume shows.
+ */
+#ifndef TouchedVolume_h
+#define TouchedVolume_h
+
+#include "VTK/Scene/Base/WindowVolumes.h"
+#include "VTK/Scene/Volumes/CarvedPictures.h"
+#include "VTK/Scene/Volumes/DrawnVoxels.h"
+#include "VTK/Scene/Volumes/HapticShownFrames.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+
+#include <vector>
+
+class vtkAbstractVolumeMapper;
+class vtkAlgorithmOutput;
+class vtkDataArray;
+class vtkDataObject;
+class vtkMatrix4x4;
+class vtkUnsignedCharArray;
+class vtkVolumeHapticsFilter;
+class vtkVolumeMapper;
+class vtkVolumeProperty;
+
+namespace VolumeHaptics
+{
+
+class TouchedVolume
+{
+public:
+  TouchedVolume();
+  ~TouchedVolume();
+
+  /** The volume that is followed from now on; null for none, which leaves the filter as it is. */
+  void Set(vtkVolume* volume) { this->Volume = volume; }
+  vtkVolume* Get() const { return this->Volume; }
+
+  /**
+   * Looks for the volume among those that are drawn, which say where it is and what shows it; false
+   * if it is none of them. Then it is where its own matrix puts it.
+   */
+  bool FindPlace(const std::vector<DrawnVolume>& drawn);
+  /** Whether FindPlace() has found data that a mapper shows. */
+  bool HasData() const { return this->Drawn.FindData() != nullptr; }
+
+  /**
+   * Gives the filter the volume's data at their place, the array and the component that are drawn,
+   * its opacity, its cropping, its clipping planes and the voxels that are hidden, as far as they
+   * have changed. Images of a moving volume, which the mapper shows in the place of its own input,
+   * are left alone. A copy that shows what a tool has left of the image stands for the image. Data
+   * that are no image stay where they are.
+   */
+  void Update(vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures,
+    const CarvedPictures& carved);
+
+private:
+  /** What shows the volume now. */
+  vtkAlgorithmOutput* FindInput(const CarvedPictures& carved) const;
+  void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
+  /** Touches the array, and of its components the one, that the mapper draws. */
+  void ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* filter);
+  int FindComponent(vtkDataArray* array, vtkVolumeHapticsFilter* filter) const;
+  /**
+   * The image, with these flags of its points instead of its own, if there are any; or with its
+   * cell arrays as point arrays of an image of the cells' centres.
+   */
+  void CopyImage(vtkImageData* shown, bool areCells, vtkUnsignedCharArray* flags);
+  void Crop(vtkImageData* shown, vtkVolumeHapticsFilter* filter);
+
+  vtkSmartPointer<vtkVolume> Volume;
+  DrawnVolume Drawn;
+  vtkNew<vtkImageData> Placed; ///< the image where the volume's matrix puts it
+  vtkMTimeType PlacedTime = 0; ///< of the image, when that was placed
+  bool ArePlacedCells = false;
+  vtkSmartPointer<vtkUnsignedCharArray> PlacedFlags;
+  DrawnVoxels Voxels;
+};
+
+/**
+ * The world position of an image under a matrix, written to another image: origin, spacing and
+ * direction. False if voxels are no boxes there, because the matrix shears them.
+ */
+bool PlaceImage(vtkMatrix4x4* matrix, vtkImageData* image, vtkImageData* placed);
+
+/**
+ * The array that a mapper shows of its data, of composite ones that of the first block; null if
+ * there is none.
+ */
+vtkDataArray* FindDrawnArray(vtkAbstractVolumeMapper* mapper, vtkDataObject* data, bool& areCells);
+
+/** Whether what a filter touches is an isosurface at its IsoValue. */
+bool TouchesIsosurface(vtkVolumeHapticsFilter* filter);
+
+/** Whether a filter feels an array of its image, or one that the array stands for. */
+bool FeelsArray(vtkVolumeHapticsFilter* filter, vtkDataArray* array);
+
+/** Whether a component of an array has opacity somewhere. */
+bool IsComponentDrawn(vtkVolumeProperty* property, vtkDataArray* array, int component);
+
+/**
+ * The component of an array that a mapper draws, where it has opacity: the wanted one, if it is
+ * among them.
+ */
+int FindDrawnComponent(
+  vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property, vtkDataArray* array, int wanted);
+
+/**
+ * The planes of a mapper's regions, along the axes of the data of another image of its shape, or of
+ * the centres of its cells.
+ */
+void MapCropping(
+  vtkVolumeMapper* mapper, vtkImageData* shown, vtkImageData* felt, double planes[6]);
+
+} // namespace VolumeHaptics
+
+#endif

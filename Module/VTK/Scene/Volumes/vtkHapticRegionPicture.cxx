@@ -1,0 +1,534 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticRegionPicture.h"
+
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Scene/Base/HapticSceneSettings.h"
+#include "VTK/Scene/Volumes/CarvedImage.h"
+#include "VTK/Scene/Volumes/FineBox.h"
+#include "VTK/Scene/Volumes/FollowedBricks.h"
+#include "VTK/Scene/Volumes/RegionParts.h"
+#include "VTK/Scene/Volumes/ReplacedInput.h"
+#include "VTK/Scene/Volumes/TouchedVolume.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkHapticRegionSource.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeHapticsFilter.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+using namespace VolumeHaptics;
+
+namespace
+{
+/** The parts of the coarse volume before the box; they are drawn by the mapper of those behind. */
+class FrontParts : public vtkVolume
+{
+public:
+  static FrontParts* New();
+  vtkTypeMacro(FrontParts, vtkVolume);
+
+  int RenderVolumetricGeometry(vtkViewport* viewport) override
+  {
+    auto* const mapper = vtkVolumeMapper::SafeDownCast(this->GetMapper());
+    if (!mapper || this->Parts.Before == 0)
+    {
+      return 0;
+    }
+    mapper->SetCroppingRegionFlags(this->Parts.Before);
+    const int drawn = this->Superclass::RenderVolumetricGeometry(viewport);
+    mapper->SetCroppingRegionFlags(this->Parts.Behind);
+    return drawn;
+  }
+
+  RegionParts Parts;
+
+protected:
+  FrontParts() = default;
+  ~FrontParts() override = default;
+
+private:
+  FrontParts(const FrontParts&) = delete;
+  void operator=(const FrontParts&) = delete;
+};
+vtkStandardNewMacro(FrontParts);
+
+/** From the plain block of an image's voxels, which all mappers draw alike, to its place. */
+void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
+{
+  toWorld->Identity();
+  for (int row = 0; row < 3; ++row)
+  {
+    toWorld->SetElement(row, 3, image->GetOrigin()[row]);
+    for (int column = 0; column < 3; ++column)
+    {
+      toWorld->SetElement(row, column, image->GetDirectionMatrix()->GetElement(row, column));
+    }
+  }
+}
+
+/** The box of a block in other coordinates; false if it would not lie along their axes. */
+bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
+{
+  const double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
+  double first[4];
+  matrix->MultiplyPoint(origin, first);
+  double last[3] = { first[0], first[1], first[2] };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double largest = 0.0;
+    double sum = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double along = matrix->GetElement(row, axis);
+      last[row] += along * size[axis];
+      largest = std::max(largest, std::abs(along));
+      sum += std::abs(along);
+    }
+    if (!(sum - largest <= 1e-6 * largest))
+    {
+      return false;
+    }
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    box[2 * a] = std::min(first[a], last[a]);
+    box[2 * a + 1] = std::max(first[a], last[a]);
+  }
+  return true;
+}
+
+/** The distances between samples and rays of the other mapper, for voxels of another size. */
+void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
+{
+  to->SetBlendMode(from->GetBlendMode());
+  auto* const gpu = vtkGPUVolumeRayCastMapper::SafeDownCast(from);
+  auto* const fineGpu = vtkGPUVolumeRayCastMapper::SafeDownCast(to);
+  if (gpu && fineGpu)
+  {
+    fineGpu->SetAutoAdjustSampleDistances(gpu->GetAutoAdjustSampleDistances());
+    fineGpu->SetUseJittering(gpu->GetUseJittering());
+    fineGpu->SetImageSampleDistance(gpu->GetImageSampleDistance());
+    fineGpu->SetSampleDistance(static_cast<float>(scale * gpu->GetSampleDistance()));
+  }
+  auto* const cpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(from);
+  auto* const fineCpu = vtkFixedPointVolumeRayCastMapper::SafeDownCast(to);
+  if (cpu && fineCpu)
+  {
+    fineCpu->SetAutoAdjustSampleDistances(cpu->GetAutoAdjustSampleDistances());
+    fineCpu->SetImageSampleDistance(cpu->GetImageSampleDistance());
+    fineCpu->SetSampleDistance(static_cast<float>(scale * cpu->GetSampleDistance()));
+  }
+}
+} // namespace
+
+class vtkHapticRegionPicture::Internal
+{
+public:
+  vtkVolumeMapper* GetCoarseMapper() const
+  {
+    return this->Volume ? vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
+  }
+
+  void Leave()
+  {
+    if (this->Renderer)
+    {
+      this->Renderer->RemoveObserver(this->Observer);
+      this->Renderer->RemoveViewProp(this->Fine);
+      this->Renderer->RemoveViewProp(this->Front);
+    }
+    this->Renderer = nullptr;
+    this->ShowCoarseOnly();
+    this->GiveCoarseBack();
+  }
+
+  vtkImageData* GetFine() const { return this->LeftFine.Get(); }
+  /** What is left of the copy of the region, which lies in the world. */
+  void FollowFine(vtkImageData* copy, const RemovedTissue& removed)
+  {
+    this->LeftFine.Follow(copy, copy, removed, CarvedCover::Nearest);
+  }
+
+  /**
+   * What is left of the coarse image. All of it is copied and uploaded, so not for each change
+   * within the box, where only the fine one is seen.
+   */
+  void FollowCoarse(vtkImageData* copy, const RemovedTissue& removed)
+  {
+    vtkVolumeMapper* const mapper = this->GetCoarseMapper();
+    if (!mapper || !removed.Removal)
+    {
+      this->GiveCoarseBack();
+      return;
+    }
+    if (!this->CoarseInput.IsShownBy(mapper) || this->Carved != removed.Removal)
+    {
+      this->GiveCoarseBack();
+      this->Carved = removed.Removal;
+      this->Bricks = std::make_unique<FollowedBricks>(removed.Removal);
+    }
+    vtkImageData* const own = this->CoarseInput.GetReplaced()
+      ? this->CoarseInput.UpdateReplaced()
+      : vtkImageData::SafeDownCast(mapper->GetDataObjectInput());
+    if (!own)
+    {
+      return;
+    }
+    this->Bricks->Follow();
+    const bool isOtherBox = this->CoarseBox != copy;
+    this->CoarseBox = copy;
+    const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
+    RemovedTissue made = removed;
+    made.Changes = this->CoarseMade.Changes; // the bricks tell of these
+    const vtkMTimeType time = std::max(own->GetMTime(), this->Volume->GetMatrix()->GetMTime());
+    const bool isElse = this->CoarseTime != time || !made.IsSame(this->CoarseMade);
+    if (!hasChanged && !isOtherBox && !isElse)
+    {
+      return;
+    }
+    if (isElse)
+    {
+      this->LeftCoarse = {}; // what it was made of is no longer there
+    }
+    this->CoarseTime = time;
+    this->CoarseMade = removed;
+    vtkNew<vtkImageData> place;
+    place->CopyStructure(own);
+    if (PlaceImage(this->Volume->GetMatrix(), own, place) &&
+      this->LeftCoarse.Follow(own, place, removed, CarvedCover::Voxel))
+    {
+      this->CoarseInput.Put(mapper, 0, this->LeftCoarse.Get());
+    }
+  }
+
+  void GiveCoarseBack()
+  {
+    this->CoarseInput.GiveBack();
+    this->LeftCoarse = {};
+    this->CoarseBox = nullptr;
+    this->CoarseTime = 0;
+    this->CoarseMade = {};
+    this->Bricks = nullptr;
+    this->Carved = nullptr;
+  }
+
+  /** Whether bricks have changed which are not inside of the box that is shown finely. */
+  bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
+  {
+    // Of the shares, a brick from its sides. Empty without a copy.
+    double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
+    if (copy)
+    {
+      const int* const end = copy->GetDimensions();
+      double corners[2][3];
+      copy->TransformIndexToPhysicalPoint(0, 0, 0, corners[0]);
+      copy->TransformIndexToPhysicalPoint(end[0] - 1, end[1] - 1, end[2] - 1, corners[1]);
+      for (int side = 0; side < 2; ++side)
+      {
+        double index[3];
+        volume->TransformPhysicalPointToContinuousIndex(corners[side], index);
+        for (int a = 0; a < 3; ++a)
+        {
+          inside[2 * a + side] =
+            index[a] - volume->GetExtent()[2 * a] + (side == 0 ? 1.0 : -1.0) * CarvedBricks::Side;
+        }
+      }
+    }
+    bool isAny = false;
+    this->Bricks->Take(
+      [&](std::uint32_t number)
+      {
+        const BrickPlace place = CarvedBricks::PlaceOf(this->Carved->Bricks.GetKey(number));
+        const std::int64_t at[3] = { place.X, place.Y, place.Z };
+        for (int a = 0; a < 3; ++a)
+        {
+          const auto first = static_cast<double>(CarvedBricks::Side * at[a]);
+          isAny = isAny || first < inside[2 * a] || first + CarvedBricks::Side > inside[2 * a + 1];
+        }
+      });
+    return isAny;
+  }
+
+  void ShowCoarseOnly()
+  {
+    vtkVolumeMapper* const mapper = this->GetCoarseMapper();
+    if (mapper && this->HasCropped)
+    {
+      mapper->CroppingOff();
+    }
+    this->HasCropped = false;
+    this->Fine->VisibilityOff();
+    this->Front->VisibilityOff();
+  }
+
+  /** Draws the box between the parts of the coarse volume; false if it can't. */
+  bool Refine(vtkImageData* copy)
+  {
+    vtkVolumeMapper* const coarse = this->GetCoarseMapper();
+    auto* const shown = coarse ? vtkImageData::SafeDownCast(coarse->GetDataObjectInput()) : nullptr;
+    if (!shown || !shown->GetDirectionMatrix()->IsIdentity())
+    {
+      return false;
+    }
+    double size[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      size[a] = copy->GetSpacing()[a] * (copy->GetDimensions()[a] - 1);
+    }
+    vtkNew<vtkMatrix4x4> toWorld;
+    vtkNew<vtkMatrix4x4> toCoarse;
+    vtkNew<vtkMatrix4x4> toVolume;
+    PlaceBlock(copy, toWorld);
+    vtkMatrix4x4::Invert(this->Volume->GetMatrix(), toCoarse);
+    vtkMatrix4x4::Multiply4x4(toCoarse, toWorld, toVolume);
+    double box[6];
+    if (!TransformBox(size, toVolume, box))
+    {
+      return false;
+    }
+    this->ShowFine(copy, toWorld, coarse, shown);
+    this->Split(box, toCoarse);
+    coarse->SetCroppingRegionPlanes(box);
+    coarse->SetCroppingRegionFlags(this->Front->Parts.Behind);
+    coarse->CroppingOn();
+    this->HasCropped = true;
+    this->Front->SetMapper(coarse);
+    this->Front->SetProperty(this->Volume->GetProperty());
+    this->Front->SetUserMatrix(this->Volume->GetMatrix());
+    const int visibility = this->Volume->GetVisibility();
+    this->Fine->SetVisibility(visibility);
+    this->Front->SetVisibility(visibility);
+    return true;
+  }
+
+  void ShowFine(
+    vtkImageData* copy, vtkMatrix4x4* toWorld, vtkVolumeMapper* coarse, vtkImageData* shown)
+  {
+    auto* mapper = vtkVolumeMapper::SafeDownCast(this->Fine->GetMapper());
+    if (!mapper || !mapper->IsA(coarse->GetClassName()))
+    {
+      const auto made = vtkSmartPointer<vtkVolumeMapper>::Take(coarse->NewInstance());
+      this->Fine->SetMapper(made);
+      mapper = made;
+      this->FineImage = nullptr;
+    }
+    if (this->FineImage != copy)
+    {
+      this->FineImage = copy;
+      vtkNew<vtkImageData> block;
+      block->ShallowCopy(copy);
+      const double identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+      block->SetDirectionMatrix(identity);
+      block->SetOrigin(0.0, 0.0, 0.0);
+      mapper->SetInputDataObject(block);
+      this->Fine->SetUserMatrix(toWorld);
+    }
+    CopyQuality(coarse, mapper, SmallestSpacing(copy) / SmallestSpacing(shown));
+    if (mapper->GetClippingPlanes() != coarse->GetClippingPlanes())
+    {
+      mapper->SetClippingPlanes(coarse->GetClippingPlanes());
+    }
+    this->Fine->SetProperty(this->Volume->GetProperty());
+  }
+
+  void Split(const double box[6], vtkMatrix4x4* toCoarse)
+  {
+    vtkCamera* const camera = this->Renderer->GetActiveCamera();
+    const bool isParallel = camera->GetParallelProjection() != 0;
+    double eye[4] = { 0.0, 0.0, 0.0, isParallel ? 0.0 : 1.0 };
+    std::copy_n(camera->GetPosition(), 3, eye);
+    if (isParallel)
+    {
+      camera->GetDirectionOfProjection(eye);
+      vtkMath::MultiplyScalar(eye, -1.0);
+    }
+    double local[4];
+    toCoarse->MultiplyPoint(eye, local);
+    this->Front->Parts = SplitAroundBox(box, local, isParallel);
+  }
+
+  vtkSmartPointer<vtkHapticRegionSource> Source;
+  vtkSmartPointer<vtkVolume> Volume;
+  vtkWeakPointer<vtkRenderer> Renderer;
+  const vtkNew<vtkCallbackCommand> Observer;
+  const vtkNew<vtkVolume> Fine;
+  const vtkNew<FrontParts> Front;
+  vtkSmartPointer<vtkImageData> FineImage;
+  FineBox Box;
+  vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
+  CarvedImage LeftFine;
+  CarvedImage LeftCoarse;
+  ReplacedInput CoarseInput;
+  ///@{
+  /** With which LeftCoarse was made. */
+  std::shared_ptr<TissueRemoval> Carved;
+  std::unique_ptr<FollowedBricks> Bricks;
+  vtkSmartPointer<vtkImageData> CoarseBox;
+  RemovedTissue CoarseMade; ///< of which the coarse image was made
+  vtkMTimeType CoarseTime = 0;
+  ///@}
+  bool HasCropped = false;
+};
+
+vtkStandardNewMacro(vtkHapticRegionPicture);
+
+//------------------------------------------------------------------------------
+vtkHapticRegionPicture::vtkHapticRegionPicture()
+  : Internals(new Internal)
+{
+  for (vtkVolume* const part :
+    { this->Internals->Fine.Get(), static_cast<vtkVolume*>(this->Internals->Front.Get()) })
+  {
+    part->PickableOff();
+    part->UseBoundsOff();
+    part->VisibilityOff();
+  }
+  this->Internals->Observer->SetClientData(this);
+  this->Internals->Observer->SetCallback([](vtkObject*, unsigned long, void* picture, void*)
+    { static_cast<vtkHapticRegionPicture*>(picture)->Update(); });
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionPicture::~vtkHapticRegionPicture()
+{
+  this->Internals->Leave();
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::SetSource(vtkHapticRegionSource* source)
+{
+  if (this->Internals->Source != source)
+  {
+    this->Internals->Source = source;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHapticRegionSource* vtkHapticRegionPicture::GetSource()
+{
+  return this->Internals->Source;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::SetVolumeHaptics(vtkVolumeHapticsFilter* filter)
+{
+  if (this->Internals->Filter != filter)
+  {
+    this->Internals->Filter = filter;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeHapticsFilter* vtkHapticRegionPicture::GetVolumeHaptics()
+{
+  return this->Internals->Filter;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::SetVolume(vtkVolume* volume)
+{
+  if (this->Internals->Volume != volume)
+  {
+    this->Internals->ShowCoarseOnly();
+    this->Internals->GiveCoarseBack();
+    this->Internals->Volume = volume;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkHapticRegionPicture::GetVolume()
+{
+  return this->Internals->Volume;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Internals->Renderer == renderer)
+  {
+    return;
+  }
+  this->Internals->Leave();
+  this->Internals->Renderer = renderer;
+  if (renderer)
+  {
+    renderer->AddObserver(vtkCommand::StartEvent, this->Internals->Observer);
+    // Behind the coarse volume, in this order.
+    renderer->AddViewProp(this->Internals->Fine);
+    renderer->AddViewProp(this->Internals->Front);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkHapticRegionPicture::GetRenderer()
+{
+  return this->Internals->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::Update()
+{
+  Internal& in = *this->Internals;
+  if (!in.Renderer)
+  {
+    return;
+  }
+  const bool isResident = in.Source && in.Source->HasSamples();
+  in.Box.Follow(isResident ? in.Source->GetOutput() : nullptr, this->MaximumVoxels);
+  vtkImageData* const copy = in.Box.GetCopy();
+  const RemovedTissue removed = FindRemoved(in.Filter);
+  in.FollowFine(copy, removed);
+  const bool isRefined = copy && in.Refine(in.GetFine());
+  if (!isRefined)
+  {
+    in.ShowCoarseOnly();
+  }
+  in.FollowCoarse(isRefined ? copy : nullptr, removed);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticRegionPicture::IsRefined()
+{
+  return this->Internals->HasCropped;
+}
+
+//------------------------------------------------------------------------------
+vtkVolume* vtkHapticRegionPicture::GetFineVolume()
+{
+  return this->Internals->Fine;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticRegionPicture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Source: " << (this->Internals->Source ? "set" : "(none)") << "\n";
+  os << indent << "VolumeHaptics: " << (this->Internals->Filter ? "set" : "(none)") << "\n";
+  os << indent << "Volume: " << (this->Internals->Volume ? "set" : "(none)") << "\n";
+  os << indent << "Renderer: " << (this->Internals->Renderer ? "set" : "(none)") << "\n";
+  PrintSettings(os, indent, this, PictureSettings);
+  os << indent << "Refined: " << (this->Internals->HasCropped ? "yes" : "no") << "\n";
+}

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Tools/RemovalAccess.h"
+
+#include "Core/Carving/ShareImage.h"
+
+#include "vtkDataArray.h"
+#include "vtkHapticRemoval.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** So few that a volume that is mapped from a file is not read as a whole. */
+constexpr vtkIdType MostAirSamples = 4096;
+/** Of them, so many may be outliers. */
+constexpr double AirQuantile = 0.02;
+
+/** The value that few samples, spread evenly, are below, or above; 0 if none is finite. */
+double FindAir(vtkDataArray* scalars, int component, bool isLargest)
+{
+  const vtkIdType n = scalars->GetNumberOfTuples();
+  const vtkIdType count = std::min(n, MostAirSamples);
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto at = static_cast<vtkIdType>(
+      static_cast<double>(i) * static_cast<double>(n) / static_cast<double>(count));
+    const double value = scalars->GetComponent(at, component);
+    if (std::isfinite(value))
+    {
+      values.push_back(value);
+    }
+  }
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto place =
+    static_cast<std::ptrdiff_t>((isLargest ? 1.0 - AirQuantile : AirQuantile) * last + 0.5);
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+bool IsSameExtent(vtkImageData* image, const int extent[6])
+{
+  return std::equal(extent, extent + 6, image->GetExtent());
+}
+
+/**
+ * Where the samples of a volume lie among those of another one: the index of the first one there.
+ * False if they lie between them, or elsewhere.
+ */
+bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
+{
+  constexpr double rounding = 1e-3; // voxels, over the whole volume
+  const int* const extent = volume->GetExtent();
+  const int* const there = other->GetExtent();
+  for (int corner = 0; corner < 4; ++corner) // the first one, and the last one along each axis
+  {
+    double index[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      index[a] = corner == a + 1 ? std::max(extent[2 * a + 1], extent[2 * a] + 1) : extent[2 * a];
+    }
+    double world[3];
+    double found[3];
+    volume->TransformContinuousIndexToPhysicalPoint(index, world);
+    other->TransformPhysicalPointToContinuousIndex(world, found);
+    for (int a = 0; a < 3; ++a)
+    {
+      const double at = found[a] - there[2 * a] - (index[a] - extent[2 * a]);
+      if (corner == 0)
+      {
+        first[a] = std::llround(std::clamp(at, -1e9, 1e9));
+      }
+      // False for NaN, too.
+      if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::string DescribeExtent(const int extent[6])
+{
+  std::ostringstream text;
+  text << "extent (" << extent[0] << " to " << extent[1] << ", " << extent[2] << " to " << extent[3]
+       << ", " << extent[4] << " to " << extent[5] << ")";
+  return text.str();
+}
+
+} // namespace
+
+RemovalData& RemovalData::Of(vtkHapticRemoval* removal)
+{
+  return *removal->Data;
+}
+
+bool RemovalData::ServeAll() const
+{
+  bool hasServed = false;
+  while (this->Tissue && this->Tissue->Serve())
+  {
+    hasServed = true;
+  }
+  return hasServed;
+}
+
+void RemovalData::SetFoundAir(vtkHapticRemoval* removal, double value)
+{
+  removal->AirValue = value;
+  removal->Data->HasAir = true;
+}
+
+void RemovalData::TakeRead(std::unique_ptr<RemovalContent> content)
+{
+  this->Replace(content->Shares, content->Geometry);
+  this->Read = std::move(content);
+  this->ReadChanges = this->Tissue->Bricks.GetChanges();
+}
+
+bool RemovalData::IsAsRead() const
+{
+  return this->Read && this->Tissue && this->Tissue->Bricks.GetChanges() == this->ReadChanges;
+}
+
+bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
+{
+  // A volume with the extent of the file's may have been moved as a whole.
+  if (!this->IsAsRead() || IsSameExtent(this->Read->Geometry, extent))
+  {
+    return false;
+  }
+  vtkNew<vtkImageData> volume;
+  CopyGeometry(geometry, extent, volume);
+  std::int64_t first[3];
+  return FindShift(volume, this->Read->Geometry, first) &&
+    !std::equal(first, first + 3, this->ReadFirst);
+}
+
+bool RemovalData::FitRead(vtkImageData* geometry, const int extent[6])
+{
+  vtkNew<vtkImageData> volume;
+  CopyGeometry(geometry, extent, volume);
+  ShareBox box{};
+  if (!FindShift(volume, this->Read->Geometry, box.First))
+  {
+    return false;
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    box.Size[a] = std::int64_t{ extent[2 * a + 1] } - extent[2 * a] + 1;
+  }
+  std::unique_ptr<RemovalContent> content = std::move(this->Read);
+  const bool isDone = this->Replace(MoveShares(content->Shares, box), volume);
+  this->Read = std::move(content);
+  std::copy(box.First, box.First + 3, this->ReadFirst);
+  this->ReadChanges = isDone ? this->Tissue->Bricks.GetChanges() : this->ReadChanges;
+  return isDone;
+}
+
+bool RemovalData::Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry)
+{
+  auto tissue = std::make_shared<TissueRemoval>();
+  if (!WriteBricks(shares, tissue->Bricks))
+  {
+    return false;
+  }
+  this->Tissue = std::move(tissue);
+  this->Read = nullptr;
+  if (geometry != this->Geometry)
+  {
+    CopyGeometry(geometry, geometry->GetExtent(), this->Geometry);
+  }
+  return true;
+}
+
+std::shared_ptr<TissueRemoval> GetTissueRemoval(vtkHapticRemoval* removal)
+{
+  return removal ? RemovalData::Of(removal).Tissue : nullptr;
+}
+
+bool HoldRemoval(vtkHapticRemoval* removal, const void* holder)
+{
+  RemovalData& data = RemovalData::Of(removal);
+  if (data.Holder && data.Holder != holder)
+  {
+    return false;
+  }
+  data.Holder = holder;
+  return true;
+}
+
+void LetRemovalGo(vtkHapticRemoval* removal, const void* holder)
+{
+  RemovalData& data = RemovalData::Of(removal);
+  if (data.Holder == holder)
+  {
+    data.Holder = nullptr;
+    if (data.ServeAll())
+    {
+      removal->Modified();
+    }
+  }
+}
+
+bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const int extent[6],
+  vtkDataArray* scalars, int component, bool isRegion, HapticModelDescription& d,
+  std::string& error)
+{
+  RemovalData& data = RemovalData::Of(removal);
+  const bool isBurr = d.Tool.Kind == ToolKind::Burr;
+  const bool isOther =
+    data.Tissue && (!IsSameExtent(data.Geometry, extent) || data.IsOtherPart(geometry, extent));
+  const bool isFitted = isOther && data.IsAsRead() && data.FitRead(geometry, extent);
+  const bool isUsed = data.Tissue &&
+    (!data.Tissue->Bricks.IsWhole() || (data.IsAsRead() && !data.Read->Shares.empty()));
+  if (isOther && !isFitted)
+  {
+    if (isUsed)
+    {
+      std::ostringstream text;
+      text
+        << "The removed tissue is of a volume of " << DescribeExtent(data.Geometry->GetExtent())
+        << ", and the image on input port 0 has " << DescribeExtent(extent)
+        << ". Its file is felt on any part of its volume. Keep it with WriteFile() of the filter's "
+           "GetRemoval(), and go on with all tissue after SetRemoval(nullptr).";
+      error = text.str();
+      return false;
+    }
+    data.Tissue = nullptr;
+    data.Read = nullptr;
+    data.HasAir = false;
+  }
+  if (!d.Frames.empty() || (!isBurr && !isUsed))
+  {
+    return true;
+  }
+  if (!data.Tissue)
+  {
+    data.Tissue = std::make_shared<TissueRemoval>();
+  }
+  // Regions of one volume have one value, and what was removed keeps its own.
+  if (removal->GetAutoAirValue() && (!data.HasAir || (isBurr && !isRegion && !isUsed)))
+  {
+    const bool isBelow = isBurr && d.Tool.Shell.Touch.IsBelow;
+    RemovalData::SetFoundAir(removal, FindAir(scalars, component, isBelow));
+  }
+  CopyGeometry(geometry, extent, data.Geometry);
+  d.Removal = data.Tissue;
+  d.AirValue = removal->GetAirValue();
+  return true;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Tools/ShellSampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Candidates for each point: of a few points, and of many. */
+constexpr std::size_t CandidatesOfFew = 40;
+constexpr std::size_t CandidatesOfMany = 15;
+constexpr std::size_t Many = 20000;
+/** Every so manieth candidate may be chosen at first. */
+constexpr std::size_t CandidatesOfChoice = 5;
+/** Mean of unit normals: the places face nearly the same way, so that their middle is near them. */
+constexpr double LeastMeanNormal = 0.97;
+/** How often points move to the middle of their own. */
+constexpr int LloydRounds = 5;
+
+/** A place on the surface, and how it faces. */
+struct SurfacePlace
+{
+  Vector3 Position;
+  Vector3 Normal; ///< times the length that stands for a turn by a radian
+};
+
+double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
+{
+  const Vector3 way = a.Position - b.Position;
+  const Vector3 turn = a.Normal - b.Normal;
+  return Dot(way, way) + Dot(turn, turn);
+}
+
+/** Places that stand for the same area each: stratified along the triangles, and within each. */
+std::vector<SurfacePlace> SpreadPlaces(
+  const std::vector<ToolTriangle>& triangles, double area, std::size_t count, double turnLength)
+{
+  // The multiples of the plastic ratio's powers fill a square evenly.
+  constexpr double first = 0.7548776662466927;
+  constexpr double second = 0.5698402909980532;
+  std::vector<SurfacePlace> places;
+  places.reserve(count);
+  double passed = 0.0;
+  std::size_t triangle = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double at = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * area;
+    while (triangle + 1 < triangles.size() && passed + triangles[triangle].Area < at)
+    {
+      passed += triangles[triangle].Area;
+      ++triangle;
+    }
+    const auto n = static_cast<double>(i + 1);
+    double u = n * first - std::floor(n * first);
+    double v = n * second - std::floor(n * second);
+    if (u + v > 1.0)
+    {
+      u = 1.0 - u;
+      v = 1.0 - v;
+    }
+    const ToolTriangle& on = triangles[triangle];
+    places.push_back(
+      { on.Corner[0] + u * (on.Corner[1] - on.Corner[0]) + v * (on.Corner[2] - on.Corner[0]),
+        turnLength * on.Normal });
+  }
+  return places;
+}
+
+/** Some of the places, in cubes of space. */
+class PlaceGrid
+{
+public:
+  PlaceGrid(
+    const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& members, double cell)
+    : Places(places)
+    , Cell(cell)
+  {
+    for (const std::size_t member : members)
+    {
+      this->Members.emplace_back(this->KeyOf(this->CubeOf(places[member].Position)), member);
+    }
+    std::sort(this->Members.begin(), this->Members.end());
+    std::size_t buckets = 1;
+    for (; buckets < 2 * this->Members.size(); buckets *= 2)
+    {
+    }
+    this->Mask = buckets - 1;
+    this->Buckets.assign(buckets, Empty);
+    for (std::size_t i = 0; i < this->Members.size(); ++i)
+    {
+      if (i == 0 || this->Members[i].first != this->Members[i - 1].first)
+      {
+        std::size_t bucket = HashOf(this->Members[i].first) & this->Mask;
+        while (this->Buckets[bucket] != Empty)
+        {
+          bucket = (bucket + 1) & this->Mask;
+        }
+        this->Buckets[bucket] = i;
+      }
+    }
+  }
+
+  /** Visits all members at most `radius` from a place, and perhaps others. */
+  template <typename Function>
+  void ForNear(const Vector3& at, double radius, Function&& visit) const
+  {
+    const auto low = this->CubeOf(at - Vector3{ radius, radius, radius });
+    const auto high = this->CubeOf(at + Vector3{ radius, radius, radius });
+    for (std::int64_t z = low[2]; z <= high[2]; ++z)
+    {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+      {
+        for (std::int64_t x = low[0]; x <= high[0]; ++x)
+        {
+          this->ForCube(this->KeyOf({ x, y, z }), visit);
+        }
+      }
+    }
+  }
+
+  /**
+   * The member that is nearest to a place; the lowest of several. There is at least one, within
+   * this length or not, where the search begins.
+   */
+  std::size_t FindNearest(const SurfacePlace& place, double within) const
+  {
+    double least = std::numeric_limits<double>::max();
+    std::size_t nearest = this->Members.front().second;
+    constexpr double shortest = 0.05; // of a cube
+    for (double radius = std::max(within, shortest * this->Cell);; radius *= 2.0)
+    {
+      this->ForNear(place.Position, radius,
+        [&](std::size_t member)
+        {
+          const double square = SquaredDistance(place, this->Places[member]);
+          if (square < least || (square == least && member < nearest))
+          {
+            least = square;
+            nearest = member;
+          }
+        });
+      if (least <= radius * radius)
+      {
+        return nearest;
+      }
+    }
+  }
+
+private:
+  using Cube = std::array<std::int64_t, 3>;
+  static constexpr std::size_t Empty = std::numeric_limits<std::size_t>::max();
+
+  Cube CubeOf(const Vector3& at) const
+  {
+    const auto number = [this](double x)
+    { return static_cast<std::int64_t>(std::floor(x / this->Cell)); };
+    return { number(at.X), number(at.Y), number(at.Z) };
+  }
+  /** 21 bits each: of cubes that are a million apart, both are visited, which costs but time. */
+  static std::uint64_t KeyOf(const Cube& cube)
+  {
+    constexpr std::uint64_t bits = 0x1fffff;
+    return (static_cast<std::uint64_t>(cube[0]) & bits) |
+      (static_cast<std::uint64_t>(cube[1]) & bits) << 21 |
+      (static_cast<std::uint64_t>(cube[2]) & bits) << 42;
+  }
+  static std::size_t HashOf(std::uint64_t key)
+  {
+    key *= 0x9E3779B97F4A7C15ULL;
+    return static_cast<std::size_t>(key ^ key >> 32);
+  }
+  template <typename Function>
+  void ForCube(std::uint64_t key, Function& visit) const
+  {
+    for (std::size_t bucket = HashOf(key) & this->Mask; this->Buckets[bucket] != Empty;
+         bucket = (bucket + 1) & this->Mask)
+    {
+      std::size_t i = this->Buckets[bucket];
+      if (this->Members[i].first == key)
+      {
+        for (; i < this->Members.size() && this->Members[i].first == key; ++i)
+        {
+          visit(this->Members[i].second);
+        }
+        return;
+      }
+    }
+  }
+
+  const std::vector<SurfacePlace>& Places;
+  const double Cell;
+  std::vector<std::pair<std::uint64_t, std::size_t>> Members; ///< by cubes
+  std::vector<std::size_t> Buckets;                           ///< the first member of each cube
+  std::size_t Mask = 0;
+};
+
+/** Whether a loop is to go on; looks at the monitor, if there is one, every now and then. */
+bool GoesOn(const WorkMonitor* monitor, std::size_t step)
+{
+  constexpr std::size_t between = 1024;
+  return !monitor || step % between != 0 || !monitor->IsCancelled();
+}
+
+/** Leaves out the members that are most crowded, until `count` are left. */
+std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
+  const std::vector<std::size_t>& members, std::size_t count, double area,
+  const WorkMonitor* monitor)
+{
+  // The largest radius of discs that fit: those of a lattice of equilateral triangles.
+  const double most = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
+  const double ratio = static_cast<double>(count) / static_cast<double>(members.size());
+  const double least = 0.65 * most * (1.0 - std::pow(ratio, 1.5));
+  const double reach = 2.0 * most;
+  const auto weigh = [&](std::size_t a, std::size_t b)
+  {
+    const double distance = std::sqrt(SquaredDistance(places[a], places[b]));
+    const double share = 1.0 - std::max(distance, 2.0 * least) / reach;
+    return share > 0.0 ? std::pow(share, 8) : 0.0;
+  };
+  const PlaceGrid grid(places, members, reach);
+  std::vector<double> weights(places.size(), 0.0);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry> heaviest;
+  for (const std::size_t member : members)
+  {
+    if (!GoesOn(monitor, heaviest.size()))
+    {
+      return {};
+    }
+    grid.ForNear(places[member].Position, reach,
+      [&](std::size_t other) { weights[member] += other != member ? weigh(member, other) : 0.0; });
+    heaviest.emplace(weights[member], member);
+  }
+  std::vector<char> isOut(places.size(), 0);
+  for (std::size_t left = members.size(); left > count;)
+  {
+    if (!GoesOn(monitor, left))
+    {
+      return {};
+    }
+    const auto [weight, member] = heaviest.top();
+    heaviest.pop();
+    if (weight != weights[member])
+    {
+      heaviest.emplace(weights[member], member);
+      continue;
+    }
+    isOut[member] = 1;
+    --left;
+    grid.ForNear(places[member].Position, reach,
+      [&](std::size_t other) { weights[other] -= other != member ? weigh(member, other) : 0.0; });
+  }
+  std::vector<std::size_t> kept;
+  kept.reserve(count);
+  std::copy_if(members.begin(), members.end(), std::back_inserter(kept),
+    [&](std::size_t member) { return isOut[member] == 0; });
+  return kept;
+}
+
+/**
+ * For each place, the number of the chosen one that is nearest. The one of before, if they have
+ * only moved, is near, too. Empty if it is cancelled.
+ */
+std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
+  const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
+  const WorkMonitor* monitor)
+{
+  const PlaceGrid grid(places, chosen, spacing);
+  std::vector<std::size_t> numbers(places.size(), 0);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    numbers[chosen[i]] = i;
+  }
+  std::vector<std::size_t> owners;
+  owners.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (!GoesOn(monitor, i))
+    {
+      return {};
+    }
+    constexpr double rounding = 1.0 + 1e-9;
+    const double within = before.empty()
+      ? spacing
+      : rounding * std::sqrt(SquaredDistance(places[i], places[chosen[before[i]]]));
+    owners.push_back(numbers[grid.FindNearest(places[i], within)]);
+  }
+  return owners;
+}
+
+/** What belongs to a point. */
+struct OwnPlaces
+{
+  SurfacePlace Middle;
+  double Count = 0.0;
+};
+
+std::vector<OwnPlaces> FindMiddles(const std::vector<SurfacePlace>& places,
+  const std::vector<std::size_t>& owners, std::size_t count)
+{
+  std::vector<OwnPlaces> all(count);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    OwnPlaces& own = all[owners[i]];
+    own.Middle.Position += places[i].Position;
+    own.Middle.Normal += places[i].Normal;
+    own.Count += 1.0;
+  }
+  for (OwnPlaces& own : all)
+  {
+    const double share = 1.0 / std::max(own.Count, 1.0);
+    own.Middle = { share * own.Middle.Position, share * own.Middle.Normal };
+  }
+  return all;
+}
+
+/** Moves each chosen one to that of its places which is nearest to their middle. */
+void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
+  std::vector<std::size_t>& chosen)
+{
+  const std::vector<OwnPlaces> own = FindMiddles(places, owners, chosen.size());
+  std::vector<double> nearest(chosen.size(), std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const std::size_t owner = owners[i];
+    const double distance = SquaredDistance(own[owner].Middle, places[i]);
+    if (distance < nearest[owner])
+    {
+      nearest[owner] = distance;
+      chosen[owner] = i;
+    }
+  }
+}
+
+} // namespace
+
+std::vector<ShellPoint> SpreadShellPoints(
+  const std::vector<ToolTriangle>& triangles, std::size_t count, const WorkMonitor* monitor)
+{
+  double area = 0.0;
+  for (const ToolTriangle& triangle : triangles)
+  {
+    area += triangle.Area;
+  }
+  const double spacing = std::sqrt(area / static_cast<double>(count));
+  const std::size_t candidates = count < Many ? CandidatesOfFew : CandidatesOfMany;
+  const std::vector<SurfacePlace> places =
+    SpreadPlaces(triangles, area, count * candidates, spacing);
+  std::vector<std::size_t> members;
+  for (std::size_t i = CandidatesOfChoice / 2; i < places.size(); i += CandidatesOfChoice)
+  {
+    members.push_back(i);
+  }
+  std::vector<std::size_t> chosen = Eliminate(places, members, count, area, monitor);
+  std::vector<std::size_t> owners =
+    chosen.empty() ? chosen : FindOwners(places, chosen, spacing, {}, monitor);
+  for (int round = 0; round < LloydRounds && !owners.empty(); ++round)
+  {
+    MoveToMiddles(places, owners, chosen);
+    owners = FindOwners(places, chosen, spacing, owners, monitor);
+  }
+  if (owners.empty())
+  {
+    return {};
+  }
+  // In the middle of its part, but on the surface: sums of what is linear along a plane are
+  // integrals. On a curved surface that is pressed into a plane, what points on it have too much is
+  // what those at the rim of the contact lack.
+  const std::vector<OwnPlaces> own = FindMiddles(places, owners, chosen.size());
+  std::vector<ShellPoint> points;
+  points.reserve(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    const SurfacePlace& middle = own[i].Middle;
+    const SurfacePlace& nearest = places[chosen[i]];
+    Vector3 position = nearest.Position;
+    if (Norm(middle.Normal) >= LeastMeanNormal * spacing)
+    {
+      const Vector3 normal = (1.0 / spacing) * nearest.Normal;
+      position = middle.Position + Dot(nearest.Position - middle.Position, normal) * normal;
+    }
+    points.push_back({ position, area * own[i].Count / static_cast<double>(places.size()) });
+  }
+  return points;
+}
+
+} // namespace VolumeHaptics

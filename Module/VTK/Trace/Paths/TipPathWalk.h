@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Walks a tip path tick by tick, as the servo would.
+ */
+#ifndef TipPathWalk_h
+#define TipPathWalk_h
+
+#include "Core/Safety/ForceGate.h"
+#include "Core/Servo/ResidentServo.h"
+#include "Core/Solvers/Primitives/PrimitivesMethod.h"
+#include "VTK/Trace/Paths/RecordedPath.h"
+#include "VTK/Trace/Paths/TipReader.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace VolumeHaptics
+{
+
+/** Finds the model for the next tick, to a tip (device), instead of the one of the last tick. */
+using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
+  std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
+
+class TipPathWalk
+{
+public:
+  /** With a finder, each tick has the model that it finds; the finder has to live longer. */
+  explicit TipPathWalk(const TipReader& tips, const ModelFinder* finder = nullptr);
+  explicit TipPathWalk(const RecordedPath& recording);
+
+  /**
+   * Computes the next tick. Returns its model: the given one, placed as the recording says, or the
+   * one that was found. Throws what the finder throws.
+   */
+  std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
+  /** Whether all ticks are on one model, of a whole volume, and take their tips from a path. */
+  bool IsPlain(const HapticModel& model) const
+  {
+    return this->Tips && !this->Finder && model.Resident.IsWhole();
+  }
+  /** The same tick of a plain walk, straight into a record. Such a walk does nothing else. */
+  void Tick(const HapticModel& model, TickRecord& record);
+  /** The record of the last tick, if that did not write one. */
+  const TickRecord& GetRecord() const;
+  /** The forces of the modes of the last tick, with its model. */
+  ModeForces FindModeForces(const HapticModel& model) const;
+  /** The orientation of the stylus (world) in the last tick; NoOrientation if there is none. */
+  Quaternion GetOrientation(const HapticModel& model) const;
+  /** How often a forbidden label has stopped the needle in this insertion. */
+  double GetForbiddenTouches() const { return this->State.Needle.Touches; }
+  /** Time of the last tick (s). */
+  double GetTime() const;
+
+private:
+  /** Memory for the tool of a model. */
+  void ProvideTool(const HapticModel& model);
+  /** Of a path, to the state: the orientation, turned to the device's axes, and the spin. */
+  void TakeHand(const HapticModel& model);
+  /** Of a recording's tick: the spin, to the state, and a request, to the model's removal. */
+  void TakeRemoval(const HapticModel& model, std::size_t i);
+  /** To the state: an orientation on the device's axes, or NoOrientation. */
+  void SetOrientation(const Quaternion& orientation);
+  void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
+
+  std::optional<TipReader> Tips; ///< empty for a recording
+  const ModelFinder* const Finder = nullptr;
+  const RecordedPath* const Recording = nullptr;
+  std::size_t Next = 0; ///< of a recording
+  ServoState State;
+  ResidentServo Servo;
+  TickMemory Taps;                     ///< of a plain walk
+  std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
+  const BakedVolume* ToolOf = nullptr; ///< for which it was made
+  ForceGate Gate;                      ///< only its opening is used
+  TickRecord Whole;  ///< of the last tick, with the force before the residency scales it
+  TickRecord Scaled; ///< the same with the force that is felt, while the gate is not open
+};
+
+} // namespace VolumeHaptics
+
+#endif

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Trace/Paths/TipPathsWalk.h"
+
+#include "Core/Realtime/ServoClock.h"
+#include "VTK/Base/HapticTuples.h"
+#include "VTK/Trace/TracePart.h"
+#include "VTK/Trace/TracePipe.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+/** Long enough that handing a stretch to a thread costs nothing beside it. */
+constexpr vtkIdType LongestStretch = 1000;
+/** Towards the end of a round, stretches are shorter: all threads wait for the last one. */
+constexpr vtkIdType ShortestStretch = 64;
+/** So many rounds at most, if one path is long. */
+constexpr vtkIdType Rounds = 100;
+/** The least number of rounds of several paths. */
+constexpr vtkIdType LeastRounds = 8;
+/** So many paths for each thread are on their way at a time. */
+constexpr std::size_t RunnersOfAThread = 16;
+/** Ticks for each thread in a round: beginning and ending it costs nothing beside them. */
+constexpr vtkIdType TicksOfAThread = 65536;
+/** No stretch begins later (ns) in a round, so that the caller can stop slow methods, too. */
+constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
+/** A path that is as long as this (ticks) is worth a thread that writes its trace. */
+constexpr vtkIdType LongPath = 4 * static_cast<vtkIdType>(TracePipe::BlockSize);
+
+/**
+ * The removal from which a path goes on, which no other one changes: that of the model, or of the
+ * recording. Null if nothing is removed.
+ */
+std::shared_ptr<TissueRemoval> MakeOwnRemoval(
+  const BakedVolume& baked, const RecordedPath* recording)
+{
+  const bool isRecorded = recording && std::isfinite(recording->AirValue) && !baked.IsMoving();
+  if (!baked.Removal && !isRecorded)
+  {
+    return nullptr;
+  }
+  const std::vector<BrickShares> shares =
+    recording ? recording->InitialShares : CopyBricks(baked.Removal->Bricks);
+  const bool isChanged =
+    baked.HasTool(ToolKind::Burr) || (recording && !recording->Requests.empty());
+  // What only feels tissue needs no room to remove any.
+  const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(shares.size(), 1));
+  auto removal = isChanged
+    ? std::make_shared<TissueRemoval>(std::max(bricks, CarvedBricks::DefaultMost))
+    : std::make_shared<TissueRemoval>(bricks, 1);
+  WriteBricks(shares, removal->Bricks);
+  return removal;
+}
+
+std::shared_ptr<const HapticModel> WithRemoval(std::shared_ptr<const HapticModel> model,
+  const std::shared_ptr<TissueRemoval>& removal, const RecordedPath* recording)
+{
+  const BakedVolume& baked = *model->Baked;
+  if (!removal || baked.Removal == removal)
+  {
+    return model;
+  }
+  const double air = recording && std::isfinite(recording->AirValue) ? recording->AirValue
+                                                                     : baked.Field.GetCarved().Air;
+  return std::make_shared<const HapticModel>(
+    std::make_shared<const BakedVolume>(baked, removal, air), model->DeviceToWorld, model->Caps);
+}
+
+bool IsFiniteRecord(const TickRecord& record)
+{
+  return IsFinite(record.Proxy) && IsFinite(record.Force) && IsFinite(record.Normal) &&
+    std::isfinite(record.NormalForce) && std::isfinite(record.FrictionForce) &&
+    std::isfinite(record.DragForce);
+}
+
+} // namespace
+
+/** A path on its way. */
+struct TipPathsWalk::Runner
+{
+  Runner(const TipPaths& paths, std::size_t path, std::shared_ptr<const HapticModel> model,
+    const ModelFinder& finder)
+    : Path(path)
+    , Removal(MakeOwnRemoval(*model->Baked, paths.GetRecording()))
+    , Finder(finder ? [this, &finder](std::shared_ptr<const HapticModel> felt,
+                        const ServoState& state, const Vector3& tip)
+          { return WithRemoval(finder(std::move(felt), state, tip), this->Removal, nullptr); }
+                    : ModelFinder())
+    , Walk(paths.GetRecording()
+          ? TipPathWalk(*paths.GetRecording())
+          : TipPathWalk(TipReader(paths, path), this->Finder ? &this->Finder : nullptr))
+    , Model(WithRemoval(std::move(model), this->Removal, paths.GetRecording()))
+  {
+  }
+
+  const std::size_t Path;
+  const std::shared_ptr<TissueRemoval> Removal; ///< of this path alone; null if there is none
+  const ModelFinder Finder;
+  TipPathWalk Walk;
+  std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
+  WorkMeter Work;
+  std::unique_ptr<TracePipe> Pipe; ///< null if the thread that ticks writes the trace
+  bool IsTaken = false;            ///< by a thread
+};
+
+TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
+  const HapticTrace& trace, ModelFinder finder)
+  : Paths(paths)
+  , Model(std::move(model))
+  , Trace(trace)
+  , Finder(std::move(finder))
+{
+  const std::size_t count = paths.GetNumberOfPaths();
+  const vtkIdType ticks = paths.GetNumberOfTicks();
+  const bool areMore =
+    vtkSMPTools::GetEstimatedNumberOfThreads() > 1 && !vtkSMPTools::IsParallelScope();
+  this->Threads = this->Finder || count == 1
+    ? 1
+    : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->HasPipe = count == 1 && areMore && ticks >= LongPath;
+  // Each has a removal of its own, of several megabytes.
+  const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
+  this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
+  const auto running = static_cast<vtkIdType>(std::clamp<std::size_t>(count, 1, this->MostRunning));
+  this->RoundTicks = this->Threads == 1
+    ? std::max(running * LongestStretch, ticks / Rounds)
+    : std::clamp(ticks / LeastRounds, running * LongestStretch,
+        std::max(running * LongestStretch, this->Threads * TicksOfAThread));
+  this->Rows.reserve(count);
+  for (std::size_t path = 0; path < count; ++path)
+  {
+    this->Rows.push_back({ paths.GetFirstTick(path), 0 });
+  }
+}
+
+TipPathsWalk::~TipPathsWalk() = default;
+
+double TipPathsWalk::GetProgress() const
+{
+  return static_cast<double>(this->TicksDone) /
+    static_cast<double>(std::max<vtkIdType>(1, this->Paths.GetNumberOfTicks()));
+}
+
+vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
+{
+  return this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count;
+}
+
+void TipPathsWalk::AddPipe(Runner& runner) const
+{
+  if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty() &&
+    !this->Trace.GetOrientations() && !this->Trace.GetForbiddenTouches())
+  {
+    try
+    {
+      runner.Pipe =
+        std::make_unique<TracePipe>(this->Trace, runner.Model, this->Rows[runner.Path].First);
+    }
+    catch (const std::system_error&)
+    {
+      // No thread: this one writes the trace.
+    }
+  }
+}
+
+void TipPathsWalk::Finish()
+{
+  for (const std::unique_ptr<Runner>& runner : this->Running)
+  {
+    if (runner->Pipe)
+    {
+      runner->Pipe->Finish();
+    }
+  }
+}
+
+void TipPathsWalk::Fill()
+{
+  for (; this->Running.size() < this->MostRunning && this->NextPath < this->Rows.size();
+       ++this->NextPath)
+  {
+    if (this->GetTicksLeft(this->NextPath) > 0)
+    {
+      this->Running.push_back(
+        std::make_unique<Runner>(this->Paths, this->NextPath, this->Model, this->Finder));
+      if (this->HasPipe)
+      {
+        this->AddPipe(*this->Running.back());
+      }
+    }
+  }
+}
+
+TipPathsWalk::Runner* TipPathsWalk::Take(vtkIdType& stretch)
+{
+  if (this->RoundTicksLeft <= 0 || this->HasFailed || this->Flaw >= 0 ||
+    ServoClock::Now() > this->RoundEnd)
+  {
+    return nullptr;
+  }
+  this->Fill();
+  // The one with the longest way to go: else it would be the last, and alone.
+  Runner* longest = nullptr;
+  vtkIdType left = 0;
+  for (const std::unique_ptr<Runner>& runner : this->Running)
+  {
+    const vtkIdType ticks = runner->IsTaken ? 0 : this->GetTicksLeft(runner->Path);
+    if (ticks > left)
+    {
+      longest = runner.get();
+      left = ticks;
+    }
+  }
+  if (longest)
+  {
+    const vtkIdType share =
+      this->Threads == 1 ? LongestStretch : this->RoundTicksLeft / (2 * this->Threads);
+    stretch = std::min(left, std::clamp(share, ShortestStretch, LongestStretch));
+    this->RoundTicksLeft -= stretch;
+    longest->IsTaken = true;
+  }
+  return longest;
+}
+
+void TipPathsWalk::GiveBack(Runner* runner)
+{
+  runner->IsTaken = false;
+  if (this->GetTicksLeft(runner->Path) == 0)
+  {
+    const bool isBurr = runner->Model->Baked->HasTool(ToolKind::Burr);
+    if (runner->Removal && isBurr && this->Rows.size() == 1)
+    {
+      this->FinalShares = CopyBricks(runner->Removal->Bricks);
+    }
+    const auto isIt = [runner](const std::unique_ptr<Runner>& other)
+    { return other.get() == runner; };
+    this->Running.erase(std::find_if(this->Running.begin(), this->Running.end(), isIt));
+  }
+}
+
+void TipPathsWalk::AdvanceStretches()
+{
+  // The mutex also hands over what a stretch changes.
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  vtkIdType stretch = 0;
+  while (Runner* const runner = this->Take(stretch))
+  {
+    lock.unlock();
+    this->Advance(*runner, stretch);
+    lock.lock();
+    this->GiveBack(runner);
+  }
+}
+
+void TipPathsWalk::Advance()
+{
+  this->RoundTicksLeft = this->RoundTicks;
+  this->RoundEnd = ServoClock::Now() + RoundTime;
+  if (this->Threads == 1)
+  {
+    // Here: a single path needs no thread, and a finder may throw what no thread of VTK's may.
+    this->AdvanceStretches();
+    return;
+  }
+  const auto advance = [this](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType thread = begin; thread < end; ++thread)
+    {
+      try
+      {
+        this->AdvanceStretches();
+      }
+      catch (const std::bad_alloc&) // which no thread of VTK's may throw
+      {
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->HasFailed = true;
+      }
+    }
+  };
+  vtkSMPTools::For(0, this->Threads, 1, advance);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->HasFailed)
+  {
+    throw std::bad_alloc();
+  }
+}
+
+void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
+{
+  HapticTrace::Rows& rows = this->Rows[runner.Path];
+  if (runner.Pipe)
+  {
+    for (vtkIdType i = 0; i < ticks; ++i)
+    {
+      runner.Walk.Tick(*runner.Model, runner.Pipe->GetNext());
+      runner.Pipe->Append(runner.Walk.GetTime());
+    }
+    rows.Count += ticks;
+    this->TicksDone += ticks;
+    return;
+  }
+  const bool isRecording = this->Paths.GetRecording() != nullptr;
+  const bool hasModes = !this->Trace.GetModeForces().empty();
+  TracePart part(this->Trace, rows.First + rows.Count, runner.Work);
+  const bool isPlain = runner.Walk.IsPlain(*runner.Model);
+  for (vtkIdType i = 0; i < ticks; ++i)
+  {
+    if (isPlain)
+    {
+      runner.Walk.Tick(*runner.Model, part.GetNext());
+    }
+    else
+    {
+      runner.Model = runner.Walk.Tick(std::move(runner.Model));
+      part.GetNext() = runner.Walk.GetRecord();
+    }
+    if (isRecording && !IsFiniteRecord(part.GetNext()))
+    {
+      this->Flaw = rows.Count + i;
+      return;
+    }
+    if (double* const orientations = this->Trace.GetOrientations())
+    {
+      ToArray(runner.Walk.GetOrientation(*runner.Model),
+        orientations + 4 * (rows.First + rows.Count + i));
+    }
+    if (double* const touches = this->Trace.GetForbiddenTouches())
+    {
+      touches[rows.First + rows.Count + i] = runner.Walk.GetForbiddenTouches();
+    }
+    if (hasModes)
+    {
+      const ModeForces forces = runner.Walk.FindModeForces(*runner.Model);
+      part.Append(runner.Model, runner.Walk.GetTime(), &forces);
+    }
+    else
+    {
+      part.Append(runner.Model, runner.Walk.GetTime());
+    }
+  }
+  part.Flush();
+  rows.Count += ticks;
+  this->TicksDone += ticks;
+}
+
+} // namespace VolumeHaptics

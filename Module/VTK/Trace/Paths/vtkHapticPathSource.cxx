@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHapticPathSource.h"
+
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Trace/HapticTraceFiles.h"
+#include "VTK/Trace/Paths/HapticCurve.h"
+#include "VTK/Trace/Paths/HapticPathSettings.h"
+#include "VTK/Trace/RecordedLabels.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkHapticPathSource);
+
+namespace
+{
+using VolumeHaptics::Vector3;
+
+/** More points are a mistake in a unit, and would not fit into memory. */
+constexpr double MostPoints = 1e8;
+
+Vector3 ToVector(const double x[3])
+{
+  return { x[0], x[1], x[2] };
+}
+
+/** A point for each tip, in one polyline; the array Time only if there are times. */
+void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<int>(tips.size()));
+  for (const Vector3& tip : tips)
+  {
+    line->InsertCellPoint(points->InsertNextPoint(tip.X, tip.Y, tip.Z));
+  }
+  output->SetPoints(points);
+  output->SetLines(line);
+  if (!times.empty())
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("Time");
+    for (const double time : times)
+    {
+      array->InsertNextValue(time);
+    }
+    output->GetPointData()->AddArray(array);
+  }
+}
+
+/** Down on the middle of a face, in, across and out again. */
+VolumeHaptics::HapticCurve MakePressAndSlide(
+  const double corner[3], const double size[3], int direction, double depth, double clearance)
+{
+  const int press = direction / 2;
+  const double sign = direction % 2 == 0 ? 1.0 : -1.0;
+  int slide = (press + 1) % 3;
+  const int other = (press + 2) % 3;
+  slide = size[other] > size[slide] ? other : slide;
+  const auto at = [&](double share, double below)
+  {
+    double x[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = corner[axis] + (axis == slide ? share : 0.5) * size[axis];
+    }
+    x[press] = corner[press] + (sign > 0.0 ? 0.0 : size[press]) + sign * below;
+    return ToVector(x);
+  };
+  return VolumeHaptics::MakePolygonCurve(
+    { at(0.0, -clearance), at(0.0, depth), at(1.0, depth), at(1.0, -clearance) });
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHapticPathSource::vtkHapticPathSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHapticPathSource::~vtkHapticPathSource() = default;
+
+//------------------------------------------------------------------------------
+void vtkHapticPathSource::SetBoxBounds(
+  double x0, double x1, double y0, double y1, double z0, double z1)
+{
+  this->SetBoxCorner(x0, y0, z0);
+  this->SetBoxSize(x1 - x0, y1 - y0, z1 - z0);
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticPathSource::SetBoxBounds(const double bounds[6])
+{
+  if (!bounds)
+  {
+    vtkErrorMacro(
+      "SetBoxBounds() needs six numbers, but got a null pointer; the box stays as it was.");
+    return;
+  }
+  this->SetBoxBounds(bounds[0], bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticPathSource::CheckSettings() const
+{
+  const std::string shape = VolumeHaptics::ShapeNames[this->Shape].Name;
+  const bool isRound = this->Shape == CIRCLE || this->Shape == SPIRAL;
+  const bool isBox = this->Shape == PRESS_AND_SLIDE;
+  const std::pair<const char*, const double*> places[] = { { "Point1", this->Point1 },
+    { "Point2", this->Point2 }, { "Center", this->Center }, { "Normal", this->Normal },
+    { "BoxCorner", this->BoxCorner }, { "BoxSize", this->BoxSize } };
+  for (const auto& [name, place] : places)
+  {
+    if (!IsFinite(ToVector(place)))
+    {
+      return std::string("The setting ") + name +
+        " of the haptic path is not finite. Set it to three numbers.";
+    }
+  }
+  const auto is = [&](const char* name, const char* what)
+  { return "The setting " + std::string(name) + " of the haptic path has to be " + what + "."; };
+  if (!(this->Speed > 0.0) || !std::isfinite(this->Speed))
+  {
+    return is("Speed", "more than 0 world units per second");
+  }
+  if (isRound && (!(this->Radius > 0.0) || !std::isfinite(this->Radius)))
+  {
+    return is("Radius", "more than 0 world units");
+  }
+  if (isRound && !(this->Turns > 0.0 && this->Turns <= 1e4))
+  {
+    return is("Turns", "more than 0 and at most 10000");
+  }
+  if (isRound && !(Norm(ToVector(this->Normal)) > 0.0))
+  {
+    return is("Normal", "a direction, not (0, 0, 0)");
+  }
+  if (isBox && !(this->BoxSize[0] >= 0.0 && this->BoxSize[1] >= 0.0 && this->BoxSize[2] >= 0.0))
+  {
+    return is("BoxSize", "0 or more along each axis: give the smaller bound first");
+  }
+  if (isBox && !(this->Depth >= 0.0 && std::isfinite(this->Depth)))
+  {
+    return is("Depth", "0 or more world units");
+  }
+  if (isBox && !(this->Clearance >= 0.0 && std::isfinite(this->Clearance)))
+  {
+    return is("Clearance", "0 or more world units");
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
+{
+  std::string error;
+  VolumeHaptics::RecordedTips tips;
+  if (!VolumeHaptics::ReadPathFile(this->FileName, tips, error))
+  {
+    return error;
+  }
+  if (VolumeHaptics::GetTraceEnding(this->FileName) == ".vtp")
+  {
+    // With all arrays of the file, which an exact replay needs.
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->FileName.c_str());
+    reader->Update();
+    output->ShallowCopy(reader->GetOutput());
+    return {};
+  }
+  std::string settings;
+  if (!VolumeHaptics::ReadSettingsBeside(this->FileName, settings, error))
+  {
+    return error;
+  }
+  Write(tips.Tips, tips.Times, output);
+  if (!settings.empty())
+  {
+    VolumeHaptics::SetRecordedSettings(output, settings);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHapticPathSource::GiveOutShape(vtkPolyData* output) const
+{
+  using namespace VolumeHaptics;
+
+  std::string error = this->CheckSettings();
+  if (!error.empty())
+  {
+    return error;
+  }
+  const Vector3 center = ToVector(this->Center);
+  const Vector3 normal = ToVector(this->Normal);
+  const HapticCurve curve = this->Shape == LINE
+    ? MakePolygonCurve({ ToVector(this->Point1), ToVector(this->Point2) })
+    : this->Shape == CIRCLE ? MakeCircleCurve(center, normal, this->Radius, this->Turns)
+    : this->Shape == SPIRAL ? MakeSpiralCurve(center, normal, this->Radius, this->Turns)
+                            : MakePressAndSlide(this->BoxCorner, this->BoxSize,
+                                this->PressDirection, this->Depth, this->Clearance);
+  if (!(curve.Length > 0.0))
+  {
+    return this->Shape == LINE
+      ? "The haptic path has no length: Point1 and Point2 are the same. Move one of them."
+      : "The haptic path has no length. Set Depth, Clearance or BoxSize to more than 0.";
+  }
+  // A last step that only rounding produces does not count.
+  const double steps = std::ceil(curve.Length / this->Speed * this->PointsPerSecond - 1e-6);
+  if (!(steps < MostPoints))
+  {
+    return "The haptic path would have more than 1e8 points. Raise Speed (world units per second) "
+           "or lower PointsPerSecond.";
+  }
+  const int last = std::max(1, static_cast<int>(steps));
+  std::vector<Vector3> tips;
+  std::vector<double> times;
+  for (int i = 0; i <= last; ++i)
+  {
+    tips.push_back(curve.Place(curve.Length * (static_cast<double>(i) / last)));
+    times.push_back(i / this->PointsPerSecond);
+  }
+  Write(tips, times, output);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkHapticPathSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkPolyData* const output = vtkPolyData::GetData(outputs);
+  std::string error;
+  try
+  {
+    error = this->Shape == FROM_FILE ? this->GiveOutFile(output) : this->GiveOutShape(output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    error = "There is not enough memory for the haptic path. " +
+      (this->Shape == FROM_FILE
+          ? "Use a shorter one than that in " + this->FileName + "."
+          : std::string("Raise Speed or lower PointsPerSecond: a point takes 72 bytes."));
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< VolumeHaptics::Printable(error));
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHapticPathSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PathSettings);
+  VolumeHaptics::PrintSettings(os, indent, this, VolumeHaptics::PathVectors);
+  os << indent << "FileName: " << (this->FileName.empty() ? "(none)" : this->FileName) << "\n";
+}
