@@ -9,8 +9,6 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
 # The arrows that go back up, until what they stand for is mended. FILE (without its ending) may name HEADER.
 set(exceptions
-  # The list of settings of one class reads the enumerations of the filter.
-  VTK/Material/HapticSettingLists>VTK/Filter/vtkVolumeHapticsAlgorithm.h
   # Regions read from the filter how far it reads.
   VTK/Regions/vtkHapticRegionPlanner>VTK/Filter/vtkVolumeHapticsFilter.h
   VTK/Regions/vtkHapticRegionSource>VTK/Filter/vtkVolumeHapticsFilter.h
@@ -18,15 +16,6 @@ set(exceptions
   VTK/Base/WholeFacts>VTK/Regions/vtkHapticRegionFilter.h
   # The names of the columns of a needle.
   VTK/Tools/NeedleTrace>VTK/Trace/TraceArrayChoice.h
-  # One list has the settings of all classes of the scene.
-  VTK/Scene/Base/HapticSceneSettings>VTK/Experimental/vtkHapticXRController.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Display/vtkHapticHeadUpDisplay.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Display/vtkHapticMeasurementRepresentation.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Editor/vtkHapticFunctionEditor.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Hand/vtkHapticRepresentation.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Interaction/vtkInteractorStyleHaptic.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Slices/vtkHapticSliceView.h
-  VTK/Scene/Base/HapticSceneSettings>VTK/Scene/Volumes/vtkHapticRegionPicture.h
   # The list of kinds names each kind.
   Devices/Common/BuiltInKinds>Devices/Falcon/FalconKind.h
   Devices/Common/BuiltInKinds>Devices/Haply/HaplyKind.h

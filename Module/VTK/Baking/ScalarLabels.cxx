@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Baking/ScalarLabels.h"
 
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticPropertySettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticLabelTable.h"

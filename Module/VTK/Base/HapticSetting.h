@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One row of a list of settings, such as those in HapticSettingLists.h.
+ * One row of a list of settings, such as those in HapticFilterSettings.h.
  *
  * A row holds everything about a setting: its name, range, default, unit and documentation, the
  * names of its choices, its getter and setter, and its member of a model. PrintSelf, setup files,

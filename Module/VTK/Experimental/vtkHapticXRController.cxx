@@ -4,9 +4,9 @@
 
 #include "Core/Realtime/ServoClock.h"
 #include "Devices/Pad/Vibration.h"
+#include "VTK/Experimental/HapticXRControllerSettings.h"
 #include "VTK/Experimental/XRActions.h"
 #include "VTK/Experimental/XRVibration.h"
-#include "VTK/Scene/Base/HapticSceneSettings.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkEventData.h"

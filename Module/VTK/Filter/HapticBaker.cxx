@@ -8,9 +8,9 @@
 #include "VTK/Base/WholeFacts.h"
 #include "VTK/Filter/FilterFrames.h"
 #include "VTK/Filter/FilterSources.h"
+#include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticModelBuilder.h"
 #include "VTK/Filter/ResampledInput.h"
-#include "VTK/Material/HapticSettingLists.h"
 #include "VTK/Trace/RecordedLabels.h"
 
 #include "vtkDataSetAttributes.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/HapticMethods.h"
 
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Filter/HapticFilterSettings.h"
 
 #include <algorithm>
 

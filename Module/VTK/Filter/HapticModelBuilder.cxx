@@ -12,7 +12,7 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Filter/RegionSeries.h"
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Tools/RemovalAccess.h"
 

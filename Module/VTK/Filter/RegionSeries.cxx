@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Filter/RegionSeries.h"
 
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Filter/HapticFilterSettings.h"
+#include "VTK/Material/HapticPropertySettings.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVolumeHapticsAlgorithm.h"
 
+#include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
-#include "VTK/Material/HapticSettingLists.h"
 #include "VTK/Modes/HapticModeSettings.h"
 #include "VTK/Modes/ModePresets.h"
 #include "VTK/Tools/HapticToolSettings.h"

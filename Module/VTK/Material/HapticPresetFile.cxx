@@ -5,7 +5,7 @@
 #include "VTK/Base/FileReplacement.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Base/SetupFile.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticSetupMaterials.h"
 
 #include "vtkHapticProperty.h"

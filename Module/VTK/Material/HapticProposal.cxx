@@ -10,7 +10,7 @@
 #include "VTK/Base/SampleRange.h"
 #include "VTK/Material/EdgeSearch.h"
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticTissues.h"
 
 #include "vtkDataArray.h"

@@ -3,7 +3,7 @@
 #include "VTK/Material/HapticSetupMaterials.h"
 
 #include "VTK/Base/PassSettings.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticSetupFunctions.h"
 #include "VTK/Material/HapticTissues.h"
 

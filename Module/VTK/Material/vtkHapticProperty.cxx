@@ -6,8 +6,8 @@
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPresetFile.h"
 #include "VTK/Material/HapticPresets.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Material/HapticProposal.h"
-#include "VTK/Material/HapticSettingLists.h"
 #include "VTK/Material/HapticTissues.h"
 
 #include "vtkImageData.h"

@@ -5,7 +5,7 @@
 #include "Core/Model/HapticModel.h"
 #include "VTK/Baking/HapticPlacement.h"
 #include "VTK/Base/PassSettings.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Material/HapticSetupFunctions.h"
 #include "VTK/Material/HapticSetupMaterials.h"
 #include "VTK/Setup/HapticSetupLabels.h"

@@ -7,7 +7,8 @@
 
 #include "Rigs/SettingChecks.h"
 #include "VTK/Device/HapticDeviceSettings.h"
-#include "VTK/Material/HapticSettingLists.h"
+#include "VTK/Filter/HapticFilterSettings.h"
+#include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Modes/HapticModeSettings.h"
 #include "VTK/Regions/HapticRegionSettings.h"
 #include "VTK/Tools/HapticToolSettings.h"

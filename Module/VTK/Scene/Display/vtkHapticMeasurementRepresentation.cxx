@@ -5,7 +5,7 @@
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/vtkVolumeHapticsCompat.h"
 #include "VTK/Scene/Base/HapticDrawing.h"
-#include "VTK/Scene/Base/HapticSceneSettings.h"
+#include "VTK/Scene/Display/HapticMeasurementViewSettings.h"
 #include "VTK/Scene/Display/MeasuredLabels.h"
 #include "VTK/Scene/Display/MeasuredShapes.h"
 

@@ -4,10 +4,10 @@
 
 #include "VTK/Scene/Base/HapticDrawing.h"
 #include "VTK/Scene/Base/HapticPixels.h"
-#include "VTK/Scene/Base/HapticSceneSettings.h"
 #include "VTK/Scene/Editor/EditHistory.h"
 #include "VTK/Scene/Editor/EditorDock.h"
 #include "VTK/Scene/Editor/EditorPages.h"
+#include "VTK/Scene/Editor/HapticEditorSettings.h"
 
 #include "vtkCommand.h"
 #include "vtkContextDevice2D.h"

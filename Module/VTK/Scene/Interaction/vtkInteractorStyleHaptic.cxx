@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInteractorStyleHaptic.h"
 
-#include "VTK/Scene/Base/HapticSceneSettings.h"
 #include "VTK/Scene/Interaction/HapticInteraction.h"
+#include "VTK/Scene/Interaction/HapticStyleSettings.h"
 #include "VTK/Scene/Interaction/TimerWatch.h"
 
 #include "vtkCallbackCommand.h"

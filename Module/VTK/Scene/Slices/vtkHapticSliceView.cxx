@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticSliceView.h"
 
-#include "VTK/Scene/Base/HapticSceneSettings.h"
 #include "VTK/Scene/Base/RendererAspect.h"
 #include "VTK/Scene/Base/TouchedLabel.h"
 #include "VTK/Scene/Base/WindowDock.h"
+#include "VTK/Scene/Slices/HapticSliceViewSettings.h"
 #include "VTK/Scene/Slices/SliceImage.h"
 #include "VTK/Scene/Slices/SlicePanel.h"
 

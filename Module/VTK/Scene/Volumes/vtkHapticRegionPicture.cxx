@@ -3,10 +3,10 @@
 #include "vtkHapticRegionPicture.h"
 
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Scene/Base/HapticSceneSettings.h"
 #include "VTK/Scene/Volumes/CarvedImage.h"
 #include "VTK/Scene/Volumes/FineBox.h"
 #include "VTK/Scene/Volumes/FollowedBricks.h"
+#include "VTK/Scene/Volumes/HapticPictureSettings.h"
 #include "VTK/Scene/Volumes/RegionParts.h"
 #include "VTK/Scene/Volumes/ReplacedInput.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"

@@ -6,7 +6,14 @@
  */
 
 #include "Rigs/SettingChecks.h"
-#include "VTK/Scene/Base/HapticSceneSettings.h"
+#include "VTK/Experimental/HapticXRControllerSettings.h"
+#include "VTK/Scene/Display/HapticDisplaySettings.h"
+#include "VTK/Scene/Display/HapticMeasurementViewSettings.h"
+#include "VTK/Scene/Editor/HapticEditorSettings.h"
+#include "VTK/Scene/Hand/HapticRepresentationSettings.h"
+#include "VTK/Scene/Interaction/HapticStyleSettings.h"
+#include "VTK/Scene/Slices/HapticSliceViewSettings.h"
+#include "VTK/Scene/Volumes/HapticPictureSettings.h"
 
 using namespace settingtest;
 using namespace VolumeHaptics;
