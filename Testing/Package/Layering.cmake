@@ -12,10 +12,6 @@ set(exceptions
   # Regions read from the filter how far it reads.
   VTK/Regions/vtkHapticRegionPlanner>VTK/Filter/vtkVolumeHapticsFilter.h
   VTK/Regions/vtkHapticRegionSource>VTK/Filter/vtkVolumeHapticsFilter.h
-  # The names of the arrays of a region.
-  VTK/Base/WholeFacts>VTK/Regions/vtkHapticRegionFilter.h
-  # The names of the columns of a needle.
-  VTK/Tools/NeedleTrace>VTK/Trace/TraceArrayChoice.h
   # The list of kinds names each kind.
   Devices/Common/BuiltInKinds>Devices/Falcon/FalconKind.h
   Devices/Common/BuiltInKinds>Devices/Haply/HaplyKind.h

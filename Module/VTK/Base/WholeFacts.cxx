@@ -5,7 +5,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkHapticRegionFilter.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -87,29 +86,29 @@ void AddField(vtkImageData* image, const char* name, const Numbers& numbers)
 
 bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::string& error)
 {
-  using Names = vtkHapticRegionFilter;
+  using Names = WholeFactNames;
   vtkFieldData* const fields = image->GetFieldData();
   facts = {};
-  facts.IsThere = fields->HasArray(Names::GetWholeExtentName()) ||
-    fields->HasArray(Names::GetNoiseName()) || fields->HasArray(Names::GetBorderValueName());
+  facts.IsThere = fields->HasArray(Names::WholeExtent) || fields->HasArray(Names::Noise) ||
+    fields->HasArray(Names::BorderValue);
   if (!facts.IsThere)
   {
     return true;
   }
-  vtkDataArray* const whole = FindNumbers(fields, Names::GetWholeExtentName(), 6, error);
+  vtkDataArray* const whole = FindNumbers(fields, Names::WholeExtent, 6, error);
   vtkDataArray* const noise =
-    whole ? FindNumbers(fields, Names::GetNoiseName(), component + 1, error) : nullptr;
+    whole ? FindNumbers(fields, Names::Noise, component + 1, error) : nullptr;
   vtkDataArray* const border =
-    noise ? FindNumbers(fields, Names::GetBorderValueName(), component + 1, error) : nullptr;
+    noise ? FindNumbers(fields, Names::BorderValue, component + 1, error) : nullptr;
   if (!border)
   {
     return false;
   }
-  vtkDataArray* const time = fields->GetArray(Names::GetWholeTimeName());
+  vtkDataArray* const time = fields->GetArray(Names::WholeTime);
   facts.Time = time && time->GetNumberOfTuples() > 0 ? time->GetComponent(0, 0) : 0.0;
-  vtkDataArray* const share = fields->GetArray(Names::GetShareName());
+  vtkDataArray* const share = fields->GetArray(Names::Share);
   facts.Share = share && share->GetNumberOfTuples() > 0 ? share->GetComponent(0, 0) : 1.0;
-  vtkDataArray* const outside = fields->GetArray(Names::GetOutsideName());
+  vtkDataArray* const outside = fields->GetArray(Names::Outside);
   if (outside && outside->GetNumberOfComponents() == NumbersOfOutside &&
     outside->GetNumberOfTuples() > component)
   {
@@ -118,11 +117,10 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   }
   facts.Noise = NumberOf(noise, component);
   facts.BorderValue = NumberOf(border, component);
-  if (fields->HasArray(Names::GetSolidName()))
+  if (fields->HasArray(Names::Solid))
   {
     const vtkIdType first = NumbersOfSolid * static_cast<vtkIdType>(component);
-    vtkDataArray* const solid =
-      FindNumbers(fields, Names::GetSolidName(), first + NumbersOfSolid, error);
+    vtkDataArray* const solid = FindNumbers(fields, Names::Solid, first + NumbersOfSolid, error);
     if (!solid)
     {
       return false;
@@ -130,7 +128,7 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
     facts.Solid = { NumberOf(solid, first) < NumberOf(solid, first + 1), NumberOf(solid, first),
       NumberOf(solid, first + 1), NumberOf(solid, first + 2) };
   }
-  vtkDataArray* const shift = fields->GetArray(Names::GetShiftName());
+  vtkDataArray* const shift = fields->GetArray(Names::Shift);
   if (shift && shift->GetNumberOfComponents() == NumbersOfShift &&
     shift->GetNumberOfTuples() > component)
   {
@@ -142,15 +140,13 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
   std::ostringstream message;
   if (facts.Noise < 0.0)
   {
-    message << "The field array \"" << Names::GetNoiseName()
-            << "\" of the input image has the value " << facts.Noise
-            << ": a standard deviation is 0 or more." << Cure;
+    message << "The field array \"" << Names::Noise << "\" of the input image has the value "
+            << facts.Noise << ": a standard deviation is 0 or more." << Cure;
   }
   if (!(facts.Share > 0.0 && facts.Share <= 1.0))
   {
-    message << "The field array \"" << Names::GetShareName()
-            << "\" of the input image has the value " << facts.Share
-            << ": it is a share of the force, above 0 and at most 1." << Cure;
+    message << "The field array \"" << Names::Share << "\" of the input image has the value "
+            << facts.Share << ": it is a share of the force, above 0 and at most 1." << Cure;
   }
   bool isWithin = true;
   for (int i = 0; i < 6; ++i)
@@ -165,8 +161,7 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
     message
       << "The input image has the extent (" << extent[0] << ", " << extent[1] << ", " << extent[2]
       << ", " << extent[3] << ", " << extent[4] << ", " << extent[5]
-      << "), which is not within the whole volume that its field array \""
-      << Names::GetWholeExtentName()
+      << "), which is not within the whole volume that its field array \"" << Names::WholeExtent
       << "\" tells of. A region keeps the indices that it has in the whole, with the origin and "
          "spacing of the whole."
       << Cure;
@@ -177,18 +172,18 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
 
 void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
 {
-  using Names = vtkHapticRegionFilter;
-  AddField<vtkIntArray>(region, Names::GetWholeExtentName(), facts.Extent);
-  AddField<vtkDoubleArray>(region, Names::GetNoiseName(), facts.Noise);
-  AddField<vtkDoubleArray>(region, Names::GetBorderValueName(), facts.BorderValues);
+  using Names = WholeFactNames;
+  AddField<vtkIntArray>(region, Names::WholeExtent, facts.Extent);
+  AddField<vtkDoubleArray>(region, Names::Noise, facts.Noise);
+  AddField<vtkDoubleArray>(region, Names::BorderValue, facts.BorderValues);
   std::vector<double> solids;
   for (const BackgroundLevel& solid : facts.Solids)
   {
     solids.insert(solids.end(), { solid.Threshold, solid.Full, solid.Quiet });
   }
-  AddField<vtkDoubleArray>(region, Names::GetSolidName(), solids);
+  AddField<vtkDoubleArray>(region, Names::Solid, solids);
   const vtkNew<vtkDoubleArray> shifts;
-  shifts->SetName(Names::GetShiftName());
+  shifts->SetName(Names::Shift);
   shifts->SetNumberOfComponents(NumbersOfShift);
   for (const StoredShift& shift : facts.Shifts)
   {
@@ -200,10 +195,10 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   const double share[] = { facts.Share };
   if (facts.Share < 1.0)
   {
-    AddField<vtkDoubleArray>(region, Names::GetShareName(), share);
+    AddField<vtkDoubleArray>(region, Names::Share, share);
   }
   const vtkNew<vtkDoubleArray> outside;
-  outside->SetName(Names::GetOutsideName());
+  outside->SetName(Names::Outside);
   outside->SetNumberOfComponents(NumbersOfOutside);
   bool isAny = false;
   for (const OutsideSamples& component : facts.Outside)
@@ -217,7 +212,7 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
     region->GetFieldData()->AddArray(outside);
   }
   const double time[] = { facts.Time };
-  AddField<vtkDoubleArray>(region, Names::GetWholeTimeName(), time);
+  AddField<vtkDoubleArray>(region, Names::WholeTime, time);
 }
 
 } // namespace VolumeHaptics

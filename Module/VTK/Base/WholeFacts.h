@@ -19,6 +19,19 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
+/** The names of the field arrays that vtkHapticRegionFilter documents. */
+struct WholeFactNames
+{
+  static constexpr const char* WholeExtent = "HapticWholeExtent";
+  static constexpr const char* Noise = "HapticNoise";
+  static constexpr const char* BorderValue = "HapticBorderValue";
+  static constexpr const char* WholeTime = "HapticWholeTime";
+  static constexpr const char* Solid = "HapticSolid";
+  static constexpr const char* Shift = "HapticShift";
+  static constexpr const char* Share = "HapticShare";
+  static constexpr const char* Outside = "HapticOutside";
+};
+
 /** The field arrays that vtkHapticRegionFilter documents, for one component. */
 struct WholeFacts
 {

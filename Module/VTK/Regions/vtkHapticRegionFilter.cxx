@@ -37,6 +37,54 @@ vtkIdType TupleOf(const int extent[6], int i, int j, int k)
 } // namespace
 
 //------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetWholeExtentName()
+{
+  return VolumeHaptics::WholeFactNames::WholeExtent;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetNoiseName()
+{
+  return VolumeHaptics::WholeFactNames::Noise;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetBorderValueName()
+{
+  return VolumeHaptics::WholeFactNames::BorderValue;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetWholeTimeName()
+{
+  return VolumeHaptics::WholeFactNames::WholeTime;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetSolidName()
+{
+  return VolumeHaptics::WholeFactNames::Solid;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetShiftName()
+{
+  return VolumeHaptics::WholeFactNames::Shift;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetShareName()
+{
+  return VolumeHaptics::WholeFactNames::Share;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHapticRegionFilter::GetOutsideName()
+{
+  return VolumeHaptics::WholeFactNames::Outside;
+}
+
+//------------------------------------------------------------------------------
 vtkHapticRegionFilter::vtkHapticRegionFilter()
 {
   this->SetInputArrayToProcess(

@@ -93,14 +93,14 @@ public:
 
   ///@{
   /** The names of the field arrays, as above. */
-  static const char* GetWholeExtentName() { return "HapticWholeExtent"; }
-  static const char* GetNoiseName() { return "HapticNoise"; }
-  static const char* GetBorderValueName() { return "HapticBorderValue"; }
-  static const char* GetWholeTimeName() { return "HapticWholeTime"; }
-  static const char* GetSolidName() { return "HapticSolid"; }
-  static const char* GetShiftName() { return "HapticShift"; }
-  static const char* GetShareName() { return "HapticShare"; }
-  static const char* GetOutsideName() { return "HapticOutside"; }
+  static const char* GetWholeExtentName();
+  static const char* GetNoiseName();
+  static const char* GetBorderValueName();
+  static const char* GetWholeTimeName();
+  static const char* GetSolidName();
+  static const char* GetShiftName();
+  static const char* GetShareName();
+  static const char* GetOutsideName();
   ///@}
 
 protected:

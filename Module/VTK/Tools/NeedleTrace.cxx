@@ -5,7 +5,7 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/State/NeedleState.h"
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Trace/TraceArrayChoice.h"
+#include "VTK/Tools/ToolColumns.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -171,7 +171,7 @@ std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track)
   }
   vtkPointData* const data = trace->GetPointData();
   const NeedleTicks ticks{ trace, data->GetArray(ToolColumns[2]), data->GetArray("Normal"),
-    data->GetArray(LabelColumn), data->GetArray("NormalForce"), data->GetArray(ToolColumns[6]) };
+    data->GetArray("Label"), data->GetArray("NormalForce"), data->GetArray(ToolColumns[6]) };
   const vtkIdType n = trace->GetNumberOfPoints();
   const auto fits = [n](vtkDataArray* array, int components)
   {

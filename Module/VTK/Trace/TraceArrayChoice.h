@@ -7,6 +7,8 @@
 #ifndef TraceArrayChoice_h
 #define TraceArrayChoice_h
 
+#include "VTK/Tools/ToolColumns.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,14 +18,12 @@ namespace VolumeHaptics
 
 ///@{
 /**
- * Of arrays that only traces of volumes with labels, of volumes that move, of the method
- * PRIMITIVES, and of tools have. The number of the mode follows the name of its array.
+ * The names of arrays that only traces of volumes with labels, of volumes that move, and of the
+ * method PRIMITIVES have. The number of the mode follows the name of its array.
  */
 constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
-constexpr const char* ToolColumns[] = { "Orientation", "Torque", "Depth", "ShaftForce",
-  "ToolOrientation", "RemovedVolume", "ForbiddenTouches" };
 ///@}
 
 /** As many as there may be modes. */
