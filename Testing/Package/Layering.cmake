@@ -11,17 +11,7 @@ get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 set(exceptions
   # Regions read from the filter how far it reads.
   VTK/Regions/vtkHapticRegionPlanner>VTK/Filter/vtkVolumeHapticsFilter.h
-  VTK/Regions/vtkHapticRegionSource>VTK/Filter/vtkVolumeHapticsFilter.h
-  # The list of kinds names each kind.
-  Devices/Common/BuiltInKinds>Devices/Falcon/FalconKind.h
-  Devices/Common/BuiltInKinds>Devices/Haply/HaplyKind.h
-  Devices/Common/BuiltInKinds>Devices/Hfab/HfabKind.h
-  Devices/Common/BuiltInKinds>Devices/Pad/PadKind.h
-  Devices/Common/BuiltInKinds>Devices/Pid/PidKind.h
-  Devices/Common/BuiltInKinds>Devices/SpaceMouse/SpaceMouseKind.h
-  Devices/Common/BuiltInKinds>Devices/Vendor/VendorKind.h
-  Devices/Common/BuiltInKinds>Devices/WoodenHaptics/WoodenKind.h
-  Devices/Common/BuiltInKinds>Devices/Xr/XrKind.h)
+  VTK/Regions/vtkHapticRegionSource>VTK/Filter/vtkVolumeHapticsFilter.h)
 set(unused_exceptions ${exceptions})
 set(named_rooms)
 
@@ -140,6 +130,9 @@ allow(Devices/Vendor ${device_basis} Devices/Common)
 allow(Devices/Virtual ${device_basis})
 allow(Devices/Replay ${device_basis})
 allow(Devices/Xr ${device_basis} Devices/Common Devices/Pad Devices/Virtual)
+# The list of kinds names each kind.
+allow(Devices/Kinds ${device_basis} Devices/Common Devices/Falcon Devices/Haply Devices/Hfab Devices/Pad Devices/Pid
+  Devices/SpaceMouse Devices/Vendor Devices/WoodenHaptics Devices/Xr)
 
 # VTK: Base <- Material <- Baking <- Tools, Modes <- Trace <- Regions <- Filter <- Device <- Setup, Measure <- Scene.
 # How numbers are read in any locale.
@@ -163,7 +156,7 @@ allow(VTK/Filter ${core} ${filter})
 list(APPEND filter VTK/Filter)
 allow(VTK/Device/Recording ${core} VTK/Base VTK/Tools VTK/Trace)
 allow(VTK/Device/Playback ${core} ${filter})
-set(device Devices/Common Devices/Replay Devices/Virtual Devices/Xr)
+set(device Devices/Common Devices/Kinds Devices/Replay Devices/Virtual Devices/Xr)
 allow(VTK/Device ${core} ${device} ${filter} VTK/Device/Playback VTK/Device/Recording)
 allow(VTK/Setup Core/Model ${filter})
 allow(VTK/Measure Core/Math ${filter})

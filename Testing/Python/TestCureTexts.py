@@ -81,7 +81,7 @@ TRIED = {
     "VTK/Material/Labels/SegmentationReaderTest.cxx": {"damaged, or cut off. Check that the file is complete": "Check that the file is complete"},
     "VTK/Regions/RegionSourceTest.cxx": {'Give the path more points, or a point array "Time"': "jumps so far"},
     "Devices/Common/DeviceMemoryTest.cxx": {"Remove the line, then confirm and calibrate": "of the file of devices"},
-    "Devices/Common/DeviceRegistryTest.cxx": {
+    "Devices/Kinds/DeviceRegistryTest.cxx": {
         "already. Choose another name": "Choose another name", "Use letters only": "Use letters only",
     },
     "Devices/Guard/GuardedDeviceTest.cxx": {

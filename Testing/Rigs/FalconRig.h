@@ -7,7 +7,7 @@
 #ifndef FalconRig_h
 #define FalconRig_h
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 #include "Emulators/EmulatedUsb.h"
 #include "Emulators/FalconModel.h"
 #include "PlayedDevice.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Falcon/FalconKind.h"
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Falcon/FalconDriver.h"
 #include "Devices/Guard/GuardWish.h"
 #if defined(__linux__)

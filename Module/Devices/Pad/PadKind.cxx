@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Pad/PadKind.h"
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Guard/GuardWish.h"
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
 #include "Devices/Guard/GuardedDevice.h"

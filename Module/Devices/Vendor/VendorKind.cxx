@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Vendor/VendorKind.h"
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Vendor/VendorDriver.h"
 #include "Devices/Vendor/VendorFolder.h"
 

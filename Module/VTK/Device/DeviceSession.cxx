@@ -3,7 +3,7 @@
 #include "VTK/Device/DeviceSession.h"
 
 #include "Core/Realtime/ServoClock.h"
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 #include "Devices/Replay/ReplayDevice.h"
 #include "VTK/Device/HapticSignals.h"
 #include "VTK/Device/Recording/HapticStateTable.h"

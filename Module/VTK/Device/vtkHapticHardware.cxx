@@ -3,7 +3,7 @@
 #include "vtkHapticHardware.h"
 
 #include "Devices/Common/DeviceMemory.h"
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 #include "VTK/Device/HapticDeviceSettings.h"
 
 #include "vtkSmartPointer.h"

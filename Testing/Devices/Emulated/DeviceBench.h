@@ -7,7 +7,7 @@
 #ifndef DeviceBench_h
 #define DeviceBench_h
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 #include "Emulators/EmulatedHand.h"
 #include "Rigs/PlayedDevice.h"
 #include "Rigs/SurfaceRig.h"

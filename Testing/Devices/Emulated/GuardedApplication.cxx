@@ -7,7 +7,7 @@
  * names the device. One that vibrates gets a force that changes.
  */
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 
 #include <chrono>
 #include <csignal>

@@ -7,7 +7,7 @@
  */
 
 #include "Devices/Xr/XrDevice.h"
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
 #include "Devices/Xr/XrKind.h"
 #include "Rigs/TemporaryFolder.h"
 

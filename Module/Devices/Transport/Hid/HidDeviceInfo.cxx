@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Transport/Hid/HidDeviceInfo.h"
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Transport/Hid/HidClaim.h"
 
 #include <hidapi.h>

@@ -3,7 +3,7 @@
 #include "Devices/Transport/Hid/HidPort.h"
 
 #include "Core/Realtime/ServoClock.h"
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 
 #include <chrono>
 #include <thread>

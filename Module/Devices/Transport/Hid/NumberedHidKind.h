@@ -8,7 +8,7 @@
 #define NumberedHidKind_h
 
 #include "Devices/Common/DeviceKind.h"
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/Common/HardwareDevice.h"
 #include "Devices/Transport/Hid/HidPort.h"
 

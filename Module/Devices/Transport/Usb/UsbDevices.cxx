@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Devices/Transport/Usb/UsbDevices.h"
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 
 #include <algorithm>
 

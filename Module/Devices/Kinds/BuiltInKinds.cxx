@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Devices/Common/BuiltInKinds.h"
+#include "Devices/Kinds/BuiltInKinds.h"
 
 #include "Devices/Falcon/FalconKind.h"
 #include "Devices/Haply/HaplyKind.h"

@@ -5,7 +5,8 @@
  * Kinds of devices: which are known, how ids are read, and the error if a device can't be opened.
  */
 
-#include "Devices/Common/DeviceRegistry.h"
+#include "Devices/Kinds/DeviceRegistry.h"
+#include "Devices/Common/DeviceTexts.h"
 #include "Devices/SpaceMouse/SpaceMouse.h"
 #include "Devices/Virtual/VirtualDevice.h"
 

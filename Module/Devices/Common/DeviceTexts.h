@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What all kinds of devices read of an id, and say if a device can't be opened.
+ */
+#ifndef DeviceTexts_h
+#define DeviceTexts_h
+
+#include <cstdint>
+#include <string>
+
+namespace VolumeHaptics
+{
+
+///@{
+/**
+ * The number N of an id KIND:N, and 0 for KIND alone. Below zero, with an error, for any
+ * other id.
+ */
+int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
+/**
+ * The cure if this user may not open a device: the text of the udev rule. The subsystem is "usb" or
+ * "hidraw".
+ */
+std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
+///@}
+
+} // namespace VolumeHaptics
+
+#endif
