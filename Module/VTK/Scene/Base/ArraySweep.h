@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The ways through the tuples of an array that may be large: a few that are spread over it at once,
- * or all of them in pieces.
+ * Ways through the tuples of an array that may be large: a few that are spread over it at once, or
+ * all of them in pieces.
  */
 #ifndef ArraySweep_h
 #define ArraySweep_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
+/** Called between pieces of some milliseconds with the finished fraction; false ends the work. */
 using SweepProgress = std::function<bool(double)>;
 
 /** Whether all tuples are visited within 25 ms, on a desktop computer of 2023. */
@@ -28,8 +28,8 @@ inline bool IsQuicklySwept(vtkDataArray* array)
 }
 
 /**
- * Visits the values of 2048 tuples at most, in 128 pages of memory: of a file that is mapped into
- * memory, the time goes into its pages, the more so the larger the file is.
+ * Visits the values of 2048 tuples at most, in 128 pages of memory. In a file that is mapped into
+ * memory, reading the pages takes most of the time, and more so in larger files.
  */
 template <typename Function>
 void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
@@ -50,9 +50,8 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
     std::max<vtkIdType>(1, array->GetDataTypeSize() * array->GetNumberOfComponents());
   const vtkIdType step =
     std::clamp<vtkIdType>(pageSize / (looksInPage * size), 1, all / looksInPage);
-  // One page in each of as many stretches, and one look in each of as many parts of a page, at
-  // places that move by the golden section: even steps could fall into the same column of every
-  // row.
+  // Visit one page in each stretch, and in the page one tuple in each part, at positions that move
+  // by the golden section: even steps could fall into the same column of every row.
   double place = 0.0;
   const auto next = [&place](double stretch)
   {
@@ -76,8 +75,8 @@ void VisitSpreadValues(vtkDataArray* array, int component, Function&& visit)
 }
 
 /**
- * Visits all tuples in pieces, from the first to the one before the second number; the share that
- * is done begins at `from` and grows by a half. False if it was ended.
+ * Visits all tuples from the first number up to, but without, the second, in pieces. The reported
+ * fraction begins at `from` and grows by a half. False if the work was ended.
  */
 template <typename Function>
 bool VisitPieces(vtkDataArray* array, double from, const SweepProgress& progress, Function&& visit)

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of what is left of the window; the scene stays visible. */
+/** Largest fraction of the remaining window; the scene stays visible. */
 constexpr double MostOfRest = 0.9;
 
 } // namespace
@@ -19,7 +19,7 @@ constexpr double MostOfRest = 0.9;
 //------------------------------------------------------------------------------
 std::shared_ptr<DockLayout> DockLayout::Of(vtkRenderWindow* window)
 {
-  // Windows are of one thread.
+  // Windows belong to one thread.
   static std::vector<std::weak_ptr<DockLayout>> all;
   std::shared_ptr<DockLayout> found;
   for (auto it = all.begin(); it != all.end();)
@@ -79,7 +79,7 @@ DockLayout::Viewport DockLayout::ViewportOf(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 DockLayout::Viewport DockLayout::Take(const Strip& strip, Viewport& left)
 {
-  const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is two behind
+  const int low = IsColumn(strip.Edge) ? 0 : 1; // left or bottom; the other end is 2 entries later
   const int high = low + 2;
   const double size = std::min(strip.Share, MostOfRest * (left[high] - left[low]));
   Viewport taken = left;

@@ -23,7 +23,7 @@ namespace VolumeHaptics
 class DockLayout
 {
 public:
-  /** The one of a window, which all of its docks share. */
+  /** The layout of a window, which all of its docks share. */
   static std::shared_ptr<DockLayout> Of(vtkRenderWindow* window);
 
   explicit DockLayout(vtkRenderWindow* window)
@@ -32,7 +32,7 @@ public:
   }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
-  /** The docks are told apart by their addresses. */
+  /** Docks are told apart by their addresses. */
   void Place(
     const WindowDock* dock, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
   void Remove(const WindowDock* dock);
@@ -55,14 +55,14 @@ private:
   };
 
   static Viewport ViewportOf(vtkRenderer* renderer);
-  /** Takes a strip away from what is left of the window. */
+  /** Takes a strip away from the remaining part of the window. */
   static Viewport Take(const Strip& strip, Viewport& left);
   bool IsInStrip(vtkRenderer* renderer) const;
   void Arrange();
   void Narrow(vtkRenderer* renderer, const Viewport& left);
 
   vtkWeakPointer<vtkRenderWindow> Window;
-  std::vector<Strip> Strips; ///< in the order in which they were placed
+  std::vector<Strip> Strips; ///< in order of placement
   std::vector<Narrowed> Others;
 };
 

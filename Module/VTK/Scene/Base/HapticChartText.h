@@ -35,7 +35,7 @@ inline void MakePanel(vtkBlockItem* panel)
   panel->SetInteractive(false);
 }
 
-/** Such as ", 40 % counted"; empty if all is. */
+/** A text such as ", 40 % counted"; empty if all values are counted. */
 inline std::string DescribeShare(double share, const char* done)
 {
   constexpr double percent = 100.0;

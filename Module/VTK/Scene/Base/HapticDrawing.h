@@ -24,8 +24,8 @@ inline bool IsDrawing(vtkViewport* viewport)
 }
 
 /**
- * Whether the frame of the viewport's window was given up, so that it will not be shown: what is
- * still to be drawn would only delay the next one.
+ * Whether the frame of the viewport's window was given up. The frame will not be shown: further
+ * drawing would only delay the next one.
  */
 inline bool IsGivenUp(vtkViewport* viewport)
 {
@@ -33,7 +33,9 @@ inline bool IsGivenUp(vtkViewport* viewport)
   return window && window->GetAbortRender() != 0;
 }
 
-/** Whether the viewport's window draws a frame of a motion: it wants more than one a second. */
+/**
+ * Whether the viewport's window draws a frame of a motion: its desired rate is above one a second.
+ */
 inline bool IsMoving(vtkViewport* viewport)
 {
   auto* const window = viewport ? vtkRenderWindow::SafeDownCast(viewport->GetVTKWindow()) : nullptr;

@@ -60,7 +60,7 @@ void VisitValues(
   }
 }
 
-/** The finite range so far; the first is the larger as long as there is none. */
+/** The finite range so far; empty while the first number is the larger. */
 struct RangeFinder
 {
   double Range[2] = { std::numeric_limits<double>::infinity(),
@@ -84,10 +84,10 @@ ValueCounts MakeBins(const double found[2], bool areWhole)
   double* const range = bins.Range;
   range[0] = std::clamp(found[0], -FarthestShown, FarthestShown);
   range[1] = std::clamp(found[1], -FarthestShown, FarthestShown);
-  // Each bin has to hold the same number of whole numbers.
+  // Give each bin the same number of whole numbers.
   double width =
     areWhole ? std::ceil((range[1] - range[0] + 1.0) / MostBins) : (range[1] - range[0]) / MostBins;
-  // Charts are drawn in single precision: bins that it can't tell apart are useless.
+  // Charts are drawn in single precision, which can't tell narrower bins apart.
   constexpr double precision = 1e-7;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(range[0]), std::abs(range[1])));

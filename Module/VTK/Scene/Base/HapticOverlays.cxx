@@ -27,7 +27,7 @@ namespace
 
 constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
 constexpr double ActorMargin = 3.0; // pixels around a 2D actor
-constexpr double LabelSpill = 15.0; // pixels by which labels may leave the box of a scalar bar
+constexpr double LabelSpill = 15.0; // pixels by which labels may exceed the box of a scalar bar
 
 bool ShowsSomething(vtkRenderer* renderer)
 {
@@ -44,10 +44,10 @@ bool ShowsSomething(vtkRenderer* renderer)
   return false;
 }
 
-/** False for a kind of actor whose place VTK does not tell, and for one that draws nothing. */
+/** False for kinds of actors whose place VTK does not report, and for actors that draw nothing. */
 bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
 {
-  // Each call computes in the same array.
+  // VTK returns the same array from each call: copy it.
   const int* const at = actor->GetActualPositionCoordinate()->GetComputedViewportValue(renderer);
   const double position[2] = { static_cast<double>(at[0]), static_cast<double>(at[1]) };
   if (auto* const text = vtkTextActor::SafeDownCast(actor))
@@ -177,7 +177,7 @@ std::vector<ViewportBox> FindOverlays(vtkViewport* viewport)
     const double left = other->GetOrigin()[0] - origin[0];
     const double bottom = other->GetOrigin()[1] - origin[1];
     const bool isSmaller = 2 * theirs[0] <= size[0] || 2 * theirs[1] <= size[1];
-    // The layer 0 has scenes and what stands beside them.
+    // Layer 0 has scenes, and renderers beside them.
     if (other != own && other->GetLayer() > 0 && other->GetDraw() && isSmaller &&
       ShowsSomething(other))
     {
@@ -209,7 +209,7 @@ ViewportBox MoveOff(
   const auto way = [&wanted](const ViewportBox& box)
   { return std::abs(box[0] - wanted[0]) + std::abs(box[2] - wanted[2]); };
   const ViewportBox& nearest = way(above) < way(beside) ? above : beside;
-  // A box over something is better than none.
+  // A box that covers an overlay is better than none.
   return nearest[2] < 0.0 || nearest[3] > view[1] ? wanted : nearest;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How many pixels of a screen a length takes.
+ * The size of lengths in pixels of a screen.
  */
 #ifndef HapticPixels_h
 #define HapticPixels_h
@@ -16,13 +16,10 @@
 namespace VolumeHaptics
 {
 
-/** The dots per inch that a vtkWindow has by itself: as many as an inch has points. */
+/** VTK's default dots per inch of a vtkWindow: an inch has 72 points, so a point is a pixel. */
 constexpr int OwnDotsPerInch = 72;
 
-/**
- * Pixels for each point of letters. Lengths of layouts are multiplied by it: it is 1 at
- * OwnDotsPerInch.
- */
+/** Pixels per point of letters. Layouts multiply their lengths by it: it is 1 at OwnDotsPerInch. */
 inline double PixelsPerPoint(vtkViewport* viewport)
 {
   vtkWindow* const window = viewport ? viewport->GetVTKWindow() : nullptr;
@@ -35,8 +32,8 @@ inline int ScalePixels(double scale, int pixels)
 }
 
 /**
- * Letters (points) of a layout that grows with its room: one for each `share` of its pixels. Where
- * a point takes more pixels than 1, the least letters may be smaller.
+ * Size of letters (points) in a layout that grows with its room: one point for each `share` of its
+ * pixels. Where a point takes more pixels than 1, the least letters may be smaller.
  */
 inline int FitLetters(int pixels, int share, double scale, int least, int most)
 {

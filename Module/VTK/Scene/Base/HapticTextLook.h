@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** Whether the background is light that is seen behind a viewport, which may be an upper layer. */
+/** Whether the background behind a viewport is light. The viewport may be in an upper layer. */
 inline bool IsOnLight(vtkViewport* viewport)
 {
   vtkViewport* ground = viewport;
@@ -26,7 +26,8 @@ inline bool IsOnLight(vtkViewport* viewport)
   vtkRenderWindow* const window = renderer ? renderer->GetRenderWindow() : nullptr;
   if (window && renderer->GetLayer() > 0)
   {
-    // Of several of layer 0 side by side, the one behind the middle of this one.
+    // Of several renderers of layer 0 side by side, take the one behind the middle of this
+    // viewport.
     double mine[4]; // left, bottom, right, top
     renderer->GetViewport(mine);
     const double middle[2] = { 0.5 * (mine[0] + mine[2]), 0.5 * (mine[1] + mine[3]) };
@@ -48,7 +49,10 @@ inline bool IsOnLight(vtkViewport* viewport)
   return 0.5 * (low + high) > middle;
 }
 
-/** A colour with a shadow on dark backgrounds; without one and darker, greys inverted, on light. */
+/**
+ * A colour with a shadow on dark backgrounds. On light backgrounds: darker, without shadow, and
+ * greys inverted.
+ */
 inline void SetLook(
   vtkTextProperty* text, double red, double green, double blue, vtkViewport* viewport)
 {

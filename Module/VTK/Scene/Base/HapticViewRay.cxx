@@ -28,20 +28,20 @@ namespace VolumeHaptics
 namespace
 {
 
-/** What is known of a surface besides its position. */
+/** Properties of a surface besides its position. */
 struct Felt
 {
-  Vector3 Normal;                ///< outwards, unit; zero if it is not known
-  double Force = VTK_DOUBLE_MAX; ///< N; the largest number while the mesh is not made yet
+  Vector3 Normal;                ///< outwards, unit; zero if not known
+  double Force = VTK_DOUBLE_MAX; ///< N; the largest number until the mesh is made
 };
 
 /**
- * Whether there is something at a position (world), coming from the one before. If it is a surface
- * that is felt, tells what it is.
+ * Whether something is felt at a position (world), coming from the previous position. If it is a
+ * felt surface, reports its properties.
  */
 using Probe = std::function<bool(const Vector3& position, Felt& felt)>;
 
-/** Feels with the servo's own tick; nothing if the filter can't be touched. */
+/** Feels with the servo's own tick; feels nothing if the filter can't be touched. */
 Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
 {
   // The device's placement does not matter here, so the filter's own scale is enough.
@@ -56,7 +56,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   {
     if (FindResidency(*model, state, model->WorldToDevice(tip)) == 0.0)
     {
-      // A position without its data is not felt.
+      // A position without data is not felt.
       state.Enabled = false;
       return false;
     }
@@ -66,7 +66,7 @@ Probe MakeFeelingProbe(vtkVolumeHapticsFilter* filter)
   };
 }
 
-/** Sees where the nearest sample passes the value of the isosurface. */
+/** Detects where the nearest sample passes the value of the isosurface. */
 Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
 {
   const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetTouched()[0].Array;
@@ -88,13 +88,13 @@ Probe MakeValueProbe(vtkVolumeHapticsFilter* filter, vtkImageData* image)
   };
 }
 
-/** The way through an image along a line of sight. */
+/** The path through an image along a line of sight. */
 struct Line
 {
   Vector3 Start;
   Vector3 Sight;
   double Length = 0.0; ///< world units
-  double Step = 0.0;   ///< of the walk
+  double Step = 0.0;   ///< length of a step of the walk
 };
 
 Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image)
@@ -121,7 +121,7 @@ Line MakeLine(vtkRenderer* renderer, const Vector3& through, vtkImageData* image
   return line;
 }
 
-/** The probe for this filter; null if there is nothing to be felt. */
+/** The probe for this filter; null if nothing can be felt. */
 Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 {
   const char* const awaited = HapticBaker(filter).Prepare();
@@ -135,13 +135,13 @@ Probe MakeProbe(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * The first contact of a tip that walks along a line, and the force of a press beyond it.
+ * The first contact of a tip that walks along a line, and the force of a press beyond the contact.
  */
 bool Walk(const Line& line, Probe probe, Vector3& contact, Vector3& normal, Press* press)
 {
-  // In coarse steps, and again in fine ones shortly before the contact.
+  // Walk in coarse steps, then in fine ones from shortly before the contact.
   constexpr int fineness = 16;
-  constexpr int before = 2; // coarse steps, from where the fine ones begin
+  constexpr int before = 2; // coarse steps back to the start of the fine ones
   Probe again = probe;
   Felt felt;
   const auto steps = static_cast<int>(line.Length / line.Step);
@@ -229,7 +229,7 @@ bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapti
     return false;
   }
   Line line = MakeLine(renderer, from, filter->GetTouchedImage());
-  // A tip in front of the image walks from the entry on.
+  // A tip in front of the image walks from where the line enters the image.
   const double gone = std::max(0.0, Dot(from - line.Start, line.Sight));
   line.Start = line.Start + gone * line.Sight;
   line.Length -= gone;

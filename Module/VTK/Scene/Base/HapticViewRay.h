@@ -27,22 +27,22 @@ Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 /** How strongly a surface pushes back. */
 struct Press
 {
-  double Depth = 0.0; ///< world units, by which the tip goes on beyond the contact
-  double Force = 0.0; ///< N, there; the largest number if it is not known yet
+  double Depth = 0.0; ///< world units: depth of the tip beyond the contact
+  double Force = 0.0; ///< N, at that depth; the largest number if not known yet
 };
 
 /**
  * Walks along the line of sight through a position, from the entry into the image, with the servo's
  * own tick, up to the first contact. True with the position half a voxel in front of it; false if
- * nothing can be felt along the line. While an isosurface is still being meshed, its samples stand
- * for it. `press` is null if nobody wants to know.
+ * nothing can be felt along the line. While an isosurface is still being meshed, its samples
+ * replace it. `press` may be null.
  */
 bool FindFirstContact(vtkRenderer* renderer, const Vector3& through, vtkVolumeHapticsFilter* filter,
   Vector3& position, Press* press = nullptr);
 
 /**
- * The same from a position on. True with the position of the contact, and the surface's normal
- * towards the outside, unit; a zero vector if it is not known.
+ * Walks in the same way, from a position on. True with the position of the contact, and the unit
+ * normal of the surface, outwards; a zero vector if the normal is not known.
  */
 bool FindContactAhead(vtkRenderer* renderer, const Vector3& from, vtkVolumeHapticsFilter* filter,
   Vector3& contact, Vector3& normal, Press* press = nullptr);

@@ -17,7 +17,7 @@ Matrix3 CameraAxes(vtkCamera* camera)
   const double* const n = camera->GetViewPlaneNormal();
   const double* const u = camera->GetViewUp();
   const Vector3 back{ n[0], n[1], n[2] };
-  // Makes the view-up orthogonal: a camera accepts any vector that is not parallel.
+  // Make the view-up orthogonal: a camera accepts any vector that is not parallel.
   const Vector3 right = Cross({ u[0], u[1], u[2] }, back);
   const Vector3 unit = (1.0 / Norm(right)) * right;
   Matrix3 axes;

@@ -22,9 +22,9 @@ namespace VolumeHaptics
 Matrix3 CameraAxes(vtkCamera* camera);
 
 /**
- * Turns the volume about the focal point, as seen: the camera moves the other way. The rate (rad/s)
- * is along the camera's axes. If the timer paused, only the first 0.1 s of the time (s) count, so
- * that the view does not jump. False if nothing turns.
+ * Turns the volume about the focal point, as seen by the user: the camera moves the other way. The
+ * rate (rad/s) is along the camera's axes. If the timer paused, only the first 0.1 s of the time
+ * (s) count, so that the view does not jump. False if nothing turns.
  */
 bool TurnView(vtkRenderer* renderer, const Vector3& rate, double seconds, bool resetsClippingRange);
 
@@ -39,7 +39,7 @@ public:
   /** The map from the device (m) to the world, at a scale (world units per metre). */
   vtkMatrix4x4* Place(vtkCamera* camera, double scale);
 
-  /** Call it after the clutch: the hand has moved from one world position to another. */
+  /** Call after the clutch: the hand has moved from one world position to another. */
   void Shift(vtkCamera* camera, const Vector3& from, const Vector3& to);
   void Recenter() { this->Offset = {}; }
 

@@ -26,7 +26,7 @@ bool IsOverWidget(vtkRenderer* renderer, int x, int y)
   renderer->GetViewProps()->InitTraversal(at);
   while (vtkProp* const prop = renderer->GetViewProps()->GetNextProp(at))
   {
-    // The class is of a module of VTK that this library does not need otherwise.
+    // Compare by name: the class is in a module of VTK that this library does not need otherwise.
     if (prop->IsA("vtkWidgetRepresentation") && prop->GetVisibility())
     {
       prop->GetActors(actors);
@@ -37,7 +37,7 @@ bool IsOverWidget(vtkRenderer* renderer, int x, int y)
     return false;
   }
   vtkNew<vtkCellPicker> picker;
-  picker->SetTolerance(0.005); // as VTK's widgets have it
+  picker->SetTolerance(0.005); // the tolerance of VTK's widgets
   picker->PickFromListOn();
   actors->InitTraversal(at);
   while (vtkProp* const actor = actors->GetNextProp(at))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a program has put over its scene for the mouse.
+ * Parts of a host program, over its scene, that use the mouse.
  */
 #ifndef HostParts_h
 #define HostParts_h
@@ -14,7 +14,7 @@ namespace VolumeHaptics
 
 /**
  * Whether a 2D actor, or the representation of one of VTK's widgets, is at a position in a window
- * (pixels). It takes the bodies and handles of representations as far as they tell their actors.
+ * (pixels). Checks the bodies and handles of representations as far as they list their actors.
  */
 bool IsOverPartOfHost(vtkRenderWindow* window, int x, int y);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A copy of what the settings of a filter are at a time.
+ * A copy of a filter's settings at a time.
  */
 #ifndef KeptSettings_h
 #define KeptSettings_h
@@ -27,8 +27,8 @@ public:
   explicit KeptSettings(vtkVolumeHapticsFilter* filter);
 
   /**
-   * Gives the settings to a filter that has the same parts. Its property and its label table remain
-   * the same objects, so that an editor goes on with the same functions.
+   * Gives the settings to a filter with the same parts. Its property and its label table stay the
+   * same objects, so that an editor goes on with the same functions.
    */
   void Apply(vtkVolumeHapticsFilter* filter) const;
 

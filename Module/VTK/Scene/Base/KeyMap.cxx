@@ -14,7 +14,7 @@ namespace
 struct Action
 {
   const char* Name;
-  const char* Keys; ///< the first one stands for the action
+  const char* Keys; ///< the first key stands for the action
 };
 
 constexpr Action Actions[] = {
@@ -70,7 +70,7 @@ bool HasKey(const std::string& keys, const std::string& key)
   return std::find(all.begin(), all.end(), key) != all.end();
 }
 
-/** What is printed on a key. */
+/** The text that is printed on a key. */
 std::string Label(const std::string& key)
 {
   static const std::map<std::string, std::string> labels{ { "question", "?" }, { "plus", "+" },
@@ -98,7 +98,7 @@ std::string KeyMap::FindName(const char* symbol, char code, bool hasShift)
   {
     return symbol;
   }
-  // The codes of ASCII and X11's names (keysymdef.h) of those that are no letters or digits.
+  // ASCII codes and X11 names (keysymdef.h) of keys that are no letters or digits.
   static const std::map<char, const char*> names{ { '\b', "BackSpace" }, { '\t', "Tab" },
     { '\n', "Return" }, { '\r', "Return" }, { '\x1b', "Escape" }, { ' ', "space" },
     { '\x7f', "Delete" }, { '?', "question" }, { '+', "plus" }, { '-', "minus" }, { ',', "comma" },
@@ -184,7 +184,7 @@ std::string KeyMap::Describe(const std::vector<std::string>& defaultKeys) const
       }
       for (const std::string& key : Split(this->Get(action.Name)))
       {
-        // The same key elsewhere on a keyboard needs no words.
+        // Twin keys elsewhere on a keyboard need no mention.
         if (key.rfind("KP_", 0) != 0 || this->Changed.count(action.Name) > 0)
         {
           text += (text.empty() ? "" : "  ") + Label(key);

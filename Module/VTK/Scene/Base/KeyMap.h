@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The parts of an interaction know an action by its default key, such as "t" for Touch. This turns
- * the key that was pressed into that one.
+ * Maps the key that was pressed to the default key of its action, such as "t" for Touch. The parts
+ * of an interaction know actions by these default keys.
  */
 class KeyMap
 {
@@ -31,20 +31,21 @@ public:
   static std::string FindName(const char* symbol, char code, bool hasShift);
 
   /**
-   * Gives an action other keys: X11's names, with spaces between them; none switch it off. False
-   * with an error, which tells the cure, if there is no such action or another one has a key.
+   * Gives an action other keys: X11's names, with spaces between them; an empty text disables the
+   * action. False with an error, which names the cure, if there is no such action or another action
+   * has one of the keys.
    */
   bool Set(const std::string& action, const std::string& keys, std::string& error);
-  /** The keys of an action; empty if it has none, or there is no such action. */
+  /** The keys of an action; empty if it has none, or if the action does not exist. */
   std::string Get(const std::string& action) const;
 
-  /** The default key of the action that a key has now; empty if it has none. */
+  /** The default key of the action that a key has now; empty if the key has no action. */
   std::string Find(const std::string& pressed) const;
-  /** What people read for the first key of an action, such as "?"; empty if it has none. */
+  /** The label of an action's first key for people, such as "?"; empty if it has none. */
   std::string Name(const std::string& defaultKey) const;
   /**
-   * The same for all keys of the actions with these default keys, such as "?  F1"; empty if none of
-   * them has a key.
+   * The labels of all keys of the actions with these default keys, such as "?  F1"; empty if none
+   * of them has a key.
    */
   std::string Describe(const std::vector<std::string>& defaultKeys) const;
 

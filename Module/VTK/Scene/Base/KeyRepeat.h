@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells the presses that a window system repeats while a key is held from those of a hand.
+ * Distinguishes presses that a window system repeats for a held key from presses of a hand.
  */
 #ifndef KeyRepeat_h
 #define KeyRepeat_h
@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * An X server sends the release and the next press of a key that is held at the same time, and VTK
- * passes both. No hand presses a key again so soon.
+ * An X server sends the release and the next press of a held key at the same time, and VTK passes
+ * both. No hand presses a key again so soon.
  */
 class KeyRepeat
 {
@@ -32,7 +32,7 @@ public:
     constexpr double soon = 0.015; // s
     return key == this->Released && ServoClock::SecondsSince(this->ReleaseTime) < soon;
   }
-  /** Whether an action goes on step by step while its key, by default this one, is held. */
+  /** Whether an action repeats while its key, by default this one, is held. */
   static bool MayRepeat(const std::string& key)
   {
     for (const char* const step : { "plus", "minus", "comma", "period", "Left", "Right", "k" })

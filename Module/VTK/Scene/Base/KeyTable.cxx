@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A line for actions, by their default keys, or for the mouse. */
+/** A line of the list: actions by their default keys, or the mouse. */
 struct KeyLine
 {
   std::vector<std::string> Keys;
@@ -31,7 +31,7 @@ public:
     : Keys(keys)
   {
   }
-  /** Is written before the next line, if there is one. */
+  /** A title, written before the next line, if there is a next line. */
   void Begin(const char* title) { this->Title = title; }
   void Add(std::initializer_list<KeyLine> lines)
   {

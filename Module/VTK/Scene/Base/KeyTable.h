@@ -17,12 +17,12 @@ class KeyMap;
 /** The parts of a scene that have keys of their own. */
 struct KeyedParts
 {
-  bool HasMouse = true;   ///< leads the tip
+  bool HasMouse = true;   ///< the mouse leads the tip
   bool TurnsView = true;  ///< the mouse's right button, in the touch mode
-  bool HasDevice = false; ///< a real one
-  bool HasTool = false;   ///< that the mouse can turn
+  bool HasDevice = false; ///< has a real device
+  bool HasTool = false;   ///< has a tool that the mouse can turn
   bool HasEditor = false;
-  bool HasLabels = false; ///< in the editor
+  bool HasLabels = false; ///< the editor shows labels
   bool HasModes = false;
   bool HasFrames = false;
   bool HasSlices = false;
@@ -30,8 +30,8 @@ struct KeyedParts
 };
 
 /**
- * As vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning. Actions
- * without a key are left out.
+ * The text of vtkHapticHeadUpDisplay::HelpText: titles, and lines of a key, a tab and its meaning.
+ * Leaves out actions without a key.
  */
 std::string ListKeys(const KeyedParts& parts, const KeyMap& keys);
 

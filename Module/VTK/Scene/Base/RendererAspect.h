@@ -18,9 +18,9 @@ namespace VolumeHaptics
  *
  * vtkViewport::ComputeAspect() keeps the ratio (at first 1) if the size, the viewport and the pixel
  * aspect equal those of its last call. VTK 9.1 leaves these uninitialised: a renderer in the memory
- * of a deleted one has that one's, and what asks for the ratio, such as
- * vtkFixedPointVolumeRayCastMapper, draws as if the window were a square. Of two different pixel
- * aspects, at least one differs from the one that the memory has.
+ * of a deleted renderer has the deleted one's values, and users of the ratio, such as
+ * vtkFixedPointVolumeRayCastMapper, draw as if the window were a square. Setting two different
+ * pixel aspects makes at least one differ from the value in memory.
  */
 inline void ComputeAspect(vtkRenderer* renderer)
 {

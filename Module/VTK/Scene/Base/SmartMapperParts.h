@@ -15,7 +15,7 @@ class vtkGPUVolumeRayCastMapper;
 namespace VolumeHaptics
 {
 
-/** Names what vtkSmartVolumeMapper lets derived classes use. */
+/** Gives access to protected members of vtkSmartVolumeMapper. */
 struct SmartMapperParts : vtkSmartVolumeMapper
 {
   static vtkFixedPointVolumeRayCastMapper* FindCPUMapper(vtkSmartVolumeMapper* mapper)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The label of what is touched, for displays.
+ * The label of the touched tissue, for displays.
  */
 #ifndef TouchedLabel_h
 #define TouchedLabel_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The name of the label of the voxel around a position (world) in a filter's label image, as its
- * label table has it, or "label 5" for one without a name. Empty if there is no label image, if the
+ * The name of the label of the voxel around a position (world) in a filter's label image, as in its
+ * label table, or "label 5" for a label without a name. Empty if there is no label image, if the
  * position is outside of it, or if the table does not know the label.
  */
 std::string NameLabelAt(vtkVolumeHapticsFilter* filter, const double position[3]);

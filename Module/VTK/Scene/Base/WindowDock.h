@@ -18,7 +18,7 @@ namespace VolumeHaptics
 
 class DockLayout;
 
-/** As vtkHapticFunctionEditor::DockEdgeType. */
+/** Same values as vtkHapticFunctionEditor::DockEdgeType. */
 enum class DockEdge
 {
   Left,
@@ -39,8 +39,8 @@ constexpr bool IsLow(DockEdge edge)
 }
 
 /**
- * A strip along an edge. Several of a window share its room: the first one that was placed has the
- * whole edge, the next one what that leaves, and all other renderers of the window get the rest.
+ * A strip along an edge. Strips of one window share its room: the strip placed first has the whole
+ * edge, each next strip what remains, and all other renderers of the window get the rest.
  */
 class WindowDock
 {
@@ -51,18 +51,18 @@ public:
   WindowDock& operator=(const WindowDock&) = delete;
 
   /**
-   * Puts renderers into the strip: below each other at the left and the right, the first one at the
-   * top; else side by side. `share` is the strip's share of the window's width or height. Call it
-   * before each frame, since other renderers may come and go.
+   * Puts renderers into the strip: at the left and the right below each other, the first one at the
+   * top; else side by side. `share` is the strip's fraction of the window's width or height. Call
+   * it before each frame, since other renderers may come and go.
    */
   void Place(
     vtkRenderWindow* window, DockEdge edge, double share, const std::vector<vtkRenderer*>& strip);
 
-  /** Gives the others their viewports back, but those that have got another one meanwhile. */
+  /** Restores the other renderers' viewports, unless they have been changed since. */
   void GiveBack();
 
 private:
-  std::shared_ptr<DockLayout> Layout; ///< of the window
+  std::shared_ptr<DockLayout> Layout; ///< shared by the window's docks
 };
 
 } // namespace VolumeHaptics

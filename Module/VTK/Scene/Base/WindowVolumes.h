@@ -48,7 +48,7 @@ void ForEachVolume(vtkRenderWindow* window, Visit&& visit)
   }
 }
 
-/** A volume that a renderer draws: alone, as a part of an assembly or of a vtkMultiVolume. */
+/** A volume that a renderer draws: alone, or as a part of an assembly or of a vtkMultiVolume. */
 struct DrawnVolume
 {
   vtkVolume* Volume = nullptr;
@@ -56,7 +56,7 @@ struct DrawnVolume
   int Port = 0;                         ///< the mapper's input that shows the volume
   vtkSmartPointer<vtkMatrix4x4> Matrix; ///< from the data to the world
 
-  /** What the mapper shows; null if there is no mapper, or none with an input. */
+  /** The mapper's input; null without a mapper or an input. */
   vtkDataObject* FindData() const
   {
     return this->Mapper && this->Mapper->GetNumberOfInputConnections(this->Port) > 0
@@ -95,7 +95,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
   }
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
   {
-    // Where there is no input, GetVolume() is an error.
+    // GetVolume() is an error for a port without an input.
     const bool isUsed = mapper->GetNumberOfInputConnections(port) > 0;
     if (vtkVolume* const part = isUsed ? multi->GetVolume(port) : nullptr)
     {
@@ -109,7 +109,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
 
 } // namespace Detail
 
-/** Those that are visible; an assembly that is hidden hides its parts. */
+/** Visits visible volumes; a hidden assembly hides its parts. */
 inline std::vector<DrawnVolume> FindDrawnVolumes(vtkRenderer* renderer)
 {
   std::vector<DrawnVolume> all;

@@ -24,7 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Less is not felt, N. */
+/** N: smaller forces are not felt. */
 constexpr double LeastForce = 0.005;
 
 bool AreModesFelt(vtkVolumeHapticsFilter* filter)
@@ -32,7 +32,7 @@ bool AreModesFelt(vtkVolumeHapticsFilter* filter)
   return filter && filter->GetMethod() == vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/** Whether modes are felt, none of which is a surface on which a hand rests. */
+/** Whether modes are felt: no mode is a surface on which a hand rests. */
 bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
 {
   if (!AreModesFelt(filter))
@@ -50,7 +50,7 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
   return true;
 }
 
-/** Of an inserted needle, but for its depth and tissue; empty in the tick that has inserted it. */
+/** The state of an inserted needle, without depth and tissue; empty in the tick that inserts it. */
 std::string DescribeNeedle(vtkHapticDevice* device)
 {
   vtkNew<vtkPolyData> track;
@@ -80,7 +80,7 @@ std::string DescribeNeedle(vtkHapticDevice* device)
   return text.str();
 }
 
-/** N mm, of a tool with a shape; empty without one, and if nothing turns it. */
+/** The torque (N mm) of a tool with a shape; empty without such a tool, or if nothing turns it. */
 std::string DescribeTorque(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
@@ -94,7 +94,7 @@ std::string DescribeTorque(vtkHapticDevice* device)
   return text.str();
 }
 
-/** What was found of how values are stored. */
+/** Findings on how values are stored. */
 std::string DescribeShift(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
@@ -119,7 +119,7 @@ std::string DescribeStatus(vtkHapticDevice* device)
     return status;
   }
   const int code = device->GetStatus();
-  // For a mouse, the hint says how to go on.
+  // The hint tells a mouse user how to go on.
   const bool asksHand = (code == vtkHapticDevice::FAULT && device->GetDeviceId() != "virtual") ||
     code == vtkHapticDevice::HOMING || code == vtkHapticDevice::FIRMWARE;
   const std::string first = status.substr(0, sentence + 1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a device does and feels, in words.
+ * The state and the feel of a device, in words.
  */
 #ifndef DisplayText_h
 #define DisplayText_h
@@ -15,19 +15,19 @@ namespace VolumeHaptics
 {
 
 /**
- * The first sentence of a running device's status, or of a fault and of a request to the hand two
- * lines. Empty for a virtual device that only runs.
+ * The first sentence of a running device's status; for faults and requests to the hand, two lines.
+ * Empty for a virtual device that only runs.
  */
 std::string DescribeStatus(vtkHapticDevice* device);
 
 /**
- * Whether the hand has slid within the last 0.2 s. A mouse leads it by steps, between which it
- * rests for most of the time.
+ * Whether the hand has slid within the last 0.2 s. A mouse leads the hand by steps, and the hand
+ * rests between them for most of the time.
  */
 class LateSlide
 {
 public:
-  /** A tick at a time (s) with a contact as of vtkHapticDevice::GetContact(). */
+  /** Records a tick at a time (s) with a contact as in vtkHapticDevice::GetContact(). */
   void Add(double time, int contact)
   {
     this->Last = time < this->Now ? -1.0e300 : this->Last; // another session
@@ -43,22 +43,22 @@ private:
 };
 
 /**
- * Such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The tissue may
- * be empty. A hand that rests now, but `slid` lately, slides. Of an inserted needle, such as
- * "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second line: "20 degrees from upright,
- * 3 layers, forbidden tissue touched 1 time"; its depth is in world units, its angle that to the
- * normal of the surface. Of a tool with a shape, the torque follows: "turned by 3.1 N mm". Where
- * modes are felt, none of which is a surface, nothing is rested on: "Held, 0.62 N".
+ * A text such as "Resting on skin, 0.62 N of at most 10 N"; empty while nothing is touched. The
+ * tissue may be empty. A hand that rests now, but `slid` lately, slides. For an inserted needle, a
+ * line such as "Needle 12.3 deep in fat, 0.62 N of at most 10 N", and a second line: "20 degrees
+ * from upright, 3 layers, forbidden tissue touched 1 time"; the depth is in world units, the angle
+ * is measured from the normal of the surface. For a tool with a shape, the torque follows: "turned
+ * by 3.1 N mm". Modes have no surface to rest on: "Held, 0.62 N".
  */
 std::string DescribeTouch(vtkHapticDevice* device, const std::string& tissue, bool slid);
 
-/** Whether the faces of a cut hold; empty if nothing is cut away. */
+/** Whether the faces of a cut are felt; empty if nothing is cut away. */
 std::string DescribeCut(vtkHapticDevice* device);
 
-/** The value in the surface, as the functions of the touched property have it. */
+/** The value in the surface, in the scale of the touched property's functions. */
 double FindFeltValue(vtkHapticDevice* device);
 
-/** The value in the surface, if there is one, and how the servo keeps time. */
+/** The value in the surface, if there is one, and the timing of the servo. */
 std::string DescribeDetails(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics

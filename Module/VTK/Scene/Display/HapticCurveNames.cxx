@@ -11,7 +11,7 @@ vtkStandardNewMacro(HapticCurveNames);
 
 namespace
 {
-/** In parts of the size of letters. */
+/** Lengths relative to the size of letters. */
 constexpr float NameLineHeight = 1.5f;
 constexpr float NameGap = 0.9f;
 constexpr double TitleInk[3] = { 0.90, 0.92, 0.95 };

@@ -28,9 +28,11 @@ public:
   };
   void SetTitle(const std::string& title) { this->Title = title; }
   void SetNames(const std::vector<Name>& names) { this->Names = names; }
-  /** Where the first letter begins, and the upper edge (pixels); the size of letters (points). */
+  /**
+   * The left end of the first letter, and the upper edge (pixels); the size of letters (points).
+   */
   void Place(float left, float top, int letters, float scale = 1.0f);
-  /** The height that both lines take up (pixels). */
+  /** The height of both lines (pixels). */
   static float GetHeight(int letters);
 
   bool Paint(vtkContext2D* painter) override;

@@ -21,15 +21,15 @@ namespace VolumeHaptics
 
 /** The filter whose modes are felt; null for other methods. */
 vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device);
-/** The names of all modes, each another one. */
+/** The names of all modes, each one unique. */
 std::vector<std::string> NameModes(vtkHapticDevice* device);
-/** The same, empty for those that are not active. */
+/** The same names; those of inactive modes are empty. */
 std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
 /** A line for each mode, with its force. */
 std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);
-/** Their names and values, one a line, and what is being measured. */
+/** The names and values of measurements, one a line, and what is being measured. */
 std::string ListMeasurements(vtkHapticMeasurements* measurements);
-/** A line on the time of a volume that moves; empty without one. */
+/** A line on the time of a moving volume; empty for other volumes. */
 std::string DescribeTime(vtkHapticDevice* device);
 
 } // namespace VolumeHaptics

@@ -38,7 +38,7 @@ struct Colour
   unsigned char Red, Green, Blue;
 };
 
-/** How the chart looks on its ground. */
+/** The look of the chart on its ground. */
 struct Look
 {
   double Text[3];
@@ -64,9 +64,9 @@ const Look& GetLook(HapticForceChart::Ground ground)
 
 const char* const PartLabels[] = { "normal", "friction", "drag" };
 constexpr int Whole = 3;
-const int DrawingOrder[] = { Whole, 0, 1, 2 }; // the whole force behind the others
+const int DrawingOrder[] = { Whole, 0, 1, 2 }; // draw the whole force behind the others
 
-/** Without a title, the unit stands behind each number. */
+/** Without a title, writes the unit behind each number. */
 void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& look)
 {
   axis->SetTitle(title);
@@ -82,9 +82,9 @@ void SetAxis(vtkAxis* axis, const char* title, const char* unit, const Look& loo
 }
 
 /**
- * Keeps the points of a curve that are needed to draw it to within an error. From each kept point
- * on, it narrows the slopes that pass all later points, until none is left (swinging door). Wide
- * lines cost a software renderer microseconds for each point.
+ * Keeps the points that draw a curve to within an error. From each kept point on, it narrows the
+ * range of slopes that pass all later points, until the range is empty (swinging door). Wide lines
+ * cost a software renderer microseconds for each point.
  */
 void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable* line)
 {
@@ -108,7 +108,7 @@ void Simplify(vtkFloatArray* time, vtkFloatArray* force, double error, vtkTable*
     const bool isStep = run <= 0.0 && i > 0 && std::abs(rise) > error;
     if (i == 0 || isStep || (run > 0.0 && (rise < low * run || rise > high * run)))
     {
-      // The point before is the last that a straight line reaches; a step needs an end of its own.
+      // A straight line reaches up to the previous point; a step needs an end point of its own.
       from = i == 0 || isStep ? i : i - 1;
       keep(from);
       low = -VTK_DOUBLE_MAX;
@@ -144,7 +144,7 @@ void HapticForceChart::Build()
   vtkChartLegend* const legend = this->Chart->GetLegend();
   if (this->On == Ground::Panel)
   {
-    // The chart's own background is not used: VTK 9.1 draws it in the wrong place.
+    // Do not use the chart's own background: VTK 9.1 draws it in the wrong place.
     this->Panel->SetAutoComputeDimensions(false);
     this->Panel->GetBrush()->SetColor(15, 18, 24, PanelOpacity);
     this->Panel->GetMouseOverBrush()->SetColor(15, 18, 24, PanelOpacity);
@@ -175,7 +175,7 @@ void HapticForceChart::Build()
 
 void HapticForceChart::NameCurves()
 {
-  // The modes stand in a list beside the panel.
+  // The modes' names are in a list beside the panel.
   const Look& look = GetLook(this->On);
   std::vector<HapticCurveNames::Name> names;
   for (const int c : DrawingOrder)
@@ -223,7 +223,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
     return;
   }
   this->Modes = names;
-  this->Shown = nullptr; // so that all is drawn
+  this->Shown = nullptr; // draws everything
   const auto& colors = this->On == Ground::Panel ? ModeColors : ModePageColors;
   for (std::size_t mode = 0; mode < ModeColorCount; ++mode)
   {
@@ -242,7 +242,7 @@ void HapticForceChart::SetModes(const std::vector<std::string>& names)
       this->Plots[c]->SetLegendVisibility(isNamed);
     }
   }
-  // The whole force is left.
+  // Keep the curve of the whole force.
   for (int c = 0; c < Whole; ++c)
   {
     this->Plots[c]->SetVisible(names.empty());
@@ -268,7 +268,7 @@ void HapticForceChart::SetLetters(int size)
 
 std::array<int, 2> HapticForceChart::PanelSize(int width, int height, double scale)
 {
-  // Beside what is in the middle of the viewport, not over it.
+  // Place it beside the middle of the viewport, not over what is there.
   const auto fit = [scale](int pixels, int least, int most)
   { return std::clamp(pixels, ScalePixels(scale, least), ScalePixels(scale, most)); };
   return { Margin + std::min(width - 2 * Margin, fit(width * 3 / 10, 210, 330)),
@@ -293,7 +293,7 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   if (width == this->Viewport[0] && height == this->Viewport[1] && from == this->From &&
     scale == this->Scale)
   {
-    return false; // a chart whose size is set lays itself out again
+    return false; // a chart of a fixed size lays itself out again
   }
   this->Viewport[0] = width;
   this->Viewport[1] = height;
@@ -320,7 +320,7 @@ bool HapticForceChart::Fit(int width, int height, const std::array<int, 2>& from
   this->SetLetters(letters);
   this->Panel->SetDimensions(left, bottom, across, up);
   this->Names->Place(left + 2.0f * gap, bottom + up - gap, letters, pixels);
-  // A chart has a wide border above it, which the names can use where its upper number does not.
+  // The border above the chart is wide; the names can use the part without the axis' upper number.
   const float border = 15.0f - 5.0f * pixels;
   this->Height = up - names + border;
   this->Chart->SetSize(vtkRectf(left, bottom, across, static_cast<float>(this->Height)));
@@ -353,7 +353,7 @@ bool HapticForceChart::Show(vtkTable* table, const Extent& extent, const std::st
   {
     if (!this->Plots[c])
     {
-      continue; // of a mode that was never active
+      continue; // the mode was never active
     }
     Simplify(vtkFloatArray::SafeDownCast(table->GetColumn(0)),
       vtkFloatArray::SafeDownCast(table->GetColumn(1 + c)), 0.25 * pixel, this->Lines[c]);
@@ -398,7 +398,7 @@ void HapticForceChart::ShowPhases(const std::vector<Phase>& phases)
     ends->AddColumn(time);
     ends->AddColumn(force);
     vtkPlot* const line = this->Chart->AddPlot(vtkChart::LINE);
-    this->Chart->SetPlotCorner(line, LeftTop); // a chart shows an axis only if a plot belongs to it
+    this->Chart->SetPlotCorner(line, LeftTop); // a chart shows an axis only for a plot on it
     line->SetInputData(ends, 0, 1);
     line->SetLegendVisibility(false);
     line->SetSelectable(false);

@@ -54,30 +54,32 @@ public:
   explicit HapticForceChart(Ground ground);
   ~HapticForceChart();
 
-  /** Call it once, when charts can be drawn. */
+  /** Call once, as soon as charts can be drawn. */
   void Build();
   /**
-   * Draws the curves of modes, too, which then stand for all parts of the force. Call it after
-   * Build, with the names of HapticForceTable::SetModes; one that is empty leaves its curve out.
+   * Draws the curves of modes, too, which then replace all parts of the force. Call it after Build,
+   * with the names of HapticForceTable::SetModes; an empty name leaves its curve out.
    */
   void SetModes(const std::vector<std::string>& names);
-  /** The size of a panel in a viewport of this size, with the margin at its left and below it. */
+  /** The size of a panel in a viewport of this size, with its left and lower margins. */
   static std::array<int, 2> PanelSize(int width, int height, double scale = 1.0);
   /**
    * Fits the chart into a viewport of this size (pixels). `from`: the lower left corner of a panel
-   * with its margins. Returns whether that changes the chart.
+   * with its margins. Returns whether the chart changes.
    */
   bool Fit(int width, int height, const std::array<int, 2>& from = { 0, 0 }, double scale = 1.0);
-  /** A panel on a light ground covers more of it. Returns whether that changes the chart. */
+  /**
+   * Sets the look for a light ground, where a panel covers more. Returns whether the chart changes.
+   */
   bool SetOnLight(bool isOnLight);
-  /** The upper right corner of what it takes up (pixels). */
+  /** The upper right corner of the chart (pixels). */
   const int* GetCorner() const { return this->Corner; }
   /**
    * Draws a HapticForceTable, and above it a title, if there is one. Call Fit first. Returns
    * whether the chart changes.
    */
   bool Show(vtkTable* table, const Extent& extent, const std::string& title);
-  /** Names the phases above the chart and draws lines between them. Once, after Show. */
+  /** Names the phases above the chart and draws lines between them. Call once, after Show. */
   void ShowPhases(const std::vector<Phase>& phases);
 
   vtkContextActor* GetActor() { return this->Actor; }
@@ -85,21 +87,22 @@ public:
 private:
   void SetLetters(int size);
   void SetTitle(const std::string& title);
-  /** Names the shown curves above a panel. */
+  /** Writes the names of the shown curves above a panel. */
   void NameCurves();
   vtkPlot* AddLine(int curve);
 
   const Ground On;
   vtkNew<vtkBlockItem> Panel;
   vtkNew<vtkChartXY> Chart;
-  vtkNew<HapticCurveNames> Names; ///< of a panel; a page has a title and a legend
+  vtkNew<HapticCurveNames> Names; ///< above a panel; a page has a title and a legend
   vtkNew<vtkContextActor> Actor;
-  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< as few points as look the same
-  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< of the chart; null before SetModes
+  vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that look the same
+  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< plots in the chart; null before
+                                                        ///< SetModes
   std::vector<std::string> Modes;
   double Scale = 1.0; ///< pixels for each point
   bool IsOnLight = false;
-  int Viewport[2] = { 0, 0 }; ///< pixels, as the next three
+  int Viewport[2] = { 0, 0 }; ///< pixels, as the next three members
   std::array<int, 2> From{ 0, 0 };
   int Corner[2] = { 0, 0 };
   double Height = 1.0;

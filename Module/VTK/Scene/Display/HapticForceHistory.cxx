@@ -65,7 +65,7 @@ vtkTable* HapticForceHistory::Plot(double span)
   const int curves = this->Table.GetCurves();
   const double end = this->States.empty() ? 0.0 : this->States.back().Time;
   const double width = span / Intervals;
-  // Intervals are counted from time 0, not from the present: a peak then stays in its interval.
+  // Count intervals from time 0, not from the present: a peak then stays in its interval.
   const auto intervalOf = [&](const State& s) { return std::floor(s.Time / width); };
   for (auto from = this->States.begin(); from != this->States.end();)
   {
@@ -108,7 +108,7 @@ double HapticForceHistory::GetRange() const
   {
     largest = std::max(largest, *std::max_element(state.Forces.begin(), state.Forces.end()));
   }
-  // Leaves room above the curve; half a newton at least, so that noise does not fill the plot.
+  // Leave room above the curve; at least half a newton, so that noise does not fill the plot.
   const double wanted = std::max(0.5, 1.05 * largest);
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   for (const double factor : { 1.0, 2.0, 5.0 })

@@ -19,13 +19,13 @@ class HapticForceHistory
 {
 public:
   static constexpr int Curves = HapticForceTable::MostCurves;
-  /** Intervals that the time span is divided into; each gives two points a curve. */
+  /** Number of intervals in the time span; each gives two points a curve. */
   static constexpr int Intervals = 240;
 
   struct State
   {
     double Time;                       ///< s
-    std::array<double, Curves> Forces; ///< N; of modes that are not named, 0
+    std::array<double, Curves> Forces; ///< N; 0 for modes without a name
   };
 
   HapticForceHistory();
@@ -33,8 +33,8 @@ public:
 
   /**
    * Adds a state. If it is not later than the last one, the history starts again. Forgets states
-   * that are older than the span (s). The time has to be finite; forces that are not finite count
-   * as 0, and others are limited to the largest that a chart can show.
+   * that are older than the span (s). The time has to be finite. Forces that are not finite count
+   * as 0; finite forces are limited to the largest one that a chart can show.
    */
   void Add(const State& state, double span);
   void Clear();
@@ -42,9 +42,9 @@ public:
   void SetModes(const std::vector<std::string>& names);
   std::size_t GetSize() const { return this->States.size(); }
 
-  /** Brings the table up to date: time relative to the last state, then the curves. */
+  /** Updates the table: time relative to the last state, then the curves. */
   vtkTable* Plot(double span);
-  /** The upper end of an axis for all forces within the span (N). */
+  /** The upper end of an axis for all forces in the span (N). */
   double GetRange() const;
 
 private:

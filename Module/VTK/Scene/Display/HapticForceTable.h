@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The table that a force chart draws: Time (s), and a column for each of its curves (N), of which
- * the first four are there in any case, and those of modes if they are named.
+ * The table that a force chart draws: Time (s), and a column for each curve (N). The first four
+ * curves always exist; curves of modes exist if the modes are named.
  */
 #ifndef HapticForceTable_h
 #define HapticForceTable_h
@@ -34,10 +34,10 @@ public:
   vtkTable* Get() { return this->Table; }
   vtkFloatArray* GetTime() { return this->Columns[0]; }
   vtkFloatArray* GetForce(int curve) { return this->Columns[1 + curve]; }
-  /** The curves of the table, those of modes among them. */
+  /** The curves of the table, including those of modes. */
   int GetCurves() const { return this->Count; }
   /**
-   * Names the modes whose curves follow the four. If others were named, removes all rows, and
+   * Names the modes whose curves follow the first four. If the names change, removes all rows and
    * returns true.
    */
   bool SetModes(const std::vector<std::string>& names);
@@ -47,7 +47,7 @@ public:
   /** Every tick of a trace with the arrays of vtkVolumeHapticsFilter's output. */
   void Read(vtkPolyData* trace);
 
-  /** A force that a chart can draw: none, if it is not finite. */
+  /** A force that a chart can draw; 0 if it is not finite. */
   static double MakeDrawable(double force);
 
 private:

@@ -23,7 +23,7 @@ constexpr double TitleColour[3] = { 1.0, 0.78, 0.35 };
 constexpr int MostColumns = 3;
 constexpr float Margin = 10.0f; // pixels, around the panel
 
-/** In parts of the size of letters. */
+/** Lengths relative to the size of letters. */
 constexpr float LineHeight = 1.55f;
 constexpr float TitleGap = 0.7f; ///< above a title
 constexpr float KeyGap = 1.2f;
@@ -69,7 +69,7 @@ void HapticKeySheet::Show(const std::string& text, int width, int height, double
 //------------------------------------------------------------------------------
 std::vector<HapticKeySheet::Column> HapticKeySheet::Divide(std::size_t count) const
 {
-  // Each column but the first one begins with a title, so that no group is torn apart.
+  // Begin each column after the first with a title, so that no group is torn apart.
   std::vector<Column> columns{ { 0, this->Lines.size(), 0.0f, 0.0f, 0.0f } };
   for (std::size_t i = 1; i < count; ++i)
   {
@@ -159,7 +159,7 @@ bool HapticKeySheet::Fit(vtkContext2D* painter)
       }
     }
   }
-  return false; // the smallest letters are drawn, and cut off
+  return false; // draw the smallest letters, cut off
 }
 
 //------------------------------------------------------------------------------

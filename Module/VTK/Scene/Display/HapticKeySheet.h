@@ -19,8 +19,8 @@ public:
   vtkTypeMacro(HapticKeySheet, vtkContextItem);
 
   /**
-   * Titles, and lines of a key, a tab and its meaning; and the size of the viewport (pixels). The
-   * letters are as large as fits, up to 14 points.
+   * Sets the text: titles, and lines of a key, a tab and its meaning; and the size of the viewport
+   * (pixels). The letters are as large as fits, up to 14 points.
    */
   void Show(const std::string& text, int width, int height, double scale = 1.0);
 
@@ -40,17 +40,17 @@ private:
     std::string Meaning;
     bool IsTitle;
   };
-  /** The lines from one up to another, side by side with others. */
+  /** The lines from one up to another, in a column. */
   struct Column
   {
     std::size_t Begin;
     std::size_t End;
-    float KeyWidth; ///< pixels, as the next two
+    float KeyWidth; ///< pixels, as the next two members
     float Width;
     float Height;
   };
   std::vector<Column> Divide(std::size_t count) const;
-  /** Finds the size of letters, and the columns, that fit; true if any do. */
+  /** Computes the largest letters, and the columns, that fit; false if none fit. */
   bool Fit(vtkContext2D* painter);
   void Measure(vtkContext2D* painter, Column& column) const;
   void PaintColumn(vtkContext2D* painter, const Column& column, float left, float top) const;
@@ -59,7 +59,7 @@ private:
   float GetLetterHeight() const { return this->Scale * static_cast<float>(this->Letters); }
 
   std::vector<Line> Lines;
-  std::string Text; ///< of the lines
+  std::string Text; ///< text of the lines
   int Viewport[2] = { 0, 0 };
   float Scale = 1.0f; ///< pixels for each point
   int Letters = 0;    ///< points; 0 before Fit

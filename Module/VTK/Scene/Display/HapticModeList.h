@@ -25,7 +25,7 @@ namespace VolumeHaptics
 struct ModeLine
 {
   std::string Text;
-  bool IsActive = true; ///< if not, it is grey
+  bool IsActive = true; ///< an inactive mode is grey
 };
 
 class HapticModeList
@@ -36,7 +36,7 @@ public:
 
   /** Draws the lines from a height (pixels) downwards; call it in the overlay pass. */
   int Render(const std::vector<ModeLine>& lines, int top, vtkViewport* viewport);
-  /** Nothing is there to be clicked on. */
+  /** Removes the lines, so that a click hits none. */
   void Hide() { this->Count = 0; }
   /** The number of the line at a position of the viewport (pixels); -1 if there is none. */
   int Find(int x, int y) const;
@@ -46,7 +46,7 @@ private:
   struct Line
   {
     vtkNew<vtkTextActor> Text;
-    int Low = 0; ///< pixels, as the next two
+    int Low = 0; ///< pixels, as the next two members
     int High = 0;
     int Width = 0;
   };

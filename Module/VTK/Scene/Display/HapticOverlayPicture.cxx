@@ -37,8 +37,8 @@ int HapticOverlayPicture::Render(
   {
     return 0;
   }
-  // The viewport stands in the picture where it stands in the window: charts clip their curves by
-  // its place there.
+  // Place the viewport in the picture as in the window: charts clip their curves by its place
+  // there.
   const int width = origin[0] + size[0];
   const int height = origin[1] + size[1];
   if (this->Window && this->Window != window)
@@ -83,7 +83,7 @@ int HapticOverlayPicture::Render(
     drawn = prop->RenderOverlay(viewport);
     state->PopFramebufferBindings();
   }
-  // Drawing over nothing has already multiplied the colours by their opacity.
+  // Drawing over an empty background has already multiplied the colours by their opacity.
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Draws a prop of the overlay into a texture, and shows that in every frame: a chart is made of
- * dozens of small pieces, its picture is one.
+ * Draws a prop of the overlay into a texture, and shows the texture in every frame. A chart has
+ * dozens of small pieces; its picture is one.
  */
 #ifndef HapticOverlayPicture_h
 #define HapticOverlayPicture_h
@@ -26,10 +26,10 @@ public:
   ~HapticOverlayPicture();
 
   /**
-   * Shows the prop. Draws it again if it is stale, if the viewport has changed, or if there is no
-   * picture yet. Shows the lower left corner of the picture, up to an extent (pixels). If the
-   * window does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result
-   * of vtkProp::RenderOverlay.
+   * Shows the prop. Redraws its picture if it is stale, if the viewport has changed, or if there is
+   * none yet. Shows the lower left corner of the picture, up to an extent (pixels). If the window
+   * does not use OpenGL, or is drawn in tiles, the prop itself is drawn. Returns the result of
+   * vtkProp::RenderOverlay.
    */
   int Render(vtkViewport* viewport, vtkProp* prop, const int extent[2], bool isStale);
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -39,7 +39,7 @@ private:
   vtkNew<vtkTextureObject> Picture;
   vtkWindow* Window = nullptr; ///< the owner of the resources
   int Size[2] = { 0, 0 };      ///< pixels
-  int Origin[2] = { 0, 0 };    ///< of the viewport, pixels
+  int Origin[2] = { 0, 0 };    ///< origin of the viewport, pixels
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How often the figures of a text are drawn.
+ * Limits how often the figures of a text are drawn.
  */
 #ifndef HapticTextPace_h
 #define HapticTextPace_h
@@ -17,15 +17,15 @@ namespace VolumeHaptics
 /**
  * Figures of a text, such as a force, change from frame to frame while the hand moves. With a
  * software renderer, setting their letters takes a tenth of a frame's time, and they would change
- * faster than one can read. So in motion they change ten times a second at most, and not in its
- * first frame, which the hand waits for. Words change at once, as all does at rest.
+ * faster than one can read. So in motion, figures change ten times a second at most, and not in the
+ * first frame, because the hand waits for it. Words change at once; at rest, figures do, too.
  */
 class HapticTextPace
 {
 public:
   static constexpr double Shortest = 0.1; ///< s between figures
 
-  /** The text to draw now (s). `moves`: the frame is one of a motion. */
+  /** The text to draw now (s). `moves`: the frame belongs to a motion. */
   const std::string& Choose(const std::string& text, bool moves, double now)
   {
     const bool waits = moves && (!this->Moved || now < this->Last + Shortest);

@@ -4,7 +4,7 @@
 
 #include "VTK/Scene/Base/HapticOverlays.h"
 
-#include "vtkStdString.h" // of which VTK 9.1 takes one
+#include "vtkStdString.h" // argument type in VTK 9.1
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
@@ -32,7 +32,7 @@ std::array<int, 2> Measure(const std::string& text, vtkTextProperty* letters, in
   return { box[1] - box[0] + 1, box[3] - box[2] + 1 };
 }
 
-/** Where the letter ends that begins there, in UTF-8. */
+/** The end of the UTF-8 letter that begins at a byte. */
 std::size_t EndOfLetter(const std::string& text, std::size_t at)
 {
   constexpr unsigned char kind = 0xc0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A text of which a viewport shows every word.
+ * A text whose every word is visible in a viewport.
  */
 #ifndef HapticWrappedText_h
 #define HapticWrappedText_h
@@ -17,18 +17,18 @@ namespace VolumeHaptics
 {
 
 /**
- * Breaks lines at spaces, and words that are longer than a line anywhere. If the lines still take
- * too much room, the letters become smaller.
+ * Breaks lines at spaces, and breaks words longer than a line anywhere. If the lines still need too
+ * much room, makes the letters smaller.
  */
 class HapticWrappedText
 {
 public:
-  /** Pixels, of which some lie above what the text had better not cover. */
+  /** Room in pixels. Its upper part, Free high, lies above what the text should not cover. */
   struct Room
   {
     int Width;
-    int Free;   ///< height above it
-    int Height; ///< of all
+    int Free;   ///< height of the upper part
+    int Height; ///< whole height
     int DPI;
   };
 
@@ -39,17 +39,17 @@ public:
   static constexpr int Smallest = 7;
 
 private:
-  std::string Text; ///< the last one that was fitted, and the room for it
+  std::string Text; ///< the last fitted text, and its room
   Room Had{ 0, 0, 0, 0 };
 };
 
 /**
- * The room of a text that begins at these shares of a viewport, without its margin at the right and
- * what other renderers draw there. `below`: pixels that it had better not cover.
+ * The room for a text that begins at these fractions of a viewport, without its margin at the right
+ * and what other renderers draw there. `below`: pixels that the text should not cover.
  */
 HapticWrappedText::Room FindRoom(vtkViewport* viewport, double left, double top, int below);
 
-/** Breaks the lines of a text that are wider than this (pixels). */
+/** Breaks lines of a text wider than this (pixels). */
 std::string WrapLines(const std::string& text, vtkTextProperty* letters, int width, int dpi);
 
 } // namespace VolumeHaptics

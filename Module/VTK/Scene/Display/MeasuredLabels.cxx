@@ -17,7 +17,7 @@ using Box = MeasuredLabels::Box;
 
 constexpr int FontSize = 13;  // points
 constexpr double Near = 12.0; ///< pixels from the point to the text
-constexpr double Step = 18.0; ///< to the next try
+constexpr double Step = 18.0; ///< pixels to the next try
 constexpr int Rounds = 4;
 constexpr double Margin = 3.0;
 
@@ -26,10 +26,10 @@ bool Overlap(const Box& a, const Box& b)
   return a.Left < b.Right && b.Left < a.Right && a.Bottom < b.Top && b.Bottom < a.Top;
 }
 
-/** A box of a size beside a point, to one of eight sides. */
+/** A box of a size at one of eight sides of a point. */
 Box PutBeside(const double at[2], const double size[2], int side, double distance)
 {
-  // The right is best to read; then the left, above and below.
+  // The right side is best to read; then the left, above and below.
   static const double sides[8][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 }, { 0.7, 0.7 },
     { 0.7, -0.7 }, { -0.7, 0.7 }, { -0.7, -0.7 } };
   const double* const to = sides[side];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Texts beside points of the scene, which cover neither each other nor the head-up display.
+ * Texts beside points of the scene that cover neither each other nor the head-up display.
  */
 #ifndef MeasuredLabels_h
 #define MeasuredLabels_h
@@ -42,8 +42,8 @@ public:
   };
 
   /**
-   * Draws them in the overlay pass, the first ones where they would like to be. One for which there
-   * is no room is left out. Returns how many were drawn.
+   * Draws labels in the overlay pass. First labels get their preferred places; a label without room
+   * is left out. Returns the number of labels drawn.
    */
   int Render(vtkRenderer* renderer, const std::vector<Label>& labels,
     const std::function<bool(const Box&)>& isTaken);

@@ -21,9 +21,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of spheres: the radius of lines. */
+/** Radius of lines, relative to the radius of spheres. */
 constexpr double LineRadius = 0.3;
-/** Of the shorter leg of an angle: the radius of its arc. */
+/** Radius of an angle's arc, relative to its shorter leg. */
 constexpr double ArcRadius = 0.3;
 constexpr int ArcSteps = 32;
 
@@ -123,7 +123,7 @@ void MeasuredShapes::AddLine(vtkPolyData* shape)
   for (vtkIdType i = 0; i <= last; ++i)
   {
     const Vector3 point = FromArray(shape->GetPoint(i));
-    // A tube can't go on in a point of its own.
+    // A tube can't continue from a point to itself.
     const double least = i == last ? 0.0 : 0.5 * this->Radius;
     if (i == 0 || Norm(point - before) > least)
     {
@@ -143,7 +143,7 @@ void MeasuredShapes::AddArc(vtkPolyData* angle)
   const Vector3 legs[2] = { FromArray(angle->GetPoint(0)) - corner,
     FromArray(angle->GetPoint(2)) - corner };
   const double lengths[2] = { Norm(legs[0]), Norm(legs[1]) };
-  const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]); // to the second leg
+  const Vector3 across = Cross(Cross(legs[0], legs[1]), legs[0]); // towards the second leg
   if (!(Norm(across) > 0.0))
   {
     return; // flat, or without legs

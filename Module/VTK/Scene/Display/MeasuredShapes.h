@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Measurements in the scene, which shine faintly through objects in front of them: points as
- * spheres, lines as tubes, areas as patches.
+ * Measurements in the scene: points as spheres, lines as tubes, areas as patches. They shine
+ * faintly through objects in front of them.
  */
 #ifndef MeasuredShapes_h
 #define MeasuredShapes_h
@@ -31,9 +31,9 @@ public:
   MeasuredShapes(double red, double green, double blue);
   ~MeasuredShapes();
 
-  /** Begins anew, with spheres of a radius (world units). */
+  /** Clears the shapes, and sets the radius of spheres (world units). */
   void Clear(double radius);
-  /** A shape of vtkHapticMeasurements, of one of its kinds. */
+  /** Adds a shape of one of vtkHapticMeasurements' kinds. */
   void Add(int kind, vtkPolyData* shape);
 
   void RenderOpaque(vtkViewport* viewport);
@@ -43,7 +43,7 @@ public:
   void AddTo(vtkBoundingBox& box);
 
 private:
-  /** Its line, without points that are too near to each other to be told apart. */
+  /** The line without points that are too close to be told apart. */
   void AddLine(vtkPolyData* shape);
   void AddArc(vtkPolyData* angle);
   void AddPatch(vtkPolyData* shape);

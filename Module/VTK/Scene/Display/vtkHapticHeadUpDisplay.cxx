@@ -45,10 +45,10 @@ using namespace VolumeHaptics;
 
 namespace
 {
-constexpr double TextTop = 0.975; ///< of the viewport
+constexpr double TextTop = 0.975; ///< top of the text, as a fraction of the viewport
 constexpr double TextLeft = 0.02;
 constexpr int Gap = 8;         ///< pixels below the text
-constexpr int ChartPause = 25; ///< between pictures of the chart, in times that it takes to draw
+constexpr int ChartPause = 25; ///< pause between the chart's pictures, in times of one picture
 
 struct Tissue
 {
@@ -57,7 +57,7 @@ struct Tissue
   double To;
 };
 
-/** VTK's clamp lets NaN through; it then becomes the default. */
+/** Clamps a value. VTK's clamp lets NaN through; here NaN becomes the default. */
 double GetShownSpan(double span)
 {
   return std::isnan(span) ? 5.0 : span;
@@ -89,7 +89,7 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   LateSlide Slide;
   HapticForceChart Chart{ HapticForceChart::Ground::Panel };
   HapticOverlayPicture Picture;
-  std::chrono::steady_clock::time_point Due; // of the next picture
+  std::chrono::steady_clock::time_point Due; // time of the next picture
   vtkNew<vtkTextActor> Text;
   HapticWrappedText Wrapped;
   HapticTextPace TextPace;
@@ -98,19 +98,19 @@ struct vtkHapticHeadUpDisplay::vtkInternals
   vtkNew<HapticKeySheet> Keys;
   vtkNew<vtkContextActor> Help;
   HapticModeList Modes;
-  vtkNew<vtkTable> PlotTable; // the table for the caller
+  vtkNew<vtkTable> PlotTable; // the copy for the caller
   int CanDraw = -1;           // not known yet
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  std::vector<std::array<double, 4>> Covered; // boxes of the last frame, as Covers has them
+  std::vector<std::array<double, 4>> Covered; // boxes of the last frame, for Covers
 
   std::string GetStatus(vtkHapticHeadUpDisplay& self);
   int RenderText(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHint(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** The height at which the text ends (pixels). */
+  /** The lower end of the text (pixels). */
   int FindTextEnd(vtkHapticHeadUpDisplay& self, vtkViewport* viewport) const;
   int RenderPlot(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
   int RenderHelp(vtkHapticHeadUpDisplay& self, vtkViewport* viewport);
-  /** Whether charts can be drawn; an error tells once if not. */
+  /** Whether charts can be drawn; if not, reports one error. */
   bool FindContext(vtkHapticHeadUpDisplay& self);
 };
 
@@ -213,7 +213,7 @@ void vtkHapticHeadUpDisplay::AddStates(vtkTable* states)
     }
     double command[3];
     columns[4]->GetTuple(i, command);
-    // A hand that has let go feels nothing, though the tip may still be in a surface.
+    // A hand that has let go feels nothing, even with the tip in a surface.
     const double share =
       armed && i < armed->GetNumberOfTuples() && armed->GetComponent(i, 0) == 0.0 ? 0.0 : 1.0;
     HapticForceHistory::State state{ columns[0]->GetComponent(i, 0),
@@ -272,7 +272,7 @@ vtkIdType vtkHapticHeadUpDisplay::GetNumberOfStates()
 //------------------------------------------------------------------------------
 vtkTable* vtkHapticHeadUpDisplay::GetPlotTable()
 {
-  // Not the table that is drawn, which has to stay unchanged.
+  // A copy: the drawn table has to stay unchanged.
   auto& d = *this->Internals;
   d.History.SetModes(NameModes(d.Device));
   d.PlotTable->DeepCopy(d.History.Plot(GetShownSpan(this->TimeSpan)));
@@ -296,7 +296,7 @@ std::string vtkHapticHeadUpDisplay::GetPlotTitle()
 std::string vtkHapticHeadUpDisplay::GetText()
 {
   auto& d = *this->Internals;
-  // The list of keys takes their place.
+  // The list of keys replaces the measurements.
   const bool isListed = d.Measurements && this->MeasurementsVisibility && !this->HelpVisibility;
   std::string text;
   const std::string recorded =
@@ -355,7 +355,7 @@ int vtkHapticHeadUpDisplay::RenderOverlay(vtkViewport* viewport)
   d.Modes.Hide();
   d.Covered.clear();
   const int drawn = this->TextVisibility ? d.RenderText(*this, viewport) : 0;
-  // The list of keys takes the place of the plot, and says more than the hint.
+  // The list of keys replaces the plot, and says more than the hint.
   if (this->HelpVisibility && !this->HelpText.empty() && d.FindContext(*this))
   {
     return drawn + d.RenderHelp(*this, viewport);
@@ -417,7 +417,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
   constexpr int largest = 16; // points
   constexpr int smallest = 7;
   const int* const view = viewport->GetSize();
-  // It stands in the middle, and ends before what other renderers draw beside it.
+  // The hint is in the middle, and ends before what other renderers draw beside it.
   const double room = 2.0 * FindTextRight(viewport) - view[0];
   this->Hint->SetInput(self.Hint.c_str());
   this->Hint->GetTextProperty()->SetBackgroundOpacity(IsOnLight(viewport) ? 0.95 : 0.75);
@@ -436,7 +436,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderHint(
     { 0.5 * (view[0] - size[0]) - Gap, 0.5 * (view[0] + size[0]) + Gap, end - size[1] - Gap,
       end + Gap },
     0, -1);
-  // In the viewport, as all of these.
+  // Relative to the viewport, like all boxes here.
   this->Hint->SetPosition(view[0] / 2, static_cast<int>(at[3] - Gap));
   this->Covered.push_back(at);
   this->Hint->RenderOpaqueGeometry(viewport);
@@ -448,7 +448,7 @@ bool vtkHapticHeadUpDisplay::vtkInternals::FindContext(vtkHapticHeadUpDisplay& s
 {
   if (this->CanDraw == -1)
   {
-    // A chart that has no device to draw on would crash.
+    // A chart without a device to draw on would crash.
     const auto context = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     this->CanDraw = context ? 1 : 0;
     if (context)
@@ -494,7 +494,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
     this->Picture.Render(viewport, this->Chart.GetActor(), corner, isStale || isMoved);
   if (isStale)
   {
-    // The first picture takes longer than all that follow.
+    // The first picture takes longer than later ones.
     const std::chrono::nanoseconds pause = ChartPause * (std::chrono::steady_clock::now() - now);
     this->Due = now +
       std::clamp<std::chrono::nanoseconds>(
@@ -507,7 +507,7 @@ int vtkHapticHeadUpDisplay::vtkInternals::RenderPlot(
 int vtkHapticHeadUpDisplay::vtkInternals::RenderHelp(
   vtkHapticHeadUpDisplay& self, vtkViewport* viewport)
 {
-  // Below the text, unless this leaves less than half of the height.
+  // Place it below the text, unless less than half of the height is left there.
   const int* const size = viewport->GetSize();
   const int below = this->FindTextEnd(self, viewport) - Gap;
   this->Keys->Show(

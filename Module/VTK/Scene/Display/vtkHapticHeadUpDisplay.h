@@ -11,8 +11,8 @@
  * settings are compared; the status of a device other than the virtual one, or a fault; what is
  * touched and how, such as "Resting on skin, 0.62 N of at most 10 N"; whether the volume is cut; of
  * a volume that moves, its time and that of the nearest frame; measurements; and a notice. While
- * nothing is touched, there is nothing of a virtual device to tell. A hint, which
- * vtkInteractorStyleHaptic sets, says what to do next; the style also shows a list of its keys.
+ * nothing is touched, a virtual device adds no line. A hint, which vtkInteractorStyleHaptic sets,
+ * says what to do next; the style also shows a list of its keys.
  *
  *   display->SetDevice(device);
  *   display->AddTissue("bone", 300.0, 3000.0);

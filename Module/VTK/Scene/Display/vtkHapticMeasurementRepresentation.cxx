@@ -33,7 +33,7 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Where a label stands: at the point, between two, at the corner, at the end of a path. */
+/** Position of a label: at a point, between two, at the corner, at the end of a path. */
 Vector3 FindPlace(int kind, vtkPolyData* shape)
 {
   const vtkIdType count = shape->GetNumberOfPoints();
@@ -46,7 +46,7 @@ Vector3 FindPlace(int kind, vtkPolyData* shape)
       return at(1);
     case vtkHapticMeasurements::AREA:
     {
-      // The point that is nearest to the middle: the middle itself may be inside the body.
+      // Take the point nearest to the middle: the middle itself may be inside the body.
       const double* const b = shape->GetBounds();
       const Vector3 middle{ 0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5]) };
       Vector3 nearest = at(0);

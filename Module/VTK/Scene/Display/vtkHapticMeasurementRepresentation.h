@@ -5,9 +5,9 @@
  * @brief   measurements in the scene, with their names and values
  *
  * One prop that draws a vtkHapticMeasurements: points as spheres, distances, angles and paths as
- * lines, areas as patches, each with a label; and in white what is being measured. What is behind a
- * surface or inside a volume shows through, faintly. Labels keep out of each other's way, and out
- * of that of a head-up display; one for which there is no room is not shown.
+ * lines, areas as patches, each with a label; and in white the measurement in progress. Parts
+ * behind a surface or inside a volume show through, faintly. Labels avoid each other and the
+ * head-up display; a label without room is not shown.
  *
  *   representation->SetMeasurements(measurements);
  *   representation->SetHeadUpDisplay(display); // optional

@@ -16,7 +16,9 @@ namespace
 {
 
 constexpr std::size_t MostSteps = 100;
-/** Of tables of labels in all steps, so that a large segmentation does not fill the memory. */
+/**
+ * Limits the labels in all steps' tables, so that a large segmentation does not fill the memory.
+ */
 constexpr vtkIdType MostLabels = 1000000;
 
 } // namespace
@@ -61,7 +63,7 @@ void EditHistory::Restore(const Step& step, const EditedObjects& objects)
 {
   if (step.Property && objects.Property)
   {
-    // What the editor does not edit stays.
+    // Keep the current values of what the editor does not edit.
     step.Property->SetComponent(objects.Property->GetComponent());
     step.Property->SetVisibilityFrom(objects.Property->GetVisibilityFrom());
     objects.Property->DeepCopy(step.Property);
@@ -148,7 +150,7 @@ bool EditHistory::Reset(const EditedObjects& objects)
 {
   if (this->Done.empty())
   {
-    return false; // nothing was edited, or all of it was undone
+    return false; // the editor changed nothing, or all edits were undone
   }
   this->Undone.clear();
   Keep(this->Done, Copy(objects, &this->First));

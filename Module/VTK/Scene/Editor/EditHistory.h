@@ -19,7 +19,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** The objects that an editor changes; each may be null. */
+/** The objects that an editor changes; any may be null. */
 struct EditedObjects
 {
   vtkHapticProperty* Property = nullptr;
@@ -28,8 +28,8 @@ struct EditedObjects
 };
 
 /**
- * Steps that hold what was before an edit, of the objects that it has changed. Edits by others, a
- * program for example, are no steps.
+ * Steps with the state before an edit, for the objects that the edit has changed. Edits by others,
+ * such as a program, are no steps.
  */
 class EditHistory
 {
@@ -40,26 +40,26 @@ public:
   EditHistory& operator=(const EditHistory&) = delete;
 
   ///@{
-  /** Around an edit. If it has changed nothing, there is no step. */
+  /** Call before and after an edit. An edit that changed nothing makes no step. */
   void Begin(const EditedObjects& objects);
   void End(const EditedObjects& objects);
   ///@}
 
   ///@{
-  /** Brings a state back, in place. False if there is none. */
+  /** Restores a state in place. False if there is none. */
   bool Undo(const EditedObjects& objects);
   bool Redo(const EditedObjects& objects);
-  /** As before the first edit; a step of its own. */
+  /** Restores the state before the first edit, as a step of its own. */
   bool Reset(const EditedObjects& objects);
   ///@}
 
-  /** For other objects. */
+  /** Forgets all steps, for other objects. */
   void Forget();
 
 private:
   struct Step
   {
-    vtkSmartPointer<vtkHapticProperty> Property; ///< null if it was not changed
+    vtkSmartPointer<vtkHapticProperty> Property; ///< null if not changed
     vtkSmartPointer<vtkPiecewiseFunction> Opacity;
     vtkSmartPointer<vtkHapticLabelTable> Labels;
     bool IsEmpty() const { return !this->Property && !this->Opacity && !this->Labels; }
@@ -72,7 +72,7 @@ private:
   };
 
   static Times ReadTimes(const EditedObjects& objects);
-  /** Copies of the objects, or of those alone that another step has. */
+  /** Copies the objects, or only those that are in another step. */
   static Step Copy(const EditedObjects& objects, const Step* like);
   static void Restore(const Step& step, const EditedObjects& objects);
   static void Keep(std::deque<Step>& steps, Step step);
@@ -80,8 +80,8 @@ private:
 
   std::deque<Step> Done;
   std::deque<Step> Undone;
-  Step First;  ///< each object as it was before its first edit
-  Step Before; ///< of the edit that goes on
+  Step First;  ///< each object before its first edit
+  Step Before; ///< before the edit in progress
   Times Begun;
 };
 

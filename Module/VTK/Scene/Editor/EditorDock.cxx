@@ -16,7 +16,7 @@
 namespace
 {
 
-/** Lets the editor draw, which a renderer of its own must not keep alive. */
+/** Lets the editor draw. A renderer of its own must not keep the editor alive. */
 class HapticDockedProp : public vtkProp
 {
 public:
@@ -36,7 +36,7 @@ private:
 
 vtkStandardNewMacro(HapticDockedProp);
 
-constexpr int BorderReach = 5; // pixels to either side
+constexpr int BorderReach = 5; // pixels on each side of the border
 
 } // namespace
 
@@ -51,7 +51,7 @@ EditorDock::EditorDock(vtkHapticFunctionEditor* editor, DrawFunction draw)
   prop->Draw = std::move(draw);
   prop->PickableOff();
   this->Renderer->AddViewProp(prop);
-  this->Renderer->InteractiveOff(); // its camera stays
+  this->Renderer->InteractiveOff(); // interactors leave its camera alone
   this->Renderer->SetBackground(0.93, 0.94, 0.95);
   this->StartObserver->SetClientData(this);
   this->StartObserver->SetCallback(
@@ -152,7 +152,7 @@ DockEdge EditorDock::GetEdge() const
 //------------------------------------------------------------------------------
 void EditorDock::Follow()
 {
-  // An editor that was taken out of its renderer is not shown any more.
+  // An editor that was removed from its renderer is not shown any more.
   const bool isShown = this->Editor->GetDocked() && this->Editor->GetVisibility() &&
     this->Editor->GetNumberOfConsumers() > 0 && this->Window;
   if (!isShown)
@@ -196,7 +196,7 @@ bool EditorDock::IsOnBorder(int x, int y)
   const int* const origin = this->Renderer->GetOrigin();
   const int* const size = this->Renderer->GetSize();
   const int at[2] = { x - origin[0], y - origin[1] };
-  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis that the border crosses
+  const int across = IsColumn(this->GetEdge()) ? 0 : 1; // the axis across the border
   const int along = 1 - across;
   const int border = IsLow(this->GetEdge()) ? size[across] : 0;
   return std::abs(at[across] - border) <= BorderReach && at[along] >= 0 && at[along] < size[along];

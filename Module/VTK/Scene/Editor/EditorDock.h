@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the function editor is: over the scene, or in a viewport of its own beside it.
+ * Places the function editor over the scene, or in a viewport of its own beside the scene.
  */
 #ifndef EditorDock_h
 #define EditorDock_h
@@ -35,28 +35,32 @@ public:
   EditorDock(const EditorDock&) = delete;
   EditorDock& operator=(const EditorDock&) = delete;
 
-  /** The renderer that the editor was added to; it docks in that window. Not kept alive. */
+  /** The renderer that has the editor; the editor docks in its window. Not kept alive. */
   void SetHost(vtkRenderer* host);
-  /** Takes the room, or gives it back, as the editor says; before each frame of the window. */
+  /**
+   * Takes the room, or returns it, as the editor's settings say; call before each frame of the
+   * window.
+   */
   void Follow();
   bool IsTaken() const { return this->HasRoom; }
 
   ///@{
   /** The editor's rectangle in pixels of its viewport: left, bottom, width and height. */
   std::array<int, 4> GetRectangle();
-  /** Whether a position on the display is in it. */
+  /** Whether a position on the display is in the editor. */
   bool Contains(int x, int y);
   ///@}
 
   ///@{
-  /** From the display to the viewport that draws the editor, and back. */
+  /** Converts from the display to the viewport that draws the editor, and back. */
   void ToViewport(int& x, int& y);
   void ToDisplay(double position[2]);
   ///@}
 
   /**
    * A vtkCommand of the left button, or MouseMoveEvent, at a position on the display: drags the
-   * border to the scene. False if the event is not for it. `isFree`: nothing else is held.
+   * border between editor and scene. False if the event is not for the border. `isFree`: nothing
+   * else is held.
    */
   bool MoveBorder(int event, bool isLeft, bool isFree, int x, int y);
 
@@ -67,7 +71,7 @@ private:
   void Leave();
   bool IsOnBorder(int x, int y);
   void Drag(int x, int y);
-  /** Shows that the border can be dragged, or not. */
+  /** Sets the mouse cursor for a border that can be dragged, or the usual one. */
   void ShowCursor(bool isOnBorder);
 
   vtkHapticFunctionEditor* const Editor;
@@ -78,7 +82,7 @@ private:
   WindowDock Room;
   bool HasRoom = false;
   bool IsDragged = false;
-  bool HasCursor = false; ///< that of the border
+  bool HasCursor = false; ///< the cursor of the border is shown
 };
 
 } // namespace VolumeHaptics

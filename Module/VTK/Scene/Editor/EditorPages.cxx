@@ -38,19 +38,16 @@ const EditedPage Pages[] = {
   { { "Materials of tissues", 0.0, 1.0, 1.0 }, nullptr },
 };
 
-/**
- * The lag (m) by which a drag would have to leave the proxy behind the tip for a warning: twice
- * what presets have.
- */
+/** The lag (m) at which a drag gives a warning: twice the lag of presets. */
 constexpr double LongDrag = 0.01;
 
-/** The value of a function at a place; an empty one is constant. */
+/** The value of a function at a position; an empty function is constant. */
 double Evaluate(vtkPiecewiseFunction* function, double x, double empty)
 {
   return function->GetSize() > 0 ? function->GetValue(x) : empty;
 }
 
-/** The nodes of two functions, in order. */
+/** The nodes of two functions, in ascending order. */
 std::vector<double> FindNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
 {
   std::vector<double> places;
@@ -67,8 +64,8 @@ std::vector<double> FindNodes(vtkPiecewiseFunction* a, vtkPiecewiseFunction* b)
   return places;
 }
 
-constexpr int SheetWidth = 270;      // pixels, of tissues beside a chart
-constexpr int LeastChartWidth = 330; // beside which there is room for them
+constexpr int SheetWidth = 270;      // pixels: width of tissues beside a chart
+constexpr int LeastChartWidth = 330; // pixels: the least width of the chart beside them
 constexpr int LeastSheetHeight = 150;
 
 } // namespace
@@ -113,7 +110,7 @@ vtkPiecewiseFunction* EditorPages::GetFunction() const
 //------------------------------------------------------------------------------
 EditedObjects EditorPages::GetEdited() const
 {
-  // As vtkHapticProperty::SetVisibilityFrom chooses it.
+  // Choose it as vtkHapticProperty::SetVisibilityFrom does.
   const int component = this->VolumeProperty && this->VolumeProperty->GetIndependentComponents()
     ? std::min(this->Proposed.GetComponent(), VTK_MAX_VRCOMP - 1)
     : 0;
@@ -144,7 +141,7 @@ std::string EditorPages::FindWarning() const
   { return Evaluate(stiffness, x, Pages[Editor::STIFFNESS].Quantity.EmptyValue); };
   const auto drag = [&](double x)
   { return Evaluate(viscosity, x, Pages[Editor::VISCOSITY].Quantity.EmptyValue); };
-  // Noise reads one end of a ramp beside the other one.
+  // Noise can read one end of a ramp in place of the other.
   const std::vector<double> places = FindNodes(stiffness, viscosity);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -162,7 +159,7 @@ std::string EditorPages::FindWarning() const
 //------------------------------------------------------------------------------
 void EditorPages::ScaleValues()
 {
-  // Opacities are of scalars.
+  // Opacities depend on scalars.
   vtkHapticProperty* const property =
     this->Page == Editor::OPACITY ? nullptr : this->Proposed.Property.Get();
   this->Chart.ScaleValues(property

@@ -24,7 +24,7 @@ namespace VolumeHaptics
 {
 
 /**
- * What an editor edits, and the charts and lists that show it: one page at a time, and in a wide
+ * The edited objects, and the charts and lists that show them: one page at a time, and in a wide
  * editor the tissues beside the chart of a function. Positions are pixels of the viewport.
  */
 class EditorPages
@@ -45,13 +45,13 @@ public:
   /** The function of the page, or none. */
   vtkPiecewiseFunction* GetFunction() const;
   EditedObjects GetEdited() const;
-  /** Those of them that can be edited on the page. */
+  /** The functions that can be edited on the page. */
   EditedObjects GetEditable() const;
-  /** What is wrong with the stiffness and the viscosity, on their pages; empty if nothing is. */
+  /** The error in stiffness and viscosity, on their pages; empty if there is none. */
   std::string FindWarning() const;
-  /** Makes the axis of values that of the page's functions. */
+  /** Gives the axis of values the scale of the page's functions. */
   void ScaleValues();
-  /** When something was last edited. */
+  /** The time of the last edit. */
   vtkMTimeType GetEditTime() const;
 
   ///@{
@@ -60,21 +60,21 @@ public:
   void Count();
   void FollowCounts();
   double GetCountedShare() const;
-  /** No work goes on with an image that was taken away. */
+  /** Stops work on an image that was removed. */
   void EndOtherCounts();
   ///@}
 
   /** Fits the page into a rectangle: left, bottom, width and height. */
   void Show(const int rectangle[4], bool isDragged, double scale = 1.0);
-  /** What draws the page. */
+  /** The actors that draw the page. */
   std::vector<vtkContextActor*> GetActors();
   std::vector<vtkContextActor*> GetAllActors();
 
-  /** As HapticFunctionChart::SendMouse; what a press begins goes on where it began. */
+  /** Like HapticFunctionChart::SendMouse; events after a press go to the part that was pressed. */
   void SendMouse(int event, int button, int x, int y);
   void Turn(int x, int y, double steps);
 
-  /** The list with sliders that the page shows; null if none. */
+  /** The page's list with sliders; null if it has none. */
   HapticMaterialSheet* GetSheet();
   HapticMaterialSheet& GetLabels() { return this->Labels; }
   HapticMaterialSheet& GetTissues() { return this->Tissues; }
@@ -87,8 +87,8 @@ private:
   HapticMaterialSheet Tissues{ TissueList };
   int Page = 0;
   bool HasBoth = false;    ///< chart and tissues
-  int Split = 0;           ///< x between them
-  bool HoldsSheet = false; ///< from press to release
+  int Split = 0;           ///< x coordinates between chart and tissues
+  bool HoldsSheet = false; ///< true between press and release
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HapticControlPointsItem
- * @brief   VTK's control points for functions whose values are not shares of 1
+ * @brief   VTK's control points for functions whose values may exceed 1
  *
  * vtkControlPointsItem shows and edits values from 0 to 1. This one shows Scale as 1. A value above
  * the scale is shown at the top, and is kept until its point is dragged down. An empty function is
@@ -23,16 +23,16 @@ public:
   vtkTypeMacro(HapticControlPointsItem, vtkPiecewiseControlPointsItem);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The place of the points: from x to x, and from 0 to the scale (above 0). */
+  /** Places the points between two x, and between 0 and the scale (above 0). */
   void SetRange(double from, double to, double scale);
 
   /** The value of an empty function. Unselects the current point. */
   void SetEmptyValue(double value);
 
-  /** The value and position of the current point, such as "800 at 70", or nothing. */
+  /** The value and position of the current point, such as "800 at 70"; empty if there is none. */
   std::string DescribeCurrentPoint();
 
-  /** A function's value as a share of the scale, limited to -1 to 1. */
+  /** A function's value divided by the scale, limited to -1 to 1. */
   static double ToShare(double value, double scale);
 
   vtkIdType AddPoint(double* newPos) override;

@@ -29,15 +29,15 @@ public:
   static HapticEdgePlot* New();
   vtkTypeMacro(HapticEdgePlot, vtkPlot);
 
-  /** Shows a histogram, with the boundaries that a property has proposed; it may be null. */
+  /** Shows a histogram, with the boundaries that a property has proposed; either may be null. */
   void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
   /** Sets which values the axis shows for the scalars. */
   void ScaleValues(const VolumeHaptics::ValueScale& scale);
 
   /**
-   * The gradient magnitudes at which distinctness begins, and from which on it is full (scalar
-   * units per world unit).
+   * The gradient magnitudes at which distinctness begins and becomes full (scalar units per world
+   * unit).
    */
   void ShowDistinctness(double start, double full);
 
@@ -58,9 +58,9 @@ private:
   struct ArcPoint
   {
     double Value;
-    double Share; // of the largest gradient magnitude that is shown
+    double Share; // relative to the largest shown gradient magnitude
   };
-  /** Its value as VTK scales it for single precision. */
+  /** A scalar in VTK's scale for single precision. */
   float Scaled(double scalar);
   void DrawLine(vtkContext2D* painter, const std::vector<ArcPoint>& points);
 

@@ -70,8 +70,8 @@ HapticFunctionChart::HapticFunctionChart()
   this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
   this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
 
-  // The control points work between 0 and 1. The other plots do as well, on an invisible axis:
-  // plots on other axes would be painted before or after all of these. The left axis shows the
+  // The control points work between 0 and 1. So do the other plots, on an invisible axis: plots on
+  // separate axes would be painted before or after all plots of this axis. The left axis shows the
   // value of 1.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
          this->Bars, this->Edges, this->Bands, this->Proposed, this->Curve, this->Points })
@@ -369,7 +369,7 @@ HapticFunctionChart::AxisKind HapticFunctionChart::FindAxis(int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::ChooseValues(double from, double to)
 {
-  // As far as single precision tells the ticks apart.
+  // Stop where single precision no longer separates the ticks.
   constexpr double precision = 1e-5;
   const double least =
     std::max(1.0 / FarthestShown, precision * std::max(std::abs(from), std::abs(to)));
@@ -384,7 +384,7 @@ void HapticFunctionChart::ChooseTop(double top)
 {
   if (this->Shown)
   {
-    constexpr double smallest = 1e-4; // of the usual top
+    constexpr double smallest = 1e-4; // relative to the usual top
     const double chosen = std::clamp(top, smallest * this->Shown->Usual, this->Shown->Most);
     this->ChosenTops[this->Shown] = chosen;
     this->SetAxes(this->Range[0], this->Range[1], chosen);
@@ -426,7 +426,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
   }
   else
   {
-    // What is under the mouse stays there.
+    // Keep the value under the mouse in place.
     const double foot = left->GetPoint1()[1];
     this->ChooseTop(
       this->Scale * std::max(1.0, this->LastMouse[1] - foot) / std::max(1.0, y - foot));
@@ -437,7 +437,7 @@ bool HapticFunctionChart::MoveAxes(int event, int button, int x, int y)
 //------------------------------------------------------------------------------
 void HapticFunctionChart::Turn(int x, int y, double steps)
 {
-  constexpr double stretch = 1.25; // of a step
+  constexpr double stretch = 1.25; // per step of the wheel
   const double factor = std::pow(stretch, -steps);
   if (this->FindAxis(x, y) == AxisKind::Function)
   {

@@ -41,9 +41,9 @@ namespace VolumeHaptics
 struct EditedQuantity
 {
   const char* Title;
-  double EmptyValue; // the value of a function without points
+  double EmptyValue; // value of a function without points
   double Usual;      // top of the axis if all values are zero
-  double Most;       // largest top of the axis; beyond it, differences can't be felt
+  double Most;       // largest top of the axis; larger differences can't be felt
 };
 
 /** A scene that accepts mouse events from any caller, not only from vtkContextInteractorStyle. */
@@ -71,22 +71,22 @@ public:
   ///@{
   /**
    * Shows the histogram of a component and the name of its array; an image may be null. The
-   * histogram of a large image is that of spread samples at first, until FollowCount() finds that
-   * all were counted in the background.
+   * histogram of a large image shows spread samples at first, until FollowCount() finds that all
+   * values were counted in the background.
    */
   void ShowData(vtkImageData* image, int component);
   bool ShowsData(vtkImageData* image, int component) const;
   void FollowCount();
-  /** Ends the count of another image, which the program may remove. */
+  /** Ends the count of a previous image, which the program may delete. */
   void EndCountUnless(vtkImageData* image);
-  /** The share of the values that is counted, 0 to 1. */
+  /** The fraction of the values that is counted, 0 to 1. */
   double GetCountedShare() const;
   ///@}
 
   ///@{
   /**
    * Shows edges behind the function instead of the histogram of values, with the boundaries of a
-   * proposed property, and which gradient magnitudes are felt (scalar units per world unit).
+   * proposed property, and the range of felt gradient magnitudes (scalar units per world unit).
    */
   void ShowEdges(const EdgeHistogram& histogram, vtkHapticProperty* proposed);
   void HideEdges();
@@ -97,10 +97,10 @@ public:
   /** Shows a second, dashed function, or none. */
   void ShowProposed(vtkPiecewiseFunction* proposed) { this->ProposedFunction = proposed; }
 
-  /** Tells the share of a search for functions or edges that is done; 1: there is none. */
+  /** Shows the finished fraction of a search for functions or edges; 1: no search. */
   void NoteSearch(double share) { this->SearchedShare = share; }
 
-  /** Tells what is wrong with the function; empty: nothing is. */
+  /** Shows an error of the function; empty: no error. */
   void NoteWarning(const std::string& warning) { this->Warning = warning; }
 
   /** The range of the data (scalar units). */
@@ -120,11 +120,14 @@ public:
 
   /**
    * Passes on a vtkCommand of the left button, or MouseMoveEvent, at a position in the viewport.
-   * The left button drags the axes, too: that of values moves, that of the function is stretched; a
-   * double click on one fits both again.
+   * The left button drags the axes, too: it moves the axis of values, and stretches the axis of the
+   * function; a double click on an axis fits both again.
    */
   void SendMouse(int event, int button, int x, int y);
-  /** The wheel: stretches the axis of values about a position, or that of the function over it. */
+  /**
+   * The wheel stretches the axis of values about a position, or the axis of the function if over
+   * it.
+   */
   void Turn(int x, int y, double steps);
 
   /** The position in the viewport of a point of the curve. */
@@ -165,7 +168,7 @@ private:
   vtkNew<vtkTable> CurveTable;
 
   const EditedQuantity* Shown = nullptr;
-  vtkImageData* ShownImage = nullptr; // only compared
+  vtkImageData* ShownImage = nullptr; // never dereferenced, only compared
   int ShownComponent = 0;
   vtkTimeStamp DataTime;
   vtkSmartPointer<vtkDataArray> Counted; // while its values are counted
@@ -175,14 +178,14 @@ private:
   double SearchedShare = 1.0;
   std::string Warning;
   vtkPiecewiseFunction* ProposedFunction = nullptr;
-  ValueCounts Data;                   // of scalars
-  double DataRange[2] = { 0.0, 1.0 }; // on the axis of values
+  ValueCounts Data;                   // counts of scalars
+  double DataRange[2] = { 0.0, 1.0 }; // counts on the axis of values
   ValueScale ToValue;
   double Range[2] = { 0.0, 1.0 };
   double Scale = 1.0;
   int Letters = 8;              ///< points
-  bool HasChosenValues = false; ///< by the user, of the axis of values: it stays then
-  std::map<const EditedQuantity*, double> ChosenTops; ///< the same of the functions' axes
+  bool HasChosenValues = false; ///< the user has moved the axis of values: it stays
+  std::map<const EditedQuantity*, double> ChosenTops; ///< functions' axes that the user has chosen
   AxisKind DraggedAxis = AxisKind::None;
   vtkVector2i LastMouse{ 0, 0 };
 };

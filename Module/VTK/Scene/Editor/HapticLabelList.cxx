@@ -20,7 +20,7 @@ namespace
 struct LabelAccess
 {
   void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< -1: by the functions
+  double (vtkHapticLabelTable::*Get)(int); ///< -1: the functions decide
 };
 
 constexpr LabelAccess LabelQuantities[HapticMaterialList::Quantities] = {

@@ -23,7 +23,7 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** Lists the labels that a label image has or, without one, those of the table. */
+/** Lists the labels of a label image or, without an image, of the table. */
 class HapticLabelList : public HapticMaterialList
 {
 public:
@@ -32,16 +32,16 @@ public:
 
   ///@{
   /**
-   * Looks for the labels of the image, and whether that is up to date. Of a large image these are
-   * the labels of spread samples at first, until FollowCount() finds that all were looked at in the
-   * background.
+   * Searches the image for labels, and reports whether the list is up to date. A large image gives
+   * the labels of spread samples at first, until FollowCount() finds that all voxels were searched
+   * in the background.
    */
   void Count();
   bool IsCounted() const override;
   void FollowCount();
-  /** Ends the search in an image that is no longer the image, and that the program may remove. */
+  /** Ends the search in an image that is no longer shown; the program may delete it. */
   void EndOtherCount();
-  /** The share of the image that was looked at, 0 to 1. */
+  /** The fraction of the image that was searched, 0 to 1. */
   double GetCountedShare() const;
   ///@}
 
@@ -50,7 +50,7 @@ public:
   vtkObject* GetEdited() const override;
   std::string GetTitle() const override;
   const char* GetHint() const override { return "Click on a label to edit its material"; }
-  /** Such as "5 liver". */
+  /** A text such as "5 liver". */
   std::string Describe(int label) const override;
   std::array<double, 3> GetColor(int label) const override;
   bool HasBoxes() const override { return true; }
@@ -67,9 +67,9 @@ protected:
 
 private:
   std::vector<int> Present;
-  const vtkImageData* CountedImage = nullptr; ///< only compared
+  const vtkImageData* CountedImage = nullptr; ///< never dereferenced, only compared
   vtkTimeStamp CountTime;
-  vtkSmartPointer<vtkDataArray> Counted; // while it is looked at
+  vtkSmartPointer<vtkDataArray> Counted; // during the search
   KeyedWork<vtkMTimeType, std::vector<int>> Counting;
 };
 

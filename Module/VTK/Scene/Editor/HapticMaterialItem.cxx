@@ -50,7 +50,7 @@ void PaintFrame(vtkContext2D* painter, const vtkRectf& box)
     EmptyColour);
 }
 
-/** The longest beginning of a text, UTF-8, that fits into a width (pixels). */
+/** The longest beginning of a UTF-8 text that fits into a width (pixels). */
 std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
 {
   const auto widthOf = [painter](const std::string& part)
@@ -76,7 +76,7 @@ std::string Shorten(vtkContext2D* painter, const std::string& text, float width)
     }
     if (middle == fits)
     {
-      break; // one character is left
+      break; // keeps at least one character
     }
     (widthOf(text.substr(0, middle) + rest) <= width ? fits : tooLong) = middle;
   }
@@ -105,7 +105,7 @@ void PaintText(vtkContext2D* painter, const vtkRectf& box, const std::string& te
   }
 }
 
-/** Three digits, in any locale. */
+/** A number with three digits, in any locale. */
 std::string WriteValue(double value)
 {
   std::ostringstream text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   HapticMaterialItem
- * @brief   draws a list of materials, and that of the selected row
+ * @brief   draws a list of materials, and the material of the selected row
  */
 #ifndef HapticMaterialItem_h
 #define HapticMaterialItem_h
@@ -20,8 +20,8 @@ public:
   vtkTypeMacro(HapticMaterialItem, vtkContextItem);
 
   /**
-   * The list to draw, which has to outlive the item; its rectangle; and the pixels for each point
-   * of letters.
+   * Sets the list to draw, which has to outlive the item; its rectangle; and the pixels for each
+   * point of letters.
    */
   void Show(
     const VolumeHaptics::HapticMaterialList& list, const int rectangle[4], double scale = 1.0);

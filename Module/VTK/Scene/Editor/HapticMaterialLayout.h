@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the parts of a list of materials stand.
+ * The layout of the parts of a list of materials.
  */
 #ifndef HapticMaterialLayout_h
 #define HapticMaterialLayout_h
@@ -21,17 +21,17 @@ struct MaterialPart
   enum KindType
   {
     Nothing,
-    Name, ///< with the swatch
-    Felt, ///< as the next one, of lists with boxes
+    Name, ///< name and swatch
+    Felt, ///< this and the next one: in lists with boxes
     Forbidden,
     ScrollBar,
-    ByFunctions, ///< the button that takes the material away
+    ByFunctions, ///< the button that removes the material
     Slider
   };
 
   KindType Kind = Nothing;
-  vtkIdType Row = 0; ///< of Name, Felt and Forbidden, in the list
-  int Quantity = 0;  ///< of Slider
+  vtkIdType Row = 0; ///< for Name, Felt and Forbidden, in the list
+  int Quantity = 0;  ///< for Slider
 };
 
 /**
@@ -46,7 +46,7 @@ public:
   HapticMaterialLayout(const int rectangle[4], const HapticMaterialList& list, double scale = 1.0);
 
   int GetFontSize() const { return this->Font; }
-  /** How many rows there is room for. */
+  /** The number of rows that fit. */
   vtkIdType GetRoom() const { return this->Room; }
 
   vtkRectf GetTitle() const;
@@ -63,7 +63,7 @@ public:
   vtkRectf GetSlider(int quantity) const;
 
   MaterialPart Find(float x, float y) const;
-  /** The first row for a position on the scroll bar. */
+  /** The first visible row for a position on the scroll bar. */
   vtkIdType GetFirstRowAt(float y) const;
 
 private:
@@ -74,7 +74,7 @@ private:
   const HapticMaterialList& List;
   vtkRectf Area;
   int Font;     ///< points
-  float Letter; ///< pixels, of their height
+  float Letter; ///< pixels: their height
   float Line;
   vtkIdType Room;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the function editor lists to edit its materials by sliders: labels, or tissues.
+ * The list in the function editor whose materials are edited by sliders: labels, or tissues.
  */
 #ifndef HapticMaterialList_h
 #define HapticMaterialList_h
@@ -22,14 +22,13 @@ namespace VolumeHaptics
 struct MaterialQuantity
 {
   const char* Title;
-  double Usual; ///< the end of the slider, unless the value is larger
-  double Most;  ///< the largest end
+  double Usual; ///< end of the slider; larger values move it
+  double Most;  ///< largest end
 };
 
 /**
- * Rows of materials, each with a number of its own, its key, in rising order; a window of rows; and
- * a selected one. Only what the window shows is looked up, so that a million labels are as quick as
- * ten.
+ * Rows of materials in ascending order of their keys, a window of rows, and a selected row. Only
+ * rows in the window are looked up, so that a million labels are as quick as ten.
  */
 class HapticMaterialList
 {
@@ -44,22 +43,22 @@ public:
 
   virtual vtkIdType GetNumberOfRows() const = 0;
   virtual int GetKey(vtkIdType row) const = 0;
-  /** Whether the rows are those of the data as they are now. */
+  /** Whether the rows show the current data. */
   virtual bool IsCounted() const { return true; }
   /** The object whose MTime advances with edits; may be null. */
   virtual vtkObject* GetEdited() const = 0;
 
   ///@{
-  /** What is painted: the title, or why there are no rows; and for a row its text and colour. */
+  /** Texts to paint: the title, or why there are no rows; for a row its text and colour. */
   virtual std::string GetTitle() const = 0;
-  /** What a person does to select a row. */
+  /** How a person selects a row. */
   virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;
   ///@}
 
   ///@{
-  /** Whether rows have boxes for what is felt and what is forbidden, and what is in them. */
+  /** Whether rows have boxes (felt, forbidden), and the values of the boxes. */
   virtual bool HasBoxes() const { return false; }
   virtual bool IsFelt(int) const { return true; }
   virtual bool IsForbidden(int) const { return false; }
@@ -68,7 +67,7 @@ public:
   ///@}
 
   ///@{
-  /** Of rows with boxes: whether a row has a material of its own, which can be taken away. */
+  /** In rows with boxes: whether a row has a material of its own, which can be removed. */
   virtual bool HasMaterial(int) const { return true; }
   virtual void RemoveMaterial(int) {}
   ///@}
@@ -77,7 +76,7 @@ public:
   vtkIdType FindRow(int key) const;
 
   ///@{
-  /** The window of rows; the first one is moved so that all of them exist, if possible. */
+  /** The window of rows; its first row is moved so that all of them exist, if possible. */
   void SetVisibleRows(vtkIdType rows);
   vtkIdType GetVisibleRows() const { return this->VisibleRows; }
   void ScrollTo(vtkIdType first);
@@ -91,15 +90,13 @@ public:
   ///@}
 
   ///@{
-  /** Of the selected row: the value of a quantity, -1 if it is by the functions. */
+  /** A quantity of the selected row; -1 if the functions decide. */
   double GetValue(int quantity) const;
   void SetValue(int quantity, double value);
   ///@}
 
   ///@{
-  /**
-   * The end of a slider. It stays while the slider is dragged; FitEnds makes it suit the value.
-   */
+  /** The end of a slider. It stays while the slider is dragged; FitEnds fits it to the value. */
   double GetEnd(int quantity) const { return this->Ends[static_cast<std::size_t>(quantity)]; }
   void FitEnds();
   ///@}

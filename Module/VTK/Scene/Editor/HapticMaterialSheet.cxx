@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The parts of a slider that can be told apart. */
+/** Distinguishable steps of a slider. */
 constexpr double SliderSteps = 200.0;
 constexpr double RowsPerTurn = 3.0;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A page of vtkHapticFunctionEditor that lists labels or tissues: what the mouse does to them.
+ * The mouse on a page of vtkHapticFunctionEditor that lists labels or tissues.
  */
 #ifndef HapticMaterialSheet_h
 #define HapticMaterialSheet_h
@@ -40,8 +40,8 @@ public:
 
   ///@{
   /**
-   * The position in the viewport of a row's name or one of its boxes, and of a value on the
-   * slider of a quantity. False if it is not shown.
+   * The position in the viewport of a row's name or one of its boxes, or of a value on the slider
+   * of a quantity. False if it is not shown.
    */
   bool GetRowPosition(int key, MaterialPart::KindType part, double position[2]) const;
   bool GetSliderPosition(int quantity, double value, double position[2]) const;
@@ -61,7 +61,7 @@ private:
   vtkNew<HapticMaterialItem> Item;
   int Rectangle[4] = { 0, 0, 1, 1 };
   double Scale = 1.0;
-  MaterialPart Held; ///< from press to release: the scroll bar or a slider
+  MaterialPart Held; ///< between press and release: the scroll bar or a slider
 };
 
 } // namespace VolumeHaptics

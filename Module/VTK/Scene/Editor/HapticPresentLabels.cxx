@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A set of labels within a range: a bit for each, or if that were too many, a hash table. */
+/** A set of labels in a range: a bit for each, or a hash table if the bits were too many. */
 class LabelSet
 {
 public:
@@ -64,11 +64,11 @@ bool IsTableLabel(double value)
 {
   constexpr double least = std::numeric_limits<int>::min();
   constexpr double most = std::numeric_limits<int>::max();
-  // False for NaN, too. Rounding can't move a number beyond int into it.
+  // False for NaN, too. Rounding can't move a number beyond int into its range.
   return value >= least && value <= most && value == std::floor(value);
 }
 
-/** Calls a function with every label that a table can have, at least once. */
+/** Calls a function at least once with every label that a table can have. */
 template <typename Function>
 struct LabelVisitor
 {
@@ -84,7 +84,7 @@ struct LabelVisitor
     for (const auto tuple : vtk::DataArrayTupleRange(scalars, this->Begin, this->End))
     {
       const vtk::GetAPIType<ArrayType> value = tuple[0];
-      // Neighbours mostly have the same label.
+      // Neighbours usually have the same label: skip repetitions.
       if (isFirst || value != last)
       {
         isFirst = false;
@@ -133,8 +133,8 @@ std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& pr
     return VisitPieces(labels, before, progress,
       [&](vtkIdType begin, vtkIdType end) { VisitLabels(labels, begin, end, visit); });
   };
-  // Not from VTK, which keeps the range of an array until that is modified, which its image may be
-  // without.
+  // Do not use VTK's range: VTK caches it until the array is modified, and an image may change
+  // without that.
   int from = std::numeric_limits<int>::max();
   int to = std::numeric_limits<int>::min();
   const auto widen = [&](int label)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The labels that occur in a label image.
+ * The labels in a label image.
  */
 #ifndef HapticPresentLabels_h
 #define HapticPresentLabels_h
@@ -14,13 +14,13 @@
 namespace VolumeHaptics
 {
 
-/** The labels of some thousand values that are spread over the array, in rising order. */
+/** The labels of some thousand values, spread over the array, in ascending order. */
 std::vector<int> FindSpreadLabels(vtkDataArray* labels);
 
 /**
- * The labels in an array, in rising order, without those that no vtkHapticLabelTable can have:
- * beyond int, or no whole numbers. None if the search was ended. May be called by another thread
- * than that of the array's owner.
+ * The labels in an array, in ascending order, without those that no vtkHapticLabelTable can have:
+ * numbers beyond int, or not whole. Empty if the search was ended. Another thread than the array
+ * owner's may call it.
  */
 std::vector<int> FindPresentLabels(vtkDataArray* labels, const SweepProgress& progress);
 

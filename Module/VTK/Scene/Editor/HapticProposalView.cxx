@@ -13,14 +13,14 @@
 namespace VolumeHaptics
 {
 
-/** The property whose edges are to be shown: the proposal, or one that was proposed before. */
+/** The property whose edges are shown: the proposal, or a property with an earlier proposal. */
 vtkHapticProperty* HapticProposalView::GetProposed() const
 {
   vtkHapticProperty* const any = this->Proposal ? this->Proposal : this->Property;
   return this->Image && any && any->GetProposedBoundaries() ? any : nullptr;
 }
 
-/** The data that are searched for edges; shows their histogram first. */
+/** The data to search for edges; shows their histogram first. */
 SearchedData HapticProposalView::GetSearched()
 {
   this->Chart.ShowData(this->Image, this->GetComponent());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The functions that are proposed for an image, and the edges that they come from, on the chart of
- * vtkHapticFunctionEditor.
+ * Shows the functions that are proposed for an image, and the edges that they come from, on the
+ * chart of vtkHapticFunctionEditor.
  */
 #ifndef HapticProposalView_h
 #define HapticProposalView_h
@@ -34,15 +34,15 @@ public:
   {
   }
 
-  vtkSmartPointer<vtkHapticProperty> Property; ///< that takes a proposal; may be null
+  vtkSmartPointer<vtkHapticProperty> Property; ///< takes a proposal; may be null
   vtkSmartPointer<vtkImageData> Image;         ///< may be null
   int GetComponent() const { return this->Property ? this->Property->GetComponent() : 0; }
 
   ///@{
   /**
    * FindNow() waits for the end of the search. Begin() searches in the background; false, with the
-   * reason and the cure in `error`, if the image can't be looked at. Follow() returns once what was
-   * found. Both show it, if there is a proposal.
+   * reason and the cure in `error`, if the image can't be looked at. Follow() returns the result
+   * once. Both show a proposal that was found.
    */
   FoundFunctions FindNow();
   bool Begin(std::string& error);
@@ -51,20 +51,20 @@ public:
   double GetProgress() const { return this->Search.GetProgress(); }
   ///@}
 
-  /** Waits until no search goes on with an image that was taken away. */
+  /** Waits until no search uses an image that was removed. */
   void EndOtherSearch() { this->Search.EndUnless(this->Image); }
 
   ///@{
-  /** A proposal that is neither taken nor dropped. Drop() also ends the search. */
+  /** A proposal that is neither accepted nor dropped. Drop() also ends the search. */
   bool IsThere() const { return this->Proposal != nullptr; }
   bool Take();
   bool Drop();
   ///@}
 
-  /** Shows the edges of the proposal, or of one that was taken before, once they are counted. */
+  /** Shows the edges of the proposal, or of one accepted before, once they are counted. */
   void FollowEdges();
 
-  /** Draws what is proposed for the function beside it, and where values are distinct. */
+  /** Draws the proposed function beside the edited one, and the limits of distinctness. */
   void ShowFunction(vtkPiecewiseFunction* (vtkHapticProperty::*get)());
 
 private:
@@ -77,7 +77,7 @@ private:
   HapticFunctionChart& Chart;
   FunctionSearch Search;
   vtkSmartPointer<vtkHapticProperty> Proposal;
-  vtkSmartPointer<vtkTable> Boundaries; // that the chart shows
+  vtkSmartPointer<vtkTable> Boundaries; // shown by the chart
   vtkTimeStamp EdgeTime;
 };
 

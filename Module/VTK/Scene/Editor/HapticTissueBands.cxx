@@ -23,7 +23,7 @@ vtkStandardNewMacro(HapticTissueBands);
 namespace
 {
 
-constexpr int BandOpacity = 110; // of 255: a histogram behind it can be seen
+constexpr int BandOpacity = 110; // of 255: the histogram shines through
 constexpr double BandInk[3] = { 0.25, 0.27, 0.31 };
 constexpr float NameMargin = 3.0f; // pixels
 
@@ -83,7 +83,7 @@ void HapticTissueBands::PaintName(
   const float top = place.GetTop() - NameMargin;
   if (isUpright)
   {
-    // Its end is at the top.
+    // The end of the function's axis is at the top.
     text->SetOrientation(90.0);
     text->SetJustificationToCentered();
     text->SetVerticalJustificationToCentered();
@@ -103,7 +103,7 @@ bool HapticTissueBands::Paint(vtkContext2D* painter)
   {
     return false;
   }
-  // In pixels, in which letters are measured.
+  // Use pixels, the unit of measured letters.
   const vtkRectd scale = this->GetShiftScale();
   const auto scaled = [&scale](double value)
   { return static_cast<float>((value + scale[0]) * scale[2]); };

@@ -5,8 +5,8 @@
  * @brief   the tissues of a property, as bands with names behind a function
  *
  * The first tissue reaches to the left end of the axis, and the last one to the right, as functions
- * go on there. A name stands upright where its band is narrow, and is left out where it is too
- * narrow for that.
+ * go on there. A name stands upright where its band is narrow, and is left out where the band is
+ * too narrow even for that.
  */
 #ifndef HapticTissueBands_h
 #define HapticTissueBands_h
@@ -30,8 +30,8 @@ public:
   vtkTypeMacro(HapticTissueBands, vtkPlot);
 
   /**
-   * The tissues of a property, or none; which values the axis shows for scalars; the ends of the
-   * axis; the size of letters.
+   * Sets the tissues of a property, or none; the axis' values for scalars; the ends of the axis;
+   * the size of letters.
    */
   void Show(vtkHapticProperty* property, const VolumeHaptics::ValueScale& toValue,
     const double range[2], int letters);

@@ -28,7 +28,7 @@ constexpr TissueAccess TissueQuantities[HapticMaterialList::Quantities] = {
 
 std::array<double, 3> GetTissueColor(int tissue)
 {
-  // Pale, so that curves and letters stand out before them, and told apart by most eyes.
+  // Pale colours let curves and letters stand out before them; most eyes can tell them apart.
   constexpr std::array<double, 3> colors[] = { { 0.70, 0.83, 0.95 }, { 0.98, 0.80, 0.66 },
     { 0.99, 0.93, 0.63 }, { 0.72, 0.90, 0.87 }, { 0.95, 0.72, 0.74 }, { 0.84, 0.78, 0.93 },
     { 0.80, 0.88, 0.70 }, { 0.86, 0.80, 0.72 } };

@@ -15,13 +15,13 @@
 namespace VolumeHaptics
 {
 
-/** The colour of a tissue, by its number, in lists and bands: RGB, 0 to 1. */
+/** The colour of a tissue by number, in lists and bands: RGB, 0 to 1. */
 std::array<double, 3> GetTissueColor(int tissue);
 
 class HapticTissueList : public HapticMaterialList
 {
 public:
-  /** May be null. */
+  /** The property may be null. */
   explicit HapticTissueList(const vtkSmartPointer<vtkHapticProperty>& property)
     : Property(property)
   {

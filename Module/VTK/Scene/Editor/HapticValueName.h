@@ -19,9 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * For the axis of a chart: the array's name, its unit (vtkDataArray::UNITS_LABEL), or both. Names
- * that VTK's readers give to all arrays say how these were stored, not what they mean. "Value" if
- * nothing is known.
+ * The title of a chart's axis: the array's name, its unit (vtkDataArray::UNITS_LABEL), or both.
+ * Leaves out names that VTK's readers give to all arrays: they describe the storage, not the
+ * meaning. "Value" if nothing is known.
  */
 inline std::string NameValues(vtkDataArray* values)
 {

@@ -10,7 +10,7 @@
 namespace VolumeHaptics
 {
 
-/** As vtkHapticProperty has it: (scalar + Shift) Scale. By default, the scalars themselves. */
+/** The scale of vtkHapticProperty: (scalar + Shift) Scale. By default, the scalars themselves. */
 struct ValueScale
 {
   double Shift = 0.0;

@@ -42,7 +42,7 @@ struct vtkHapticFunctionEditor::vtkInternals
   bool WaitsForProposal = false;
 
   /**
-   * Does work of the editor between StartEvent and EndEvent. Observers may render meanwhile, which
+   * Does the editor's work between StartEvent and EndEvent. Observers may render meanwhile, which
    * shows the chart as it is, and may release the editor.
    */
   template <typename WorkType>
@@ -117,7 +117,7 @@ void vtkHapticFunctionEditor::NextFunction()
 //------------------------------------------------------------------------------
 void vtkHapticFunctionEditor::SetRectangle(int x, int y, int width, int height)
 {
-  constexpr int most = 16384; // as wide as a texture may be, and any display is
+  constexpr int most = 16384; // the widest texture; no display is wider
   const int rectangle[4] = { std::clamp(x, -most, most), std::clamp(y, -most, most),
     std::clamp(width, 1, most), std::clamp(height, 1, most) };
   if (!std::equal(rectangle, rectangle + 4, this->Rectangle))
@@ -343,7 +343,7 @@ bool vtkHapticFunctionEditor::TakeProposal()
   const bool isDragging = d.Held != 0;
   if (isDragging)
   {
-    d.History.End(d.Pages.GetEdited()); // the drag up to now is a step of its own
+    d.History.End(d.Pages.GetEdited()); // the drag up to now becomes a step of its own
   }
   d.History.Begin({ d.Pages.Proposed.Property, nullptr, nullptr });
   const bool isTaken = d.Pages.Proposed.Take();
@@ -414,7 +414,7 @@ bool vtkHapticFunctionEditor::Send(int event, int button, int x, int y)
     event == vtkCommand::LeftButtonPressEvent || event == vtkCommand::LeftButtonDoubleClickEvent;
   if (d.Held == 0 ? !this->Contains(x, y) : starts && d.Held != button)
   {
-    return d.Held != 0; // a second button during a drag is taken, and does nothing
+    return d.Held != 0; // a second button during a drag is used up, without effect
   }
   const bool ends = event == vtkCommand::LeftButtonReleaseEvent;
   if (ends && d.Held != button)
@@ -563,7 +563,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
   }
   if (d.CanDraw == -1)
   {
-    // A chart that has no device to draw on would crash.
+    // A chart without a device to draw on would crash.
     const auto device = vtkSmartPointer<vtkContextDevice2D>::Take(vtkContextDevice2D::New());
     d.CanDraw = device ? 1 : 0;
     if (!device)

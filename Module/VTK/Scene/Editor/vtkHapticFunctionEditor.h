@@ -16,13 +16,13 @@
  * Left button: drag a point; a click beside the points adds one. Middle button: remove a point.
  * Right button: select points, which then move together. The first and the last point only move up
  * and down. The title shows value and position of the point that was touched last. If a point is
- * left at the top of the chart, the axis grows. The left button drags the axes, too: values are
- * moved, the function's axis is stretched; the wheel stretches the axis of values about the mouse,
- * or over the function's axis that one; a double click on an axis fits it again.
+ * left at the top of the chart, the axis grows. The left button drags the axes, too: it moves the
+ * axis of values and stretches the function's axis; the wheel stretches the axis of values about
+ * the mouse, or the function's axis if over it; a double click on an axis fits it again.
  *
  * The tissues of the property (vtkHapticProperty::AddTissue), which its presets bring, are bands
- * with names behind the function. A page of their own has sliders for the material of each, as the
- * page of labels, see below.
+ * with names behind the function. A page of their own has sliders for the material of each tissue,
+ * like the page of labels below.
  *
  * Edits are live: they change the vtkPiecewiseFunction itself, so the property's MTime advances;
  * the hand feels them with the next vtkHapticDevice::Publish. To follow edits, observe
@@ -30,13 +30,13 @@
  * is invoked after every mouse event that changed something.
  *
  * An empty function is shown as its constant, without points, and stays empty until the first point
- * is added: that adds the constant at both ends of the axis, too. So looking at a function never
+ * is added: that adds the constant at both ends of the axis, too. So showing a function never
  * changes it.
  *
  * If the functions of an image are not known, they may propose themselves:
  *
  *   editor->Propose();      // the proposal is dashed, over the edges that it was made from
- *   editor->TakeProposal(); // it becomes the property's functions, to be dragged as any other
+ *   editor->TakeProposal(); // the property's functions, editable as usual
  *
  * The edges are a histogram of value (to the right) and gradient magnitude (upwards), in which each
  * boundary between two materials is an arc. Dotted lines are the gradient magnitudes at which

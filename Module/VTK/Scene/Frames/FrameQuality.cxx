@@ -36,11 +36,11 @@ constexpr double AimedRate = 26.0;    // Hz: input waits for the end of a frame 
 constexpr double DrawingShare = 0.8; // of the time between frames; events and haptics take the rest
 constexpr double LongestWait = 0.1;  // s, for a frame at rest that can't be interrupted
 constexpr double LongestRest = 0.5;  // s, for any one, because a device without news lets go
-constexpr double LongestTry = 1.0;   // s, until such a frame is given up
-constexpr double UnknownSteps = 4.0; // of a mapper on the processor that has drawn no frame yet
-constexpr int MostSlowFrames = 3;    // one after the other; a busy processor may delay one or two
+constexpr double LongestTry = 1.0;   // s, until a frame at rest is given up
+constexpr double UnknownSteps = 4.0; // steps of a mapper on the processor before its first frame
+constexpr int MostSlowFrames = 3;    // in a row; a busy processor may delay one or two
 
-/** As vtkGPUVolumeRayCastMapper samples by itself, at rest. */
+/** The sample distance that vtkGPUVolumeRayCastMapper chooses at rest. */
 double AutomaticDistance(vtkImageData* image)
 {
   const double* const spacing = image->GetSpacing();
@@ -115,7 +115,7 @@ void FrameQuality::SetWindow(vtkRenderWindow* window, bool offScreen)
   this->Interactor = window ? window->GetInteractor() : nullptr;
   if (this->Interactor)
   {
-    // Before the interactor draws.
+    // Called before the interactor draws.
     this->Interactor->AddObserver(vtkCommand::ConfigureEvent, this->Observer);
     this->Interactor->AddObserver(vtkCommand::ExposeEvent, this->Observer);
   }
@@ -161,7 +161,7 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
     // VTK's interrupted mapper tells its progress more often than the window asks.
     mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Observer);
   }
-  // What the application has set since the last frame becomes its own setting.
+  // Settings that the application has changed since the last frame become its own.
   Settings& own = caster->Own;
   own.ImageDistance =
     now.ImageDistance == caster->Set.ImageDistance ? own.ImageDistance : now.ImageDistance;
@@ -202,11 +202,11 @@ void FrameQuality::Adjust(Mapper* mapper, const Shown& shown)
   }
   else if (moves && !this->InMotion.IsKnown && cpu)
   {
-    this->InMotion.Steps = UnknownSteps; // the first touch is not to wait
+    this->InMotion.Steps = UnknownSteps; // the first touch must not wait
   }
   if (!isLimited)
   {
-    this->AtRest.Steps = 0.0; // the frame's time will be that of all rays
+    this->AtRest.Steps = 0.0; // the frame's time will include all rays
   }
   else
   {
@@ -294,7 +294,7 @@ void FrameQuality::ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched)
   }
   const int mode = mapper->GetRequestedRenderMode();
   auto* const image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
-  // The ray caster on the processor draws no cells and no independent components.
+  // The processor's ray caster draws no cells and no independent components.
   vtkDataArray* const values = image ? image->GetPointData()->GetScalars() : nullptr;
   if (touched && known == this->SmartMappers.end() &&
     mode == vtkSmartVolumeMapper::DefaultRenderMode && values &&
@@ -386,7 +386,7 @@ void FrameQuality::End()
   }
   std::copy_n(this->Window->GetSize(), 2, this->DrawnSize.begin());
   this->Interrupted = this->IsResized ? Interruption::Resized : this->Interrupted;
-  // Only frames that cast all rays tell how long these take.
+  // Only frames that cast all rays measure the time of all rays.
   bool castsAll = false;
   bool keepsRays = false;
   bool isAdjusted = false;
@@ -409,13 +409,13 @@ void FrameQuality::End()
   }
   else if (this->IsFine && !castsAll)
   {
-    // On a busy processor, coarse rays may be as slow.
+    // On a busy processor, coarse rays may be as slow as fine ones.
     const double coarsely = std::max(this->InMotion.Time, this->CoarseTime);
     this->SlowFrames = time > std::max(1.0 / LeastRate, 1.5 * coarsely) ? this->SlowFrames + 1 : 0;
   }
   else if (keepsRays && !castsAll)
   {
-    constexpr double share = 0.2; // of the last frame in the mean
+    constexpr double share = 0.2; // weight of the last frame in the mean
     this->CoarseTime += (this->CoarseTime == 0.0 ? 1.0 : share) * (time - this->CoarseTime);
   }
 }
@@ -448,7 +448,7 @@ std::optional<double> FrameQuality::EstimateTime() const
   {
     if (caster.Frame == this->Frame && std::exchange(only, &caster))
     {
-      return {}; // what comes after the first one is unknown
+      return {}; // with several casters, the rest of the frame is unknown
     }
   }
   return only ? only->Progress.GetWhole() : std::nullopt;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How finely the volumes of a touched scene are drawn, so that a frame never blocks the hand.
+ * Chooses how finely the volumes of a touched scene are drawn, so that a frame never blocks the
+ * hand.
  */
 #ifndef FrameQuality_h
 #define FrameQuality_h
@@ -36,7 +37,7 @@ namespace VolumeHaptics
 class KeptRays;
 
 /**
- * Follows the frames of one window:
+ * Adjusts the frames of one window:
  *
  * - In motion (the window wants more than 1 frame a second) ray casters cast as many rays as 20
  *   frames a second allow, one for each pixel at best. VTK's GPU mapper by itself would save
@@ -46,17 +47,18 @@ class KeptRays;
  *   only the rays that the hand's stylus and arrows have changed (KeptRays). After a complete frame
  *   at rest, frames in motion use its fine rays as long as that is quick enough.
  * - At rest each mapper draws as the application has set it. A mapper that runs on the processor is
- *   interrupted as soon as there is input. One that runs on the graphics card can't be: while a
- *   device is armed, it casts as many rays as 0.1 s allows. The other one then takes 0.5 s at most:
- *   meanwhile nobody reads the device, and its force fades after AttentionTime. As soon as a frame
- *   is seen to take more than 1 s, it is given up and drawn again with fewer rays, at once.
- * - Somebody who changes the window's size would see nothing until the frame at rest is done. So
- *   if that takes long, a frame as in motion comes first.
+ *   interrupted as soon as there is input. A mapper on the graphics card can't be interrupted:
+ *   while a device is armed, it casts as many rays as 0.1 s allows. While a device is armed, the
+ *   processor's mapper takes 0.5 s at most: meanwhile nobody reads the device, and its force fades
+ *   after AttentionTime. As soon as a frame is seen to take more than 1 s, it is given up and drawn
+ *   again with fewer rays, at once.
+ * - After a change of the window's size, nothing would be seen until the frame at rest is done. So
+ *   if that frame takes long, a frame as in motion comes first.
  * - vtkSmartVolumeMapper casts rays on the processor while a scene is touched or plays, if OpenGL
  *   runs there, too: measured with Mesa's llvmpipe on two cores, that takes a fifth of the time.
  *
- * A window off the screen is left alone, because nobody waits for its pictures, unless it is told
- * that somebody does.
+ * A window off the screen is not adjusted, because nobody waits for its pictures, unless
+ * `offScreen` says that somebody does.
  */
 class FrameQuality
 {
@@ -68,15 +70,15 @@ public:
     Armed
   };
 
-  /** `touch` tells before each frame whether the scene is touched; On also if it plays. */
+  /** `touch` reports before each frame whether the scene is touched; On also if it plays. */
   explicit FrameQuality(std::function<Touch()> touch);
   ~FrameQuality();
   FrameQuality(const FrameQuality&) = delete;
   FrameQuality& operator=(const FrameQuality&) = delete;
 
   /**
-   * Follows this window, nullptr for none, and gives the mappers of the last one their own settings
-   * back. `offScreen`: also if it is off the screen.
+   * Adjusts this window, nullptr for none, and restores the own settings of the last window's
+   * mappers. `offScreen`: also if it is off the screen.
    */
   void SetWindow(vtkRenderWindow* window, bool offScreen = false);
 
@@ -84,15 +86,15 @@ public:
   enum class Interruption
   {
     None,
-    Input,  ///< has come meanwhile
-    Slow,   ///< it would have taken too long: the next one casts fewer rays
-    Resized ///< the window, so that it was drawn coarsely first
+    Input,  ///< input came during the frame
+    Slow,   ///< too slow: the next frame casts fewer rays
+    Resized ///< the window's size, so that the frame was drawn coarsely first
   };
-  /** Why a frame is to be drawn again since the last call. */
+  /** Why a frame was to be drawn again since the last call. */
   Interruption TakeInterruption();
 
 private:
-  /** A mapper with what the application has set, and what this has. */
+  /** A mapper, the settings of its application, and the settings made here. */
   struct Settings
   {
     double ImageDistance; ///< pixels between rays
@@ -104,9 +106,9 @@ private:
     vtkWeakPointer<vtkVolumeMapper> Mapper;
     Settings Own;
     Settings Set;
-    std::shared_ptr<KeptRays> Rays; ///< of one that runs on the processor, in a single renderer
-    RayProgress Progress;           ///< of the frame, if it casts all rays
-    unsigned long Frame = 0;        ///< that it was adjusted for
+    std::shared_ptr<KeptRays> Rays; ///< kept rays of a processor's mapper in a single renderer
+    RayProgress Progress;           ///< progress of the frame, if it casts all rays
+    unsigned long Frame = 0;        ///< the frame that it was adjusted for
   };
   struct Smart
   {
@@ -126,23 +128,23 @@ private:
   void Begin();
   void End();
   void Interrupt();
-  /** Notes which share of its rows a mapper has cast; 0 when it begins. */
+  /** Records which fraction of its rows a mapper has cast; 0 when it begins. */
   void FollowProgress(vtkObject* mapper, double share);
-  /** The time of the frame with all its rays, s, if it is known before its end. */
+  /** The time of the frame with all its rays (s), if known before its end. */
   std::optional<double> EstimateTime() const;
-  /** Since the beginning of the frame, s. */
+  /** Time since the beginning of the frame, s. */
   double GetElapsed() const;
   void Restore();
   template <typename Mapper>
   void Adjust(Mapper* mapper, const Shown& shown);
-  /** Its own ray caster on the processor, as if it were the volume's mapper. */
+  /** Adjusts a smart mapper's own ray caster on the processor as if it were the volume's mapper. */
   void AdjustProcessor(vtkSmartVolumeMapper* mapper, const Shown& shown);
   void ChooseProcessor(vtkSmartVolumeMapper* mapper, bool touched);
   static void GiveBack(const Smart& smart);
-  /** Makes what keeps the rays of this mapper's image. */
+  /** Makes the object that keeps the rays of this mapper's image. */
   static void FollowRays(
     Caster& caster, vtkFixedPointVolumeRayCastMapper* mapper, const Shown& shown);
-  /** Whether OpenGL runs on the processor. Asks the window once, because its answer takes long. */
+  /** Whether OpenGL runs on the processor. Asks the window once, because the answer takes long. */
   bool IsOnProcessor();
 
   const std::function<Touch()> AskTouch;
@@ -150,26 +152,29 @@ private:
   vtkRenderWindow* FindWindow() const;
 
   vtkWeakPointer<vtkRenderWindow> Window;
-  bool OffScreen = false; ///< also where the window is off the screen
+  bool OffScreen = false; ///< adjusts windows off the screen, too
   vtkSmartPointer<vtkCallbackCommand> Observer;
   std::vector<Caster> Casters;
   std::vector<Smart> SmartMappers;
   std::chrono::steady_clock::time_point Start;
-  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< that is observed
-  std::array<int, 2> DrawnSize{};                       ///< of the window, by the last frame
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< the observed interactor
+  std::array<int, 2> DrawnSize{};                       ///< size of the window in the last frame
   std::optional<bool> OnProcessor;                      ///< empty: not known yet
   RayPace InMotion;
   RayPace AtRest;
   unsigned long Frame = 0;
-  /** In motion, with fine kept rays; after too many, these are coarse until the next rest. */
+  /**
+   * Frames in motion with fine kept rays; after too many of them, rays are coarse until the next
+   * rest.
+   */
   int SlowFrames = 0;
-  double CoarseTime = 0.0; ///< s, of frames in motion with coarse kept rays
+  double CoarseTime = 0.0; ///< s, for frames in motion with coarse kept rays
   bool IsFine = false;     ///< the frame in motion keeps the fine rays of rest
   bool IsExposed = false;  ///< the interactor is about to draw the window
-  bool IsResized = false;  ///< the frame is drawn as in motion for that
+  bool IsResized = false;  ///< the frame is drawn as in motion for a changed size
   bool Moves = false;
   bool IsArmed = false;
-  bool IsGivenUp = false; ///< the frame, because it takes too long
+  bool IsGivenUp = false; ///< ended because the frame takes too long
   Interruption Interrupted = Interruption::None;
 };
 

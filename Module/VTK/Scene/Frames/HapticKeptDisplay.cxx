@@ -28,7 +28,7 @@ struct OpenedWindow : vtkXOpenGLRenderWindow
   }
 };
 
-/** The window closes the connection when it is deleted, with its interactor, so after the loop. */
+/** Closes the connection when the window is deleted, with its interactor, so after the loop. */
 void GiveBack(vtkObject* caller, unsigned long, void* display, void*)
 {
   auto* const window = static_cast<vtkXOpenGLRenderWindow*>(caller);

@@ -15,11 +15,11 @@ namespace VolumeHaptics
 
 /**
  * A moving scene is drawn at once, and as coarsely as the interactive frame rate needs. If a frame
- * is slow even so, there is a gap after it: timers come due with each event, so that else a frame
- * would be drawn between any two motions of a mouse that wait, and a key would be late by all of
- * them. If it is known that nothing waits, there is none. A scene that has come to rest is drawn
- * once, finely. After that only figures change: drawing them may take a tenth of the time, so that
- * a volume that takes a second to draw leaves the application responsive.
+ * is slow even so, a gap follows it, unless it is known that no input waits. Timers come due with
+ * each event: without a gap, a frame would be drawn between any two waiting motions of the mouse,
+ * and a key would be late by all of these frames. A scene that has come to rest is drawn once,
+ * finely. After that only figures change: drawing them may take a tenth of the time, so that a
+ * volume that takes a second to draw leaves the application responsive.
  */
 class HapticRenderPace
 {
@@ -34,11 +34,11 @@ public:
   static constexpr double Shortest = 0.05; ///< s between frames at rest
   static constexpr double Slow = 0.05; ///< s: a quick frame that takes longer has a gap after it
   static constexpr double LongestGap = 0.1;     ///< s
-  static constexpr double LongestPeriod = 0.02; ///< s: slower frames are late by that of a timer
+  static constexpr double LongestPeriod = 0.02; ///< s: a timer delays slower frames by its period
   static constexpr double LongestStep = 0.05;   ///< s between motions of one stroke
-  static constexpr double FeltTime = 0.004;     ///< s, of several ticks
+  static constexpr double FeltTime = 0.004;     ///< s: the time of several ticks
   static constexpr double LongestAwaited =
-    0.03; ///< s: the hand's way before a stroke's first frame
+    0.03; ///< s: time for the hand to move before a stroke's first frame
 
   /**
    * Times are in s. `moves`: something has moved since the last frame. `isNew`: figures have
@@ -71,8 +71,8 @@ public:
   }
 
   /**
-   * Whether a motion of the mouse is to draw, because timers are late: those of VTK on X11 wait for
-   * all of their period after a frame. The motion before has been felt meanwhile.
+   * Whether a motion of the mouse is to draw, because timers are late: VTK's timers on X11 wait
+   * their whole period after a frame. The previous motion has been felt meanwhile.
    */
   bool IsLate(double now) const
   {
@@ -83,7 +83,7 @@ public:
 
   /**
    * Whether a motion of the mouse is the first one after a rest, and timers are late, as above: it
-   * is to be drawn FeltTime after it.
+   * is to be drawn FeltTime later.
    */
   bool IsFirst(double now) const
   {
@@ -91,14 +91,14 @@ public:
       (this->IsStill || now - this->LastDrawn > LongestStep);
   }
 
-  /** Call it after a frame that was interrupted or coarse: it becomes due again after a rest. */
+  /** Call it after an interrupted or coarse frame: the frame becomes due again after a rest. */
   void Interrupted(double now)
   {
     this->LastDrawn = now;
     this->IsStill = false;
   }
 
-  /** Call it after a frame that took too long: a coarser one is due at once, as nothing moves. */
+  /** Call it after a frame that took too long: if nothing moves, a coarser frame is due at once. */
   void GivenUp()
   {
     this->LastDrawn = -std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ public:
 
 private:
   double LastDrawn = 0.0;
-  double Cost = 0.0;      ///< of a still frame, s
+  double Cost = 0.0;      ///< s, cost of a still frame
   double QuickCost = 0.0; ///< s
   bool IsStill = true;
 };

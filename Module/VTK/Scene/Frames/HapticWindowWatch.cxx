@@ -20,8 +20,8 @@ namespace VolumeHaptics
 
 /**
  * A texture without pixels. Before a window is finalized or destroyed, it makes each texture in its
- * context release its resources. VTK does not install the header of the callback behind that, so a
- * texture is needed.
+ * context release its resources. VTK does not install the header of the callback for that, so this
+ * uses a texture.
  */
 class HapticWindowWatch::Closing final : public vtkTextureObject
 {
@@ -29,13 +29,13 @@ public:
   vtkTypeMacro(Closing, vtkTextureObject);
   static Closing* New() { return new Closing; }
 
-  /** The window that is watched from here on; nullptr for none. */
+  /** Sets the watched window; nullptr for none. */
   void SetWindow(vtkOpenGLRenderWindow* window)
   {
     // During a release, the window removes this from its list after the call.
     if (window != this->Window && !this->IsInRelease)
     {
-      this->IsInRelease = true; // leaving a window also releases, but is no end
+      this->IsInRelease = true; // leaving a window also releases its resources, but does not end it
       this->SetContext(window);
       this->IsInRelease = false;
       this->Window = window;
@@ -72,7 +72,7 @@ private:
   bool IsInRelease = false;
 };
 
-/** A class of its own, so that a watch recognises the observers of other watches. */
+/** A separate class, so that a watch recognises the observers of other watches. */
 class HapticWindowWatch::Observer final : public vtkCommand
 {
 public:
@@ -98,12 +98,12 @@ public:
   HapticWindowWatch* Watch = nullptr;
 
   /**
-   * Whether the application observes an interactor's ExitEvent: with any observer that is no
-   * watch's.
+   * Whether the application observes an interactor's ExitEvent: with any observer that does not
+   * belong to a watch.
    */
   static bool IsExitTaken(vtkRenderWindowInteractor* interactor)
   {
-    // Tags are given in ascending order.
+    // Tags are in ascending order.
     vtkNew<Observer> last;
     const unsigned long end = interactor->AddObserver(vtkCommand::NoEvent, last);
     interactor->RemoveObserver(end);
@@ -150,11 +150,12 @@ void HapticWindowWatch::SetInteractor(vtkRenderWindowInteractor* interactor)
   {
     this->IsEnabled = interactor->GetEnabled() != 0;
     this->IsDone = interactor->GetDone();
-    // Before the application's observers, which may take long, for example to ask whether to quit.
+    // Call before the application's observers, which may take long, for example to ask whether to
+    // quit.
     interactor->AddObserver(vtkCommand::ExitEvent, this->Events, VTK_FLOAT_MAX);
     interactor->AddObserver(vtkCommand::ModifiedEvent, this->Events);
-    // After the application's observers, because they may have called TerminateApp(); the loop then
-    // ends with these events.
+    // Call after the application's observers, because they may have called TerminateApp(); the loop
+    // then ends with these events.
     for (const unsigned long event :
       { vtkCommand::KeyPressEvent, vtkCommand::KeyReleaseEvent, vtkCommand::CharEvent,
         vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent,
@@ -228,8 +229,7 @@ void HapticWindowWatch::OnExit()
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor(this->Interactor.GetPointer());
   KeepDisplay(interactor->GetRenderWindow());
   this->End();
-  // ExitCallback() calls TerminateApp() only if the event has no observers. The watch must not
-  // change that.
+  // ExitCallback() calls TerminateApp() only if the event has no observers. Keep that behaviour.
   if (!Observer::IsExitTaken(interactor))
   {
     interactor->TerminateApp();

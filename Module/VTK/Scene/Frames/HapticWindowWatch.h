@@ -5,11 +5,11 @@
  * Reports that a window ends during a touch.
  *
  * VTK has no event for the end of a loop or of a window, and each platform ends them in its own
- * order. So this watches everything that comes early in an end: ExitEvent (the key q, the window
- * manager's close button), the interactor's Disable(), and the release of the window's graphics
- * resources, which comes before the window is destroyed. Look(), which is called after events of
- * keys, mouse and timers, notices that TerminateApp() was called. LookAt() notices that the touched
- * renderer was taken out of the window or deleted, of which VTK tells nobody.
+ * order. So this watches all early signs of an end: ExitEvent (the key q, the window manager's
+ * close button), the interactor's Disable(), and the release of the window's graphics resources,
+ * which comes before the window is destroyed. Look(), which is called after events of keys, mouse
+ * and timers, notices that TerminateApp() was called. LookAt() notices that the touched renderer
+ * was taken out of the window or deleted; VTK sends no event for this.
  */
 #ifndef HapticWindowWatch_h
 #define HapticWindowWatch_h
@@ -40,11 +40,11 @@ public:
   HapticWindowWatch(const HapticWindowWatch&) = delete;
   HapticWindowWatch& operator=(const HapticWindowWatch&) = delete;
 
-  /** The interactor whose window is watched; nullptr for none. */
+  /** Watches the window of this interactor; nullptr for none. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
   /**
-   * Call it often: follows the interactor to another window, and notices that its loop was told to
+   * Call it often: notices that the interactor has another window, or that its loop was told to
    * end.
    */
   void Look();
@@ -58,7 +58,7 @@ public:
    */
   bool HasVanished();
 
-  /** Whether the end of its loop closed the window: drawing would open another one. */
+  /** Whether the end of the loop closed the window: drawing would open another window. */
   bool IsClosed() const;
 
 private:
@@ -76,12 +76,12 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkSmartPointer<Observer> Events;
   vtkSmartPointer<Closing> WindowClosing;
-  vtkWeakPointer<vtkRenderer> Seen; ///< in the window, at the last look
+  vtkWeakPointer<vtkRenderer> Seen; ///< the renderer in the window at the last look
   bool HasSeen = false;
   bool WasViewable = false;
-  std::int64_t ViewTime = 0; ///< ServoClock, when the window system was last asked
-  bool IsEnabled = false;    ///< of the interactor, when last seen
-  bool IsDone = false;       ///< the loop was told to end, when last seen
+  std::int64_t ViewTime = 0; ///< ServoClock: last question to the window system
+  bool IsEnabled = false;    ///< state of the interactor, when last seen
+  bool IsDone = false;       ///< whether the loop was told to end, when last seen
   bool IsReleased =
     false; ///< the window has released its graphics resources and was not rendered since
   vtkWeakPointer<vtkRenderWindow> ReleasedWindow;

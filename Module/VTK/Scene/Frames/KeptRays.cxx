@@ -31,11 +31,11 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int ShortestGap = 16; // rays; to cast fewer costs less than another pass
+constexpr int ShortestGap = 16; // rays; fewer cost less than another pass
 constexpr std::size_t MostPasses = 4;
-constexpr int MostCoarseRays = 1 << 16; // a copy of their image takes no time
+constexpr int MostCoarseRays = 1 << 16; // copying their image takes no noticeable time
 
-/** Collects values that are compared to the bit. */
+/** Collects values for comparison to the bit. */
 struct WordWriter
 {
   std::vector<std::uint64_t> Words;
@@ -70,7 +70,7 @@ void AddCamera(WordWriter& to, vtkRenderer* renderer)
   to.Add(
     &camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), 0.0, 1.0)->Element[0][0],
     16);
-  to.Add(camera->GetPosition(), 3); // the headlight's, and of shades
+  to.Add(camera->GetPosition(), 3); // the headlight and the shades depend on it
   to.Add(camera->GetFocalPoint(), 3);
   to.Add(renderer->GetViewport(), 4);
   to.Add(renderer->GetRenderWindow()->GetSize(), 2);
@@ -116,9 +116,9 @@ void AddCuts(WordWriter& to, vtkVolumeMapper* mapper)
 }
 
 /**
- * The mapper's encoder of directions. vtkFixedPointVolumeRayCastMapper computes a shade for each of
- * its 65536 directions before each frame, and asks it for them. If the shades would be the same, it
- * has none.
+ * Replaces the mapper's encoder of directions. vtkFixedPointVolumeRayCastMapper asks it for 65536
+ * directions before each frame, to compute a shade for each. If the shades would be the same, the
+ * replacement reports no directions.
  */
 class ShadedDirections : public vtkSphericalDirectionEncoder
 {
@@ -129,7 +129,7 @@ public:
   {
     return this->KeepsShades ? 0 : this->Superclass::GetNumberOfEncodedDirections();
   }
-  /** Asked for once before the shades of each light. */
+  /** The mapper asks for this once before the shades of each light. */
   float* GetDecodedGradientTable() override
   {
     this->KeepsShades = this->AreKept && this->AreKept();
@@ -142,7 +142,7 @@ private:
   bool KeepsShades = false;
 };
 
-/** Names what vtkFixedPointVolumeRayCastMapper lets derived classes use. */
+/** Gives access to protected members of vtkFixedPointVolumeRayCastMapper. */
 struct RayCasterParts : vtkFixedPointVolumeRayCastMapper
 {
   static vtkDirectionEncoder*& FindDirections(vtkFixedPointVolumeRayCastMapper* mapper)
@@ -214,7 +214,7 @@ bool KeptRays::CanKeep() const
     return false;
   }
   vtkRenderWindow* const window = this->Renderer->GetRenderWindow();
-  // A final window and level are written into the image itself.
+  // Final window and level are written into the image itself.
   return window && !window->GetStereoRender() && this->Mapper->GetFinalColorWindow() == 1.0F &&
     this->Mapper->GetFinalColorLevel() == 0.5F && this->Mapper->GetInput();
 }
@@ -243,7 +243,7 @@ KeptRays::Words KeptRays::DescribeLook() const
   vtkVolumeProperty* const property = this->Volume->GetProperty();
   to.AddAddress(property);
   to.Add(property->GetMTime());
-  // vtkSmartVolumeMapper gives its ray caster a copy, which becomes newer than what it shows.
+  // vtkSmartVolumeMapper gives its ray caster a copy, which gets a newer time than the image.
   auto* const outer = vtkVolumeMapper::SafeDownCast(this->Volume->GetMapper());
   vtkDataObject* const input = outer ? outer->GetDataObjectInput() : nullptr;
   to.AddAddress(input);
@@ -269,7 +269,7 @@ KeptRays::Words KeptRays::DescribeShades() const
   to.Add(&this->Volume->GetMatrix()->Element[0][0], 16);
   to.AddAddress(this->Volume->GetProperty());
   to.Add(this->Volume->GetProperty()->GetMTime());
-  to.AddAddress(this->Mapper->GetCurrentScalars()); // a table for each component
+  to.AddAddress(this->Mapper->GetCurrentScalars()); // one table per component
   return std::move(to.Words);
 }
 
@@ -351,7 +351,7 @@ void KeptRays::ReadDepths(std::vector<float>& depths) const
     std::fill(depths.begin(), depths.end(), 1.0F);
     return;
   }
-  // As vtkFixedPointRayCastImage::GetZBufferValue, without a call for each ray.
+  // Same as vtkFixedPointRayCastImage::GetZBufferValue, without a call for each ray.
   const int* const pixels = image->GetZBufferSize();
   const float distance = image->GetImageSampleDistance();
   const auto pixelOf = [distance](int ray, int count)
@@ -475,7 +475,7 @@ void KeptRays::End()
     this->Mapper->RenderSubVolume();
   }
   this->IsCasting = false;
-  // By these, the mapper clears what is left of this frame's image in the next one.
+  // With these bounds, the mapper clears the rest of this frame's image in the next frame.
   std::copy(this->OwnBounds.begin(), this->OwnBounds.end(), this->Mapper->GetRowBounds());
   if (window->GetAbortRender())
   {

@@ -19,7 +19,7 @@ struct Search
   bool Found;
 };
 
-/** True would take the event out of the queue. */
+/** Looks at an event. Returning true would take the event out of the queue. */
 Bool Note(Display*, XEvent* event, char* data)
 {
   auto* const search = reinterpret_cast<Search*>(data);
@@ -31,7 +31,7 @@ Bool Note(Display*, XEvent* event, char* data)
       case ButtonPress:
       case ButtonRelease:
       case MotionNotify:
-      case ClientMessage: // of the window manager's close button
+      case ClientMessage: // the window manager's close button
         search->Found = true;
         break;
       default:
@@ -41,7 +41,7 @@ Bool Note(Display*, XEvent* event, char* data)
   return False;
 }
 
-/** Of the library that VTK has loaded, in case it has: not every VTK is linked to it. */
+/** X11 of the library that VTK has loaded, if it has: not every VTK is linked to X11. */
 template <typename Function>
 Function* FindFunction(const char* name)
 {
@@ -68,7 +68,7 @@ bool HasEvent(vtkRenderWindow* window)
   return search.Found;
 }
 
-/** The window may have been destroyed by the toolkit that it belongs to. */
+/** Ignores errors: the toolkit that owns the window may have destroyed it. */
 int IgnoreError(Display*, XErrorEvent*)
 {
   return 0;
@@ -110,7 +110,7 @@ void VolumeHaptics::WakeEventLoop(vtkRenderWindow* window)
   }
   auto* const display = static_cast<Display*>(window->GetGenericDisplayId());
   XEvent event = {};
-  event.type = NoExpose; // of copied areas, of which VTK has none
+  event.type = NoExpose; // an event about copied areas; VTK has none
   event.xnoexpose.drawable = id;
   send(display, id, False, NoEventMask, &event);
   flush(display);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the window system knows of a window: whether somebody waits for the end of a frame, and
- * whether anybody sees it.
+ * What the window system knows about a window: whether input waits for the end of a frame, and
+ * whether the window can be seen.
  */
 #ifndef PendingInput_h
 #define PendingInput_h
@@ -15,25 +15,25 @@ namespace VolumeHaptics
 
 /**
  * Whether a window has keys, buttons or motions of the mouse, or its closing, to process.
- * vtkRenderWindow::GetEventPending() knows of presses of mouse buttons only; where a window is one
- * of X11, its queue is looked through. Nothing is taken out of it.
+ * vtkRenderWindow::GetEventPending() knows of presses of mouse buttons only; for a window of X11,
+ * this looks through its queue, and takes nothing out of it.
  */
 bool HasPendingInput(vtkRenderWindow* window);
 
-/** Whether that is known of motions of the mouse, too. */
+/** Whether HasPendingInput() sees mouse motion on this window (X11 only). */
 bool KnowsInput(vtkRenderWindow* window);
 
 /**
- * Has the event loop of a window of X11 look at its timers at once. If timers are late by a second
- * or more, the loop of VTK 9.1 waits for another second, unless there is an event. So this sends
- * one that no program handles and that does not count as input.
+ * Makes the event loop of an X11 window check its timers at once. If timers are late by a second or
+ * more, the loop of VTK 9.1 waits for another second, unless there is an event. So this sends an
+ * event that no program handles and that does not count as input.
  */
 void WakeEventLoop(vtkRenderWindow* window);
 
 /**
- * Whether a window may be seen. False for one of X11 that is not mapped, or that lies in another
- * window that is not: it was minimised, hidden, destroyed, or is behind a tab. This waits for the
- * X server's answer. Nothing is known of other windows: true.
+ * Whether a window may be seen. False for an X11 window that is not mapped, or whose parent is not:
+ * it was minimised, hidden, destroyed, or is behind a tab. Waits for the X server's answer. True
+ * for other windows, about which nothing is known.
  */
 bool MayBeSeen(vtkRenderWindow* window);
 

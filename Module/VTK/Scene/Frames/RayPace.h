@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far apart rays are cast, so that a frame does not take too long.
+ * The distance between rays that keeps a frame short.
  */
 #ifndef RayPace_h
 #define RayPace_h
@@ -19,32 +19,32 @@ namespace VolumeHaptics
  */
 struct RayPace
 {
-  static constexpr double MostSteps = 6.0; ///< of a factor of the square root of two between rays
+  static constexpr double MostSteps = 6.0; ///< steps between rays; a step is a factor of sqrt(2)
 
-  /** For the next frame, pixels. `longest`: that it may take, s. */
+  /** The distance for the next frame, pixels. `longest`: the most time for that frame, s. */
   double Next(double longest)
   {
     if (this->Time > longest || this->Time < 0.6 * longest)
     {
-      // As if all of the time were spent on rays, whose number falls with the square of their
-      // distance. What else is drawn takes its time, so that the next frames may correct this.
+      // Assume that rays take all of the time: their number falls with the square of their
+      // distance. Other drawing takes time, too; the next frames correct this.
       const double steps = std::log2(this->Time / longest);
       this->Steps = std::clamp(
         this->Steps + (steps > 0.0 ? std::ceil(steps) : std::trunc(steps)), 0.0, MostSteps);
-      this->Time = longest; // until a frame tells
+      this->Time = longest; // assumed until the next frame's time is known
     }
     return std::exp2(0.5 * this->Steps);
   }
-  /** Takes the time of a frame with all its rays, s. */
+  /** Records the time of a frame with all its rays, s. */
   void Note(double time)
   {
     this->Time = time;
     this->IsKnown = true;
   }
 
-  double Time = 0.05; ///< that the last one took, s
+  double Time = 0.05; ///< s, time of the last frame
   double Steps = 2.0;
-  bool IsKnown = false; ///< the time was measured
+  bool IsKnown = false; ///< whether the time was measured
 };
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How long all rays of a frame will take, told by those that have been cast.
+ * Estimates how long all rays of a frame will take, from those already cast.
  */
 #ifndef RayProgress_h
 #define RayProgress_h
@@ -13,22 +13,22 @@ namespace VolumeHaptics
 {
 
 /**
- * Estimates the time of a whole frame while a mapper casts its rays row by row. What comes before
- * the rays, such as the gradients of a new volume, is taken as it is; rows are taken as alike,
- * after a tenth of them.
+ * Estimates the time of a whole frame while a mapper casts its rays row by row. Work before the
+ * rays, such as the gradients of a new volume, counts as measured. After a tenth of the rows, the
+ * other rows are assumed to be alike.
  */
 class RayProgress
 {
 public:
   static constexpr double LeastShare = 0.1;
 
-  /** Rays begin. `time`: since the beginning of the frame, s. */
+  /** The rays begin. `time`: since the beginning of the frame, s. */
   void Begin(double time)
   {
     this->Before = time;
     this->Whole.reset();
   }
-  /** This share of the rows is done. `time`: as above. */
+  /** This fraction of the rows is done. `time`: as above. */
   void Note(double time, double share)
   {
     if (share >= LeastShare)
@@ -38,7 +38,7 @@ public:
   }
   /** Forgets the frame. */
   void Clear() { this->Whole.reset(); }
-  /** The time of the frame with all its rays, s; empty as long as too few are cast. */
+  /** The time of the frame with all its rays, s; empty while too few are cast. */
   const std::optional<double>& GetWhole() const { return this->Whole; }
 
 private:

@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Whether a text of vtkRenderWindow::ReportCapabilities names one of the renderers of Mesa and of
- * Windows that run on the processor.
+ * Whether a text of vtkRenderWindow::ReportCapabilities names a renderer of Mesa or of Windows that
+ * runs on the processor.
  */
 inline bool NamesSoftwareOpenGL(const std::string& capabilities)
 {
@@ -26,7 +26,7 @@ inline bool NamesSoftwareOpenGL(const std::string& capabilities)
     isNamed("GDI Generic") || isNamed("Microsoft Basic Render");
 }
 
-/** By the name of the renderer. False before the window has rendered. */
+/** Checks the name of the renderer. False before the window has rendered. */
 inline bool IsSoftwareOpenGL(vtkRenderWindow* window)
 {
   return window && !window->GetNeverRendered() && NamesSoftwareOpenGL(window->ReportCapabilities());

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lines of several colours in the scene, as tubes, with a faint copy that is drawn over what hides
- * them.
+ * Lines of several colours in the scene, as tubes, with a faint copy over objects that hide them.
  */
 #ifndef ColoredTubes_h
 #define ColoredTubes_h
@@ -28,7 +27,7 @@ class ColoredTubes
 public:
   explicit ColoredTubes(int sides);
 
-  /** Polylines, whose cell scalars are their colours: NewColors(). */
+  /** The polylines; their cell scalars are their colours: NewColors(). */
   vtkPolyData* GetLines() const { return this->Lines; }
   static vtkSmartPointer<vtkUnsignedCharArray> NewColors();
   void SetRadius(double radius) { this->Tubes->SetRadius(radius); }

@@ -18,10 +18,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** In radii of the proxy. */
+/** Lengths in radii of the proxy. */
 constexpr double ShaftRadii = 0.3;
 constexpr double HubRadii = 0.9;
-/** Of the shaft outside, in parts of its length: where the hub begins. */
+/** The start of the hub, as a fraction of the shaft's length outside. */
 constexpr double HubShare = 0.7;
 const double Steel[3] = { 0.8, 0.82, 0.85 };
 

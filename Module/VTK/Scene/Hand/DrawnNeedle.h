@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A needle in tissue, in the scene: its track in the colours of the labels, its shaft and its hub.
+ * A needle in tissue, drawn in the scene: its track in the colours of the labels, its shaft and its
+ * hub.
  */
 #ifndef DrawnNeedle_h
 #define DrawnNeedle_h
@@ -43,12 +44,12 @@ private:
   void Draw(vtkHapticDevice* device, double length);
 
   vtkNew<vtkPolyData> Track;
-  ColoredTubes Lines{ 12 }; ///< the stretches of the track, then the shaft outside
+  ColoredTubes Lines{ 12 }; ///< stretches of the track, then the shaft outside
   vtkNew<vtkPolyData> HubLine;
   vtkNew<vtkTubeFilter> Hub;
   vtkNew<vtkPolyDataMapper> HubMapper;
   vtkNew<vtkActor> HubActor;
-  double Time = -1.0; ///< of the lines, with the next one
+  double Time = -1.0; ///< time and length of the drawn lines
   double Length = 0.0;
 };
 

@@ -18,14 +18,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Degrees; edges of a tool that are sharper are drawn as edges. */
+/** Degrees: sharper edges of a tool are drawn as edges. */
 constexpr double FeatureAngle = 40.0;
 constexpr double Pi = 3.14159265358979323846;
 
-/** Turns a second, as it looks like while it spins: faster could not be seen. */
+/** Turns a second of a spinning tool's picture; faster ones could not be seen. */
 constexpr double SeenTurns = 1.7;
 
-/** What turns the tool to the world's axes; NoOrientation if it is not felt. */
+/** The rotation from the tool to the world's axes; NoOrientation if the tool is not felt. */
 Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaternion& leaning)
 {
   const double* const wxyz = device->GetToolOrientation();
@@ -34,7 +34,7 @@ Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaterni
   {
     return felt;
   }
-  // Its head is a ball, which is felt without an orientation: the stylus has one.
+  // The burr's head is a ball, felt without an orientation; use the stylus's orientation.
   const double* const wanted = device->GetTipOrientation();
   const bool isLeaning = !device->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
   const Quaternion held =

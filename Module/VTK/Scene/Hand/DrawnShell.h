@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape in the scene: its mesh where the tool is, which lags behind the hand. The
+ * A tool with a shape in the scene: its mesh at the tool's pose, which lags behind the hand. The
  * head of a burr turns while it spins.
  */
 #ifndef DrawnShell_h
@@ -34,11 +34,11 @@ public:
 
   /**
    * Shows the latest state; nothing without a device.
-   * @param leaning how a burr is held whose device measures no orientation; or NoOrientation
+   * @param leaning pose of a burr whose device measures no orientation; or NoOrientation
    */
   void Update(vtkHapticDevice* device, const Quaternion& leaning);
 
-  /** Whether the hand holds such a tool. */
+  /** Whether the hand holds a tool with a shape. */
   bool IsShown() const { return this->Shown; }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */
@@ -52,7 +52,7 @@ private:
   vtkNew<vtkMatrix4x4> Pose;
   vtkNew<vtkActor> Solid;
   vtkNew<vtkActor> Ghost;
-  vtkWeakPointer<vtkHapticTool> Tool; ///< whose shape is drawn
+  vtkWeakPointer<vtkHapticTool> Tool; ///< the tool whose shape is drawn
   vtkMTimeType ToolTime = 0;
   bool Shown = false;
 };

@@ -23,7 +23,7 @@ namespace
 
 constexpr double FrontOpacity = 0.4;
 constexpr double TensorOpacity = 0.75;
-/** In radii of the proxy: the radius of lines, and the least length of tensors. */
+/** Lengths in radii of the proxy: the radius of lines, and the least length of tensors. */
 constexpr double LineRadii = 0.22;
 constexpr double TensorRadii = 10.0;
 
@@ -37,7 +37,7 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   // VTK 9.1 loses cell colours of polygons with many corners.
   this->DiscMapper->SetScalarModeToUsePointData();
   this->DiscMapper->SetColorModeToDirectScalars();
-  // vtkHapticRepresentation draws them in the overlay pass, which does not sort.
+  // vtkHapticRepresentation draws these shapes in the overlay pass, which does not sort.
   this->Fronts->ForceOpaqueOn();
   this->Fronts->SetMapper(this->DiscMapper);
   this->Fronts->GetProperty()->LightingOff();
@@ -48,7 +48,7 @@ FollowedScene::FollowedScene(const Color* colors, std::size_t count)
   this->Ellipsoids->SetInputData(this->Tensors);
   this->Ellipsoids->SetSourceConnection(sphere->GetOutputPort());
   this->Ellipsoids->ColorGlyphsOff();
-  // Where eigenvectors are left-handed, VTK turns glyphs inside out.
+  // VTK turns glyphs inside out where eigenvectors are left-handed: orient their normals.
   this->Outward->SetInputConnection(this->Ellipsoids->GetOutputPort());
   this->Outward->AutoOrientNormalsOn();
   this->Outward->SplittingOff();
@@ -103,7 +103,7 @@ void FollowedScene::Draw()
 {
   vtkDataArray* const modes = this->Shapes->GetCellData()->GetArray("Mode");
   const auto lineColors = ColoredTubes::NewColors();
-  const auto discColors = ColoredTubes::NewColors(); // of points
+  const auto discColors = ColoredTubes::NewColors(); // colours of points
   discColors->SetNumberOfTuples(this->Shapes->GetNumberOfPoints());
   discColors->Fill(0.0);
   vtkNew<vtkCellArray> lines;
@@ -163,7 +163,7 @@ void FollowedScene::DrawTensors()
 
 void FollowedScene::RenderFronts(vtkViewport* viewport)
 {
-  // First, so that a front through the middle of it hides no half.
+  // Draw it first, so that a front through its middle hides no half of it.
   if (this->Tensors->GetNumberOfPoints() > 0)
   {
     this->EllipsoidActor->RenderOpaqueGeometry(viewport);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes that modes hold the hand on, in the scene: lines as tubes, fronts as discs, tensors as
+ * The shapes that hold the hand in modes, in the scene: lines as tubes, fronts as discs, tensors as
  * ellipsoids, in the colours of their modes.
  */
 #ifndef FollowedScene_h
@@ -29,7 +29,7 @@ class FollowedScene
 {
 public:
   using Color = unsigned char[3];
-  /** Borrows the colours of modes, of which there is one at least, by their number. */
+  /** Borrows the colours of modes by number; there is at least one. */
   FollowedScene(const Color* colors, std::size_t count);
   ~FollowedScene();
 
@@ -41,10 +41,7 @@ public:
   {
     return this->Shapes->GetNumberOfPolys() > 0 || this->Tensors->GetNumberOfPoints() > 0;
   }
-  /**
-   * Draws discs and ellipsoids, which let through what is behind them, as far as nothing is before
-   * them.
-   */
+  /** Draws translucent discs and ellipsoids where nothing is in front of them. */
   void RenderFronts(vtkViewport* viewport);
   /** Draws the faint copy of the lines. */
   void RenderHidden(vtkViewport* viewport) { this->Lines.RenderHidden(viewport); }
@@ -54,11 +51,11 @@ public:
 private:
   void Draw();
   void DrawTensors();
-  /** Tensors are longer than the proxy, so that one sees where they point. */
+  /** Draws tensors longer than the proxy, so that their axes can be seen. */
   void ScaleTensors(double radius);
 
   vtkNew<vtkPolyData> Shapes;
-  ColoredTubes Lines{ 10 }; ///< with the rims of fronts
+  ColoredTubes Lines{ 10 }; ///< lines, and the rims of fronts
   vtkNew<vtkPolyData> Discs;
   vtkNew<vtkPolyData> Tensors;
   vtkNew<vtkTensorGlyph> Ellipsoids;
@@ -69,7 +66,7 @@ private:
   vtkNew<vtkActor> EllipsoidActor;
   const Color* const Colors;
   const std::size_t ColorCount;
-  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< of the shapes, with the next two
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; ///< state of the shapes, with the next two members
   double Time = -1.0;
   double Reach = 0.0;
 };

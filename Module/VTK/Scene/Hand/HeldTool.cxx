@@ -22,10 +22,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of a burr, in radii of its head: its shaft, which goes to the handle along +z. */
+/** The shaft of a burr, in radii of its head; it goes to the handle along +z. */
 constexpr double ShaftRadius = 0.35;
 constexpr double ShaftLength = 9.0;
-/** The blades of its head, and how deep it is between them, in radii. */
+/** The number of blades of the head, and the depth between them, in radii. */
 constexpr int Blades = 8;
 constexpr double BladeDepth = 0.12;
 constexpr int HeadResolution = 64;
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> MakeHead(double radius)
   {
     double x[3];
     points->GetPoint(i, x);
-    // Blades that turn with the height; between them it is less than the radius.
+    // Blades twist with the height; between them the surface is below the radius.
     const double turn = std::atan2(x[1], x[0]) + x[2] / radius;
     const double between = 0.5 - 0.5 * std::cos(Blades * turn);
     const double share = 1.0 - BladeDepth * between * std::hypot(x[0], x[1]) / radius;

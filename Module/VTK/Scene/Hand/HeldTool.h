@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool with a shape that a hand holds.
+ * The shaped tool in a hand.
  */
 #ifndef HeldTool_h
 #define HeldTool_h
@@ -22,10 +22,10 @@ vtkHapticTool* FindHeldTool(vtkHapticDevice* device);
 /** Whether a tool looks different when it is turned. */
 bool IsTurnable(vtkHapticTool* tool);
 
-/** World units: from the hand to the farthest point of a tool that touches; 0 without a shape. */
+/** World units: from the hand to the farthest touching point of a tool; 0 without a shape. */
 double FindToolReach(vtkHapticTool* tool);
 
-/** What a tool looks like, from the hand, in world units; null without a shape. */
+/** The mesh of a tool, relative to the hand, in world units; null without a shape. */
 vtkSmartPointer<vtkPolyData> MakeToolShape(vtkHapticTool* tool);
 
 } // namespace VolumeHaptics

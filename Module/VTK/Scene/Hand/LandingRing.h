@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shows where a hand is in depth: where it would land, how far away that is, and what it touches.
+ * Shows the depth of a hand: where it would land, how far away that is, and what it touches.
  */
 #ifndef LandingRing_h
 #define LandingRing_h
@@ -24,15 +24,15 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Of rings, in radii of the proxy: where a contact begins, and the widest. */
+/** Radii of rings, in radii of the proxy: where a contact begins, and the widest. */
 constexpr double ClosedRing = 1.8;
 constexpr double OpenRing = 5.0;
 ///@}
 
 /**
  * The radius of the patch if the tip is pressed in by `depth`, beyond a surface on which the proxy
- * has this `radius`. Its area grows in proportion to the depth, as that of a soft ball of radius R
- * on a plane does, pi R d (Hertz), up to the widest ring.
+ * has this `radius`. Its area grows in proportion to the depth, like the contact of a soft ball of
+ * radius R on a plane, pi R d (Hertz), up to the widest ring.
  */
 inline double FindPatchRadius(double depth, double radius)
 {
@@ -53,19 +53,19 @@ class LandingRing
 public:
   LandingRing();
 
-  /** `radius` is that of the proxy. A null device hides it. */
+  /** `radius` is the proxy's radius. A null device hides the ring. */
   void Update(
     vtkRenderer* renderer, vtkHapticDevice* device, double radius, const std::string& unit);
   void SetColor(const double contact[3]) { this->Patch.SetColor(contact); }
 
   void RenderOpaque(vtkViewport* viewport) { this->Ring.RenderOpaque(viewport); }
-  /** What is behind other objects. */
+  /** Draws the parts behind other objects. */
   void RenderHidden(vtkViewport* viewport) { this->Ring.RenderHidden(viewport); }
-  /** Translucent; wants a viewport that blends. */
+  /** Draws translucent parts; the viewport has to blend. */
   void RenderPatch(vtkViewport* viewport) { this->Patch.RenderHidden(viewport); }
   void RenderText(vtkViewport* viewport);
   void Release(vtkWindow* window);
-  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the patch is within it
+  void AddTo(vtkBoundingBox& box) { this->Ring.AddTo(box); } // the ring with the patch inside
 
 private:
   SceneMarker Ring{ SceneMarker::Ring, 0.97, 0.97, 0.97 };

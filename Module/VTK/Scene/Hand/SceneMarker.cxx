@@ -72,7 +72,7 @@ SceneMarker::SceneMarker(Shape shape, double red, double green, double blue)
     this->Solid->RotateY(-90.0);
     this->Ghost->RotateY(-90.0);
   }
-  // The shape stays as it is, so that no frame need ask its pipeline.
+  // Keep the shape fixed, so that frames need not update its pipeline.
   this->Mapper->Update();
   this->Mapper->StaticOn();
   this->Finish(red, green, blue);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sphere, an arrow, a ring, a disc or a stylus in the scene, or a shape of one's own, which
- * shines faintly through objects in front of it.
+ * A sphere, an arrow, a ring, a disc, a stylus, or a given shape in the scene. It shines faintly
+ * through objects in front of it.
  */
 #ifndef SceneMarker_h
 #define SceneMarker_h
@@ -22,7 +22,7 @@ class vtkBoundingBox;
 namespace VolumeHaptics
 {
 
-/** The opacity of what is behind other objects. */
+/** The opacity of parts behind other objects. */
 constexpr double HiddenOpacity = 0.35;
 
 class SceneMarker
@@ -33,7 +33,7 @@ public:
     Sphere,
     Arrow, ///< from one position to another
     Ring,  ///< around an axis
-    Disc,  ///< the same, filled
+    Disc,  ///< like the ring, but filled
     Stylus ///< a pen with a button, which points along its -z
   };
   SceneMarker(Shape shape, double red, double green, double blue);
@@ -42,11 +42,11 @@ public:
 
   void SetColor(const double color[3]);
   void PlaceSphere(const Vector3& centre, double radius);
-  /** A marker that is shorter than its radius is not shown. */
+  /** Sets an arrow. A marker shorter than its radius is not shown. */
   void PlaceAlong(const Vector3& from, const Vector3& to, double radius);
-  /** A ring or a disc. */
+  /** Sets a ring or a disc. */
   void PlaceRing(const Vector3& centre, const Vector3& axis, double radius);
-  /** A stylus: its point, its orientation (DeviceBackend.h), and its length. */
+  /** Sets a stylus: its point, its orientation (DeviceBackend.h), and its length. */
   void PlaceTurned(const Vector3& point, const Quaternion& orientation, double length);
   void Show(bool shown) { this->Shown = shown; }
 
@@ -54,13 +54,13 @@ public:
   /** Draws the faint copy. */
   void RenderHidden(vtkViewport* viewport);
   void Release(vtkWindow* window);
-  /** Grows the box to hold the marker, if it is shown. */
+  /** Grows the box to hold the marker, if the marker is shown. */
   void AddTo(vtkBoundingBox& box);
 
 private:
-  /** The colour, and how light falls on it. */
+  /** Sets the colour and the lighting. */
   void Finish(double red, double green, double blue);
-  /** Lets z of the shape point along a direction that is not zero. */
+  /** Turns the shape's z to a direction other than zero. */
   void Aim(const Vector3& from, const Vector3& direction);
 
   vtkNew<vtkPolyDataMapper> Mapper;

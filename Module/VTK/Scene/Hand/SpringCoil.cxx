@@ -15,12 +15,12 @@ namespace
 
 constexpr double FullTurn = 6.283185307179586; ///< rad
 constexpr int Windings = 8;
-constexpr int WindingSides = 24;    ///< of a winding
+constexpr int WindingSides = 24;    ///< sides of a winding
 constexpr double WireRadius = 0.09; ///< in radii of the proxy
-constexpr double RestRadius = 0.5;  ///< of the coil's windings, if nothing stretches it
-/// Below this distance, in radii of the proxy, the spring is hidden in the proxy.
+constexpr double RestRadius = 0.5;  ///< radius of the windings of a coil at rest
+/// Below this distance, in radii of the proxy, the proxy hides the spring.
 constexpr double Shortest = 0.2;
-/// Below this radius, in radii of the proxy, windings are drawn as a straight wire.
+/// Below this winding radius, in radii of the proxy, the wire is drawn straight.
 constexpr double LeastWinding = 0.03;
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The spring between proxy and tip, as a coil that a hand stretches.
+ * The spring between proxy and tip, as a coil that the hand stretches.
  */
 #ifndef SpringCoil_h
 #define SpringCoil_h
@@ -17,9 +17,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A wire from the proxy to the tip. Where the spring is slack, it is straight; what is stretched is
- * a coil of a wire that always has the same length, so that its windings open and get narrower the
- * farther it is stretched. The coil ends as a straight wire, too, if that is too short.
+ * A wire from the proxy to the tip. Its slack part is straight. Its stretched part is a coil of a
+ * wire of constant length, so that its windings open and get narrower as it is stretched. If the
+ * wire is too short for that, it is straight.
  */
 class SpringCoil
 {
@@ -30,7 +30,7 @@ public:
   void Place(const Vector3& proxy, const Vector3& tip, double slack, double radius);
   void Show(bool shown) { this->Marker.Show(shown); }
 
-  /** The middle of the wire, for tests. */
+  /** The centre line of the wire, for tests. */
   vtkPolyData* GetWire() { return this->Wire; }
 
   void RenderOpaque(vtkViewport* viewport) { this->Marker.RenderOpaque(viewport); }
@@ -43,7 +43,7 @@ private:
   vtkNew<vtkTubeFilter> Tube;
   SceneMarker Marker;
   ///@{
-  /** Of the wire. */
+  /** The parameters of the wire. */
   Vector3 Proxy;
   Vector3 Tip;
   double Slack = 0.0;

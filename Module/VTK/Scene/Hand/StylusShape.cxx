@@ -23,11 +23,11 @@ namespace
 /** Distances from the point along z, and radii, of a stylus of length 1. */
 constexpr double ConeEnd = 0.16;
 constexpr double HandleRadius = 0.032;
-constexpr double HandleEnd = 1.0 - HandleRadius; ///< a dome closes it
+constexpr double HandleEnd = 1.0 - HandleRadius; ///< a dome closes the handle
 constexpr double ButtonMiddle = 0.28;
 constexpr double ButtonLength = 0.13;
 constexpr double ButtonWidth = 0.034;
-constexpr double ButtonHeight = 0.016; ///< above and below the handle's surface
+constexpr double ButtonHeight = 0.016; ///< heights relative to the handle's surface
 ///@}
 
 constexpr unsigned char Metal[3] = { 214, 218, 224 };
@@ -47,8 +47,8 @@ public:
   }
 
   /**
-   * A grid over u and v in [0, 1]: `place` sets a position and a normal, which need not be of unit
-   * length. It looks outwards if u, v and the normal are right-handed.
+   * A grid over u and v in [0, 1]: `place` sets a position and a normal of any length. The surface
+   * looks outwards if u, v and the normal are right-handed.
    */
   template <typename Place>
   void Add(int alongU, int alongV, const unsigned char color[3], Place&& place)
@@ -122,7 +122,7 @@ vtkSmartPointer<vtkPolyData> MakeStylusShape()
       n = std::cos(0.25 * Turn * v) * direction(u) + std::sin(0.25 * Turn * v) * axis;
       x = HandleEnd * axis + HandleRadius * n;
     });
-  // The half of an ellipsoid that stands out of the handle.
+  // Half an ellipsoid that stands out of the handle.
   surface.Add(Around, Around / 4, Button,
     [&](double u, double v, Vector3& x, Vector3& n)
     {

@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Of length 1, with its point at the origin, its handle along +z and its button on the side of +y
- * (DeviceBackend.h); with normals, and colours as point scalars.
+ * The mesh has length 1, its point at the origin, its handle along +z and its button on the side of
+ * +y (DeviceBackend.h); with normals, and colours as point scalars.
  */
 vtkSmartPointer<vtkPolyData> MakeStylusShape();
 

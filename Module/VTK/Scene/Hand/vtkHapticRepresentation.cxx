@@ -53,7 +53,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/// Of the scale's lower right corner, in lengths of the viewport.
+/// Position of the scale's lower right corner, as fractions of the viewport.
 constexpr double ScaleRight = 0.98;
 constexpr double ScaleBottom = 0.02;
 } // namespace
@@ -61,30 +61,30 @@ constexpr double ScaleBottom = 0.02;
 struct vtkHapticRepresentation::vtkInternals
 {
   vtkNew<vtkHapticStateSource> Source;
-  /// From vtkHapticStateSource::TIP on.
+  /// Numbered as in vtkHapticStateSource, from TIP on.
   SceneMarker Spheres[4] = { { SceneMarker::Sphere, 0.97, 0.97, 0.97 },
     { SceneMarker::Sphere, 0.6, 0.6, 0.6 }, { SceneMarker::Sphere, 0.95, 0.85, 0.2 },
     { SceneMarker::Sphere, 0.2, 0.8, 0.8 } };
   SpringCoil Spring;
-  /// From vtkHapticStateSource::FORCE on.
+  /// Numbered as in vtkHapticStateSource, from FORCE on.
   SceneMarker Arrows[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
-  /// The second heads of arrows that are not as long as their forces, in the order of the arrows.
+  /// Second heads for arrows that are shorter than their forces, in the order of the arrows.
   SceneMarker SecondHeads[3] = { { SceneMarker::Arrow, 0.97, 0.97, 0.97 },
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   DrawnNeedle Needle;
   DrawnShell Shell;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
-  /// Of a stylus whose orientation is not measured, by the camera of the last frame.
+  /// The orientation of a stylus without a measured one, by the camera of the last frame.
   Quaternion Leaning = NoOrientation;
   double MostLength = VTK_DOUBLE_MAX;
   LandingRing Landing;
-  /// The volumes are drawn with coarse rays, which the markers outside would cut holes into.
+  /// Volumes are drawn with coarse rays; markers outside would cut holes into them.
   bool IsOverVolumes = false;
   bool HasState = false;
-  bool WasFelt = false;  ///< in the last frame
-  bool HasLetGo = false; ///< and not moved since
+  bool WasFelt = false;  ///< felt something in the last frame
+  bool HasLetGo = false; ///< and has not moved since
   Vector3 LetGoAt;
   vtkSmartPointer<vtkPolyData> Trail;
   vtkNew<vtkPolyDataMapper> TrailMapper;
@@ -95,7 +95,7 @@ struct vtkHapticRepresentation::vtkInternals
   double Bounds[6];
 
   ///@{
-  /** What is on the free side of a touched surface, and what is in it. */
+  /** Draw the markers on the free side of a touched surface, and the markers inside. */
   void RenderOutside(vtkViewport* viewport)
   {
     this->Spheres[vtkHapticStateSource::PROXY].RenderOpaque(viewport);
@@ -148,26 +148,26 @@ bool AreRaysCoarse(vtkRenderer* renderer)
   return false;
 }
 
-/// Of the stylus: its length, when StylusLength is 0, in radii of the proxy.
+/// The length of the stylus if StylusLength is 0, in radii of the proxy.
 constexpr double StylusRadii = 25.0;
-/// The direction of the handle of a stylus that leans: a unit vector.
+/// The direction of a leaning stylus's handle: a unit vector.
 constexpr double LeanRight = 0.48;
 constexpr double LeanUp = 0.6;
 constexpr double LeanBack = 0.64;
-/// Of arrows: the longest one, when MaximumArrowLength is 0, in radii of the proxy.
+/// The longest arrow if MaximumArrowLength is 0, in radii of the proxy.
 constexpr double ArrowRadii = 30.0;
-/// Where a second head ends, in parts of its arrow.
+/// The end of the second head, as a fraction of the arrow's length.
 constexpr double SecondHead = 0.8;
-/// By contact; the colour-blind can tell them apart, too.
+/// Colours by contact; the colour-blind can tell them apart, too.
 const double ContactColors[4][3] = { { 0.62, 0.64, 0.67 }, { 1.0, 0.72, 0.1 }, { 0.1, 0.75, 0.45 },
   { 0.85, 0.2, 0.65 } };
-/** Whether nothing of the touched surface is between the proxy and the eye. */
+/** Whether the proxy is on the viewer's side of the touched surface. */
 bool IsSeen(vtkRenderer* renderer, vtkHapticDevice* device)
 {
   const Vector3 sight = LineOfSight(renderer, FromArray(device->GetProxyPosition()));
   return device->GetContact() == 0 || Dot(FromArray(device->GetNormal()), sight) > 0.0;
 }
-/** Whether forces are shown: always, but for the hand of a virtual device that is not armed. */
+/** Whether forces are shown: always, except for a virtual device that is not armed. */
 bool IsFelt(vtkHapticDevice* device)
 {
   const int status = device->GetStatus();
@@ -249,8 +249,8 @@ void vtkHapticRepresentation::UpdateMarkers()
   vtkPolyData* const state = d.Source->GetOutput();
   d.HasState = state->GetNumberOfPoints() > 0;
   const auto at = [&](vtkIdType point) { return FromArray(state->GetPoint(point)); };
-  // A hand that has let go feels nothing, though the tip may still be in a surface. It leaves
-  // nothing behind, unless the application moves the tip.
+  // A hand that has let go feels nothing, even with the tip in a surface. It leaves no markers
+  // behind, unless the application moves the tip.
   const bool isFelt = d.HasState && IsFelt(this->GetDevice());
   const Vector3 tip = d.HasState ? at(Source::TIP) : Vector3{};
   if (std::exchange(d.WasFelt, isFelt) && !isFelt)
@@ -295,7 +295,7 @@ void vtkHapticRepresentation::UpdateMarkers()
       this->MaximumArrowLength > 0.0 ? this->MaximumArrowLength : ArrowRadii * this->Radius;
     for (int i = 0; i < 3; ++i)
     {
-      // The points of the spring come before those of the arrows.
+      // Points of the spring come before points of the arrows.
       const vtkIdType point = Source::SPRING + 2 + 2 * i;
       const Vector3 from = at(point);
       const Vector3 whole = at(point + 1) - from;
@@ -385,7 +385,7 @@ void vtkHapticRepresentation::UpdateTrail()
   {
     d.TrailMapper->SetScalarModeToUsePointFieldData();
     d.TrailMapper->SelectColorArray(this->TrailArrayName.c_str());
-    // Vectors count by their length.
+    // Use the length of vectors.
     const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
     d.TrailMapper->SetColorModeToMapScalars();
     d.TrailMapper->GetLookupTable()->SetVectorModeToMagnitude();
@@ -498,7 +498,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Landing.RenderHidden(viewport);
     d.Needle.RenderHidden(viewport);
     d.Shell.RenderHidden(viewport);
-    d.Stylus.RenderHidden(viewport); // first, so that it covers no marker
+    d.Stylus.RenderHidden(viewport); // draw first, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
       sphere.RenderHidden(viewport);

@@ -17,8 +17,8 @@
  * has the contact's colour; it grows as that of a soft fingertip does. A stylus has its point in
  * the proxy, with the orientation that the device measures (vtkHapticDevice::GetTipOrientation); if
  * it measures none, the stylus leans towards the viewer, as a pen in the right hand. A text in the
- * lower right corner shows the length of a newton. Spring, arrows and a stylus that leans are not
- * shown while a virtual device is not armed, and nothing is when it has been disarmed until its tip
+ * lower right corner shows the length of a newton. While a virtual device is not armed, spring,
+ * arrows and a leaning stylus are hidden. After it was disarmed, nothing is shown until its tip
  * moves. Markers behind a surface or inside the volume show through, faintly.
  *
  *   representation->SetDevice(device);

@@ -28,7 +28,7 @@ vtkVolumeHapticsFilter* ComparedSettings::FindFilter() const
 //------------------------------------------------------------------------------
 bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notify)
 {
-  // Observers of the following events may take the device away.
+  // Keep the device: observers of the following events may remove it.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter = this->FindFilter();
   if (!filter)
@@ -49,7 +49,7 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   const auto before = std::make_shared<const KeptSettings>(filter);
   const std::shared_ptr<const KeptSettings> tried = this->Other;
   const bool wasB = this->IsB;
-  // Also if it turns out later, when the other method was made ready in the background.
+  // Notice this later, too, when the other method was made ready in the background.
   const auto undo = [this, before, tried, wasB]
   {
     const vtkSmartPointer<vtkVolumeHapticsFilter> felt = this->FindFilter();
@@ -95,7 +95,7 @@ void ComparedSettings::End()
 void ComparedSettings::Tell()
 {
   const std::string name = this->GetName();
-  // A name that the application has set stays while nothing is compared.
+  // While nothing is compared, keep a name that the application has set.
   if (vtkHapticHeadUpDisplay* const display = this->Scene.Display;
       display && (!name.empty() || this->IsTold))
   {

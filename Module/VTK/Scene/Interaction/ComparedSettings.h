@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Two settings of a filter, A and B, that are felt in turn on one spot.
+ * Two settings of a filter, A and B, felt in turn at one spot.
  */
 #ifndef ComparedSettings_h
 #define ComparedSettings_h
@@ -31,16 +31,16 @@ public:
   ComparedSettings(const ComparedSettings&) = delete;
   ComparedSettings& operator=(const ComparedSettings&) = delete;
 
-  /** See vtkInteractorStyleHaptic::SwapSettings. The function shows a notice, or none for "". */
+  /** See vtkInteractorStyleHaptic::SwapSettings. The function shows a notice; "" removes it. */
   bool Swap(const std::function<void(const std::string&)>& notify);
 
   /** "A" or "B", or nothing if none are compared. */
   std::string GetName() const;
 
-  /** Forgets the settings that are not felt; call it for another device, too. */
+  /** Forgets the settings that are not felt; call this for a new device, too. */
   void End();
 
-  /** Tells the head-up display which settings are felt; call it in each update. */
+  /** Sets the name of the felt settings in the head-up display; call it in each update. */
   void Tell();
 
 private:
@@ -49,8 +49,8 @@ private:
 
   TouchedScene& Scene;
   FilterPublisher& Publisher;
-  vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< whose settings are compared
-  std::shared_ptr<const KeptSettings> Other;     ///< that is not felt
+  vtkWeakPointer<vtkVolumeHapticsFilter> Filter; ///< the filter with the compared settings
+  std::shared_ptr<const KeptSettings> Other;     ///< the settings that are not felt
   bool IsB = false;                              ///< whether B is felt
   bool IsTold = false;
 };

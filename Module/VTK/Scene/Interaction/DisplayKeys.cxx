@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Two lines, of which either may be empty. */
+/** Joins two lines; either may be empty. */
 std::string Join(const std::string& first, const std::string& second)
 {
   return first.empty() || second.empty() ? first + second : first + "\n" + second;
@@ -117,7 +117,7 @@ std::string DisplayKeys::FindHint()
     const std::string begin = this->Scene.IsVirtual()
       ? this->Tell("Put the pointer on the volume and press ", "t", " to touch it")
       : this->Tell("Press ", this->Scene.TurnsView ? "a" : "t", " to feel the volume");
-    // Beside another style all other keys are those of the host until the touch mode begins.
+    // Beside another style, all other keys belong to the host until the touch mode begins.
     return Join(
       begin, this->Scene.TurnsView ? this->Tell("", "question", " shows all keys") : std::string());
   }
@@ -128,7 +128,7 @@ std::string DisplayKeys::FindHint()
   std::string end = this->Tell("", "Escape", "");
   if (!this->Scene.TurnsView)
   {
-    // A host may keep one of the keys to itself.
+    // Leave out keys that a host keeps to itself.
     end = this->Keys.Describe({ "Escape" });
     for (std::size_t at = end.find("  "); at != std::string::npos; at = end.find("  "))
     {
@@ -146,7 +146,7 @@ void DisplayKeys::UpdateHint()
   {
     return;
   }
-  // A hint that the application has set stays until there is another one to show.
+  // A hint that the application has set stays until there is a new hint to show.
   const std::string hint = this->FindHint();
   if (hint != this->Shown)
   {

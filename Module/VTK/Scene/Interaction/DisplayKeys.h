@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The keys of the head-up display, see vtkInteractorStyleHaptic, and what it tells a newcomer.
+ * The keys of the head-up display, see vtkInteractorStyleHaptic, and its hints for newcomers.
  */
 #ifndef DisplayKeys_h
 #define DisplayKeys_h
@@ -29,15 +29,15 @@ public:
   {
   }
 
-  /** False if it is none of them, or there is no display. */
+  /** False if the key is none of them, or without a display. */
   bool Press(const std::string& key);
   void HideKeys();
-  /** The list of keys in the scene as it is now. */
+  /** The list of keys for the current scene. */
   std::string ListKeys() const;
-  /** Shows what to do next, until something was touched. */
+  /** Shows what to do next, until something is touched. */
   void UpdateHint();
 
-  std::string ApplicationKeys; ///< listed after those of the style
+  std::string ApplicationKeys; ///< listed after the style's keys
 
 private:
   std::string FindHint();
@@ -48,8 +48,8 @@ private:
   const TouchMode& Touch;
   const ToolTurn& Turn;
   const KeyMap& Keys;
-  bool WasTouching = false; ///< at the last call of UpdateHint
-  bool HasTouched = false;  ///< since the touch mode, or arming, began
+  bool WasTouching = false; ///< state at the last call of UpdateHint
+  bool HasTouched = false;  ///< something was touched since the touch mode, or arming, began
   std::string Shown;        ///< the last hint
 };
 

@@ -36,7 +36,7 @@ bool EditorKeys::Press(const std::string& key)
   }
   else if (key == "V")
   {
-    // One that is hidden is shown beside the scene.
+    // Show a hidden editor beside the scene.
     editor->SetDocked(!editor->GetVisibility() || !editor->GetDocked());
     editor->VisibilityOn();
   }
@@ -156,7 +156,7 @@ void EditorKeys::EndProposing(const char* notice)
 //------------------------------------------------------------------------------
 void EditorKeys::ToggleLabels()
 {
-  // Observers of the editor's work may take it away.
+  // Observers of the editor's work may remove the editor.
   const vtkSmartPointer<vtkHapticFunctionEditor> editor = this->Scene.Editor;
   vtkHapticLabelTable* const table = editor->GetLabelTable();
   if (!table)
@@ -174,7 +174,7 @@ void EditorKeys::ToggleLabels()
     if (vtkHapticDevice* const device = this->Scene.Device; device && device->GetContact() != 0)
     {
       const vtkTypeInt64 label = device->GetLabel();
-      if (label == static_cast<int>(label)) // tables have no others
+      if (label == static_cast<int>(label)) // only these tables exist
       {
         editor->SelectLabel(static_cast<int>(label));
       }

@@ -27,21 +27,24 @@ public:
   {
   }
 
-  /** False if it is none of them, or there is no editor. */
+  /** False if the key is none of them, or without an editor. */
   bool Press(const std::string& key);
-  /** Tells when the search for functions has ended; call it in each update. */
+  /** Reports the end of the search for functions; call it in each update. */
   void FollowProposal();
 
 private:
-  /** Whether undo and redo are for the editor: the pointer is over it, or nothing else has them. */
+  /**
+   * Whether undo and redo belong to the editor: the pointer is over it, or nothing else uses these
+   * keys.
+   */
   bool HasPointer() const;
   /** Shows a notice if nothing was done. */
   void Tell(bool isDone, const char* notice);
-  /** Looks for a proposal in the editor, or takes the one that it shows. */
+  /** Searches for a proposal in the editor, or accepts the proposal that it shows. */
   void Propose();
-  /** Shows a notice, or none, instead of that about the search. */
+  /** Replaces the notice about the search by another notice, or by none. */
   void EndProposing(const char* notice);
-  /** Shows the labels in the editor, the touched one selected, or hides the editor. */
+  /** Shows the labels in the editor, with the touched label selected, or hides the editor. */
   void ToggleLabels();
 
   TouchedScene& Scene;

@@ -41,7 +41,7 @@ void FilterPublisher::Update(bool isPlaced)
   this->FollowAwaited();
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkMTimeType time = this->GetChangeTime();
-  // The application or another style may have published it.
+  // The application or another style may have published the change.
   const bool hasChanged = time != this->Published && !device->IsPublished();
   this->Published = time;
   if ((isPlaced || hasChanged) && device->Publish() && hasChanged && this->Scene.Display)
@@ -82,7 +82,7 @@ bool FilterPublisher::Try(const std::function<void()>& change, const std::functi
 //------------------------------------------------------------------------------
 bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& notify)
 {
-  // Observers of the following events may take any of these away.
+  // Keep these objects: observers of the following events may remove any of them.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> filter =
@@ -127,7 +127,7 @@ void FilterPublisher::TakeBack(const std::function<void()>& undo, const std::str
 {
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   undo();
-  // The servo still has the model of before.
+  // The servo still has the previous model.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(
     style, << "Settings " << name << " can't be felt here, for the reason given before.");
@@ -142,7 +142,7 @@ void FilterPublisher::GoBack(const MethodChange& change, vtkVolumeHapticsFilter*
   this->FeltInstead = change.Before;
   filter->SetMethod(change.Method);
   filter->SetSolver(change.Solver);
-  // The servo still has the previous method, so publishing is needed only if it was needed before.
+  // The servo still has the previous method: publish only if that was due before.
   this->Published = wasPublished ? this->GetChangeTime() : 0;
   vtkErrorWithObjectMacro(style, << change.Wanted
                                  << " can't be felt here, for the reason given before; "

@@ -90,7 +90,7 @@ bool HapticInteraction::SetDevice(vtkHapticDevice* device)
   {
     return false;
   }
-  this->LetGo(); // an observer of that may take the device away, too
+  this->LetGo(); // an observer of this event may remove the device, too
   this->LeaveDevice();
   this->Scene.Device = device;
   if (device)
@@ -145,7 +145,7 @@ bool HapticInteraction::SetMeasurements(vtkHapticMeasurements* measurements)
 //------------------------------------------------------------------------------
 void HapticInteraction::LetGo()
 {
-  constexpr double most = 0.1; // s; the servo takes a tick or two
+  constexpr double most = 0.1; // s: one or two ticks of the servo
   this->Measure.End();
   this->Touch.Set(false);
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
@@ -154,7 +154,7 @@ void HapticInteraction::LetGo()
     return;
   }
   device->Disarm();
-  // Nobody may update the state later, and the last one would go on to tell of force.
+  // Update the state now: perhaps nobody will later, and the last state reports force.
   const std::int64_t begin = ServoClock::Now();
   while (this->Scene.Device == device && device->IsRunning() && this->Scene.IsArmed() &&
     ServoClock::SecondsSince(begin) < most)
@@ -245,7 +245,7 @@ bool HapticInteraction::ReleaseLeftButton()
   const int* const at = this->Scene.Style->GetInteractor()->GetEventPosition();
   if (std::exchange(this->EditorHasMouse, false))
   {
-    if (this->Scene.Editor) // else an observer took it away
+    if (this->Scene.Editor) // otherwise an observer has removed it
     {
       this->Scene.Editor->ButtonRelease(LeftButton, at[0], at[1]);
       this->Frames.Draw(true);
@@ -346,7 +346,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
     if (scene.Device)
     {
       scene.Device->Disarm();
-      // A window that loses the focus gets no release of the key k.
+      // A window that loses the focus gets no release of key k.
       this->Workspace.SetClutch(false);
     }
   }
@@ -386,7 +386,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   }
   else if (key == "M" && this->Modes.Next())
   {
-    // Frames.Draw below shows it.
+    // Frames.Draw below shows this.
   }
   else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
     !this->Measure.Press(key))
@@ -413,9 +413,9 @@ bool HapticInteraction::ReleaseKey(const std::string& released)
 //------------------------------------------------------------------------------
 bool HapticInteraction::TypeKey(const std::string& typed) const
 {
-  // In the touch mode the superclass' f would fly the camera away from the hand; its m starts an
-  // animation, its R resets the camera, its p picks a prop, its s shows surfaces, and what else an
-  // application may choose.
+  // In the touch mode, do not pass these keys on: the superclass' f would fly the camera away from
+  // the hand; its m starts an animation, R resets the camera, p picks a prop, s shows surfaces. Nor
+  // pass on keys that an application has chosen.
   const std::string key = this->Keys.Find(typed);
   return (this->Touch.IsOn() && typed == "f") || key == "m" || key == "M" ||
     (key == "R" && this->Scene.Editor) || (key == "s" && this->Scene.Slices) ||
@@ -431,7 +431,7 @@ void HapticInteraction::FollowWork(vtkObject* worker, bool begins)
   {
     if (this->DeviceAtRest)
     {
-      // Taken first, because the end of the work calls this function again.
+      // Clear it first, because the end of the work calls this function again.
       const auto device = std::move(this->DeviceAtRest);
       this->DeviceAtRest = nullptr;
       device->EndLongWork();
@@ -470,7 +470,7 @@ bool HapticInteraction::SwapSettings()
 bool HapticInteraction::UpdateHaptics()
 {
   auto& scene = this->Scene;
-  // Observers of the following events may take any of these away.
+  // Keep these objects: observers of the following events may remove any of them.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = scene.Style;
   this->Window.Look();
   this->Window.LookAt(scene.FindRenderer());
@@ -488,7 +488,7 @@ bool HapticInteraction::UpdateHaptics()
   }
   const vtkSmartPointer<vtkHapticDevice> device = scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = scene.FindRenderer();
-  // Changes go to the servo first, so that they are felt before they are seen.
+  // Send changes to the servo first, so that they are felt before they are seen.
   const bool isPlaced =
     renderer && !this->Workspace.IsClutched() && this->Workspace.Follow(renderer);
   if (scene.Device != device)
@@ -528,7 +528,7 @@ bool HapticInteraction::UpdateHaptics()
   {
     this->Frames.NoteEvent();
   }
-  // Another style with this device may have taken the state already.
+  // Another style with this device may already have fetched the state.
   const double before = std::exchange(this->Updated, device->GetTime());
   if (this->Updated > before && renderer)
   {
@@ -582,10 +582,10 @@ void HapticInteraction::FollowVolumes()
   if (this->Touch.IsOn() || device->IsArmOrdered())
   {
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
-    this->FadeOut(); // a volume that is hidden is no emergency
+    this->FadeOut(); // a hidden volume is no emergency
     return;
   }
-  // Feel another volume only after the fade, so that it does not push the hand.
+  // Choose another volume only after the fade, so that it does not push the hand.
   if (this->Scene.Device == device && !this->Scene.IsArmed())
   {
     this->Touched.FeelShown();
@@ -601,7 +601,7 @@ void HapticInteraction::FollowCarving()
     return;
   }
   const std::vector<CarvedArray> arrays = this->Touched.FindCarved();
-  // Slices and regions of large volumes show it, too.
+  // Slices and regions of large volumes show removed tissue, too.
   std::uint64_t changes = 0;
   for (const CarvedArray& array : arrays)
   {

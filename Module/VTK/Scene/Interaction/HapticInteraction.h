@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets keys, mouse and timer act on a haptic device, its tip, and the view.
+ * Connects keys, mouse and timer with a haptic device, its tip, and the view.
  */
 #ifndef HapticInteraction_h
 #define HapticInteraction_h
@@ -44,8 +44,8 @@ namespace VolumeHaptics
 
 /**
  * The implementation of vtkInteractorStyleHaptic, whose header documents the keys and buttons. It
- * consists of parts with one subject each, and connects them: the order of an update, the keys and
- * the mouse, and long work.
+ * connects parts with one subject each, and decides: the order of an update, the keys and the
+ * mouse, and long work.
  *
  * Functions for keys and the mouse return true if they used the event; if not, the style's
  * superclass gets it.
@@ -53,7 +53,7 @@ namespace VolumeHaptics
 class HapticInteraction
 {
 public:
-  /** The style's virtual functions. */
+  /** Implement the style's virtual functions. */
   struct Calls
   {
     std::function<void(bool)> DrawScene;
@@ -65,7 +65,7 @@ public:
   HapticInteraction& operator=(const HapticInteraction&) = delete;
 
   ///@{
-  /** False if it is the same as before. */
+  /** False if nothing changed. */
   bool SetDevice(vtkHapticDevice* device);
   bool SetFunctionEditor(vtkHapticFunctionEditor* editor);
   bool SetMeasurements(vtkHapticMeasurements* measurements);
@@ -79,7 +79,7 @@ public:
    */
   void LetGo();
 
-  /** Leaves the touch mode and lets the force fade. For a view that is no longer seen. */
+  /** Leaves the touch mode and lets the force fade, for a view that is no longer seen. */
   void FadeOut();
 
   bool MoveMouse();
@@ -93,25 +93,23 @@ public:
   /** Keys have X11's names. */
   bool PressKey(const std::string& pressed);
   bool ReleaseKey(const std::string& released);
-  /** Whether a press is a repeat of the one that was used last, because the key is held. */
+  /** Whether a press repeats the last used press, because the key is held. */
   bool IsRepeat(const std::string& pressed) const
   {
     return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
   }
-  /**
-   * True for a key that the superclass must not get, because it would do something else with it.
-   */
+  /** True for a key that the superclass must not get, because it would use the key differently. */
   bool TypeKey(const std::string& typed) const;
 
   ///@{
-  /** See the style's functions of these names. */
+  /** See the style's functions of the same names. */
   bool UpdateHaptics();
   void CheckShownVolumes();
   bool NextMethod();
   bool SwapSettings();
   ///@}
 
-  // The parts, in the order of their dependence.
+  // Parts in the order of their dependence.
   TouchedScene Scene;
   HapticWindowWatch Window;
   SceneFrames Frames;
@@ -122,38 +120,38 @@ public:
   DisplayKeys Displays;
   HapticShownFrames ShownFrames;
   CarvedPictures Carved;
-  std::uint64_t CarvedChanges = 0; ///< of the removed tissue, when it was last looked at
+  std::uint64_t CarvedChanges = 0; ///< changes of the removed tissue at the last look
   TouchedVolumes Touched;
   FilterPublisher Publisher;
   ComparedSettings Compared;
-  vtkNew<vtkTable> States; ///< of the last update
+  vtkNew<vtkTable> States; ///< states of the last update
 
 private:
   void LeaveDevice();
-  /** Feels what the touched volumes show, and lets go of what they no longer show. */
+  /** Feels what the touched volumes show, and releases volumes that are no longer shown. */
   void FollowVolumes();
-  /** Volumes show what a tool has left of them. */
+  /** Makes volumes show the tissue that a tool has left. */
   void FollowCarving();
-  /** Draws the scene if the mouse has changed what the slices show; true. */
+  /** Draws the scene and returns true if the mouse has changed what the slices show. */
   bool DrawSlices();
   void FollowWork(vtkObject* worker, bool begins);
 
   PlaybackKeys Playback;
   KeyRepeat Repeat;
-  std::string UsedKey; ///< the last one that was pressed, if it was used
+  std::string UsedKey; ///< the last pressed key, if it was used
   ModeKeys Modes;
   EditorKeys Editor;
   SliceMouse Slices;
   MeasureKeys Measure;
   HapticShownVolumes Volumes;
   HapticStateWatch Watch;
-  int Reader = 0;       ///< the number of this reader of the device's states
-  double Updated = 0.0; ///< the device's time (s) at the last update
+  int Reader = 0;       ///< this reader's number for the device's states
+  double Updated = 0.0; ///< s, the device's time at the last update
   bool EditorHasMouse = false;
-  bool ListHasMouse = false; ///< that of the modes
+  bool ListHasMouse = false; ///< the list of modes has the mouse
   vtkNew<vtkCallbackCommand> DisarmObserver;
   vtkNew<vtkCallbackCommand> WorkObserver; ///< observes the device and the editor
-  /// the device that has no force while the editor counts
+  /// the device without force while the editor counts
   vtkSmartPointer<vtkHapticDevice> DeviceAtRest;
 };
 

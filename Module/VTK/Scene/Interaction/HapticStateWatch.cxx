@@ -27,7 +27,7 @@ std::vector<unsigned long> HapticStateWatch::Watch(vtkTable* states)
   {
     const bool hasFault = fault->GetComponent(i, 0) != 0.0;
     note(this->HasFault, hasFault, vtkInteractorStyleHaptic::FaultEvent, 0);
-    // With a fault, DisarmedEvent would add nothing.
+    // After a fault, DisarmedEvent would add nothing.
     note(this->IsArmed, armed->GetComponent(i, 0) != 0.0, vtkInteractorStyleHaptic::ArmedEvent,
       hasFault ? 0 : vtkInteractorStyleHaptic::DisarmedEvent);
     note(this->IsTouching, contact->GetComponent(i, 0) != 0.0,

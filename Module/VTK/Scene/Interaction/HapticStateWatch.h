@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the events in a table of states, in their order.
+ * Detects events in a table of states, in their order.
  */
 #ifndef HapticStateWatch_h
 #define HapticStateWatch_h
@@ -14,7 +14,7 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** Remembers the last state from table to table. */
+/** Stores the last state between tables. */
 class HapticStateWatch
 {
 public:

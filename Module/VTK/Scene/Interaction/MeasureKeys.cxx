@@ -24,12 +24,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Less is not felt, N. */
+/** N: smaller forces are not felt. */
 constexpr double LeastMeasuredForce = 0.005;
-/** In voxels: the brush, and how far it goes at least between two positions. */
+/** Voxels: the brush, and its least step between two positions. */
 constexpr double BrushVoxels = 4.0;
 constexpr double StepVoxels = 0.25;
-/** Drawing a growing area may take this share of the time. */
+/** Drawing a growing area may take this fraction of the time. */
 constexpr double CutShare = 0.1;
 
 bool IsTouching(vtkHapticDevice* device)
@@ -39,7 +39,7 @@ bool IsTouching(vtkHapticDevice* device)
       Norm(FromArray(device->GetComputedForce())) >= LeastMeasuredForce);
 }
 
-/** Between the eight samples around a position. */
+/** Interpolates between the eight samples around a position. */
 double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Vector3& world)
 {
   const double at[3] = { world.X, world.Y, world.Z };
@@ -70,7 +70,7 @@ double ValueAt(vtkImageData* image, vtkDataArray* array, int component, const Ve
   return value;
 }
 
-/** A column of the states that a device gives. */
+/** A column of the device's states. */
 double Read(vtkTable* states, const char* column, vtkIdType row, int component = 0)
 {
   return vtkDataArray::SafeDownCast(states->GetColumnByName(column))->GetComponent(row, component);
@@ -87,7 +87,7 @@ Vector3 ReadPosition(vtkTable* states, const char* column, vtkIdType row)
 //------------------------------------------------------------------------------
 bool MeasureKeys::Press(const std::string& key)
 {
-  // Observers of the changes may take it away.
+  // Observers of the changes may remove the list.
   const vtkSmartPointer<vtkHapticMeasurements> list = this->Scene.Measurements;
   if (!list)
   {
@@ -352,7 +352,7 @@ void MeasureKeys::Show()
 //------------------------------------------------------------------------------
 void MeasureKeys::Tell(const std::string& notice)
 {
-  // A notice of others stays.
+  // Keep a notice that others have set.
   if (!notice.empty() || !this->Told.empty())
   {
     this->Told = notice;

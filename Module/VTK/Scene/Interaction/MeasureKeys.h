@@ -32,35 +32,35 @@ public:
   {
   }
 
-  /** False if it is none of them, or there is no list of measurements. */
+  /** False if the key is none of them, or without a list of measurements. */
   bool Press(const std::string& key);
-  /** Takes the states of an update into the path, or under the brush. */
+  /** Adds an update's states to the path, or to the brushed area. */
   void Follow(vtkTable* states);
   /** Ends a path or an area, and discards the points of an incomplete distance or angle. */
   void End();
 
 private:
-  /** A point, or the next one of a distance or angle. */
+  /** Adds a point, or the next point of a distance or angle. */
   void SetPoint(MeasuredKind kind);
   void Undo();
   void BeginOrEnd(MeasuredKind kind);
-  /** Adds what was begun to the list. */
+  /** Adds the measurement in progress to the list. */
   void Finish();
   /** The brush on the touched surface; null without a 3D image that has point scalars. */
   std::unique_ptr<PaintedPatch> MakeBrush(const Vector3& proxy, double surfaceValue);
   void PaintTo(const Vector3& proxy, double surfaceValue);
-  /** Lets displays show what was begun. */
+  /** Shows the measurement in progress in displays. */
   void Show();
   void Tell(const std::string& notice);
 
   TouchedScene& Scene;
   SceneFrames& Frames;
-  Measurement Begun;        ///< without points for an area
+  Measurement Begun;        ///< has no points for an area
   bool IsFollowing = false; ///< a path or an area is under way
   std::unique_ptr<PaintedPatch> Brush;
-  Vector3 Painted; ///< the last position of the brush
+  Vector3 Painted; ///< last position of the brush
   double BrushStep = 0.0;
-  std::chrono::steady_clock::time_point NextCut; ///< of the area for displays
+  std::chrono::steady_clock::time_point NextCut; ///< when displays next get the growing area
   std::string Told;
 };
 

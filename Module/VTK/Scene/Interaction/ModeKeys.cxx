@@ -55,7 +55,7 @@ vtkVolumeHapticsFilter* ModeKeys::FindFilter() const
 
 void ModeKeys::Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active)
 {
-  // Observers of the following events may take these away.
+  // Keep these objects: observers of the following events may remove them.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkVolumeHapticsFilter> kept = filter;
   const vtkSmartPointer<vtkHapticHeadUpDisplay> display = this->Scene.Display;

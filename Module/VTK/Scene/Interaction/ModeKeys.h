@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which modes of PRIMITIVES are felt: by a key, and by clicks on their list.
+ * Chooses which modes of PRIMITIVES are felt: by a key, and by clicks on their list.
  */
 #ifndef ModeKeys_h
 #define ModeKeys_h
@@ -23,16 +23,19 @@ public:
   }
 
   /**
-   * The next mode alone; after the last one all of them, unless those are too many for a tick.
+   * Feels the next mode alone; after the last one all modes, unless they are too many for a tick.
    * False if PRIMITIVES is not felt.
    */
   bool Next();
-  /** The mode in the list of the head-up display at a position, on or off. False if none is. */
+  /**
+   * Switches the mode at a position in the head-up display's list on or off. False if none is
+   * there.
+   */
   bool Click(int x, int y);
 
 private:
   vtkVolumeHapticsFilter* FindFilter() const;
-  /** Takes everything back, with a notice, if that can't be felt. */
+  /** Undoes all changes, with a notice, if they can't be felt. */
   void Set(vtkVolumeHapticsFilter* filter, const std::vector<bool>& active);
 
   TouchedScene& Scene;

@@ -13,10 +13,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** By which the keys change the speed at most, up and down. */
+/** The largest factor by which the keys change the speed, up and down. */
 constexpr double MostSpeed = 64.0;
 
-/** The frame before or after a time; from the ends on to the other end. */
+/** The frame before or after a time; continues at the other end. */
 double FindNeighbour(const std::vector<double>& times, double time, bool isNext)
 {
   if (isNext)
@@ -32,7 +32,7 @@ double FindNeighbour(const std::vector<double>& times, double time, bool isNext)
 
 bool PlaybackKeys::Press(const std::string& key)
 {
-  // Observers of the changes may take it away.
+  // Observers of the changes may remove the device.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const bool isSpeed = key == "comma" || key == "period";
   const bool isPlace = key == "Left" || key == "Right";

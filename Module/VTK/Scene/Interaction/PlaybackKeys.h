@@ -22,7 +22,7 @@ public:
   {
   }
 
-  /** False if it is none of them, or there is no volume that moves. */
+  /** False if the key is none of them, or without a moving volume. */
   bool Press(const std::string& key);
 
 private:

@@ -22,7 +22,7 @@ namespace VolumeHaptics
 
 namespace
 {
-constexpr double LongestDelay = 0.8; // s, of timers; from 1 s on, VTK 9.1 adds another one
+constexpr double LongestDelay = 0.8; // s, delay of timers; from 1 s on, VTK 9.1 adds a second
 } // namespace
 
 SceneFrames::SceneFrames(
@@ -36,7 +36,7 @@ SceneFrames::SceneFrames(
         using Touch = FrameQuality::Touch;
         vtkHapticDevice* const device = this->Scene.Device;
         const bool isArmed = device && this->Scene.IsArmed();
-        // A volume that plays is drawn again and again.
+        // A playing volume is drawn again and again.
         const bool isBusy = this->Scene.Style->GetTouchMode() ||
           (device && device->HasFrames() && device->IsPlaying());
         return isArmed ? Touch::Armed : isBusy ? Touch::On : Touch::Off;
@@ -53,7 +53,7 @@ void SceneFrames::Draw(bool quickly)
   vtkHapticFunctionEditor* const editor = this->Scene.Editor;
   if (editor && editor->GetVisibility())
   {
-    // Before the frame: its long work draws the head-up display, which is impossible within a
+    // Do this before the frame: long work draws the head-up display, which is impossible within a
     // frame.
     editor->Update();
     this->CountedShare = editor->GetCountedShare();
@@ -131,7 +131,7 @@ bool SceneFrames::AwaitLateMotion(double travel) const
   const bool isFirst = this->Pace.IsFirst(now);
   if (isFirst)
   {
-    // A slow frame of a hand half way would take more time than the rest of the way.
+    // A slow frame of the hand half way would take longer than the rest of the way.
     std::this_thread::sleep_for(std::chrono::duration<double>(
       std::min(HapticRenderPace::FeltTime + travel, HapticRenderPace::LongestAwaited)));
   }
@@ -147,7 +147,7 @@ bool SceneFrames::HasMoved() const
   }
   const Vector3 tip = this->Scene.GetTip();
   const double pixel = PixelSize(renderer, tip);
-  // A hand is never completely still: a motion of less than half a pixel is not drawn.
+  // A hand is never completely still: do not draw a motion of less than half a pixel.
   return Norm(tip - this->DrawnTip) > 0.5 * pixel ||
     Norm(this->Scene.GetProxy() - this->DrawnProxy) > 0.5 * pixel;
 }

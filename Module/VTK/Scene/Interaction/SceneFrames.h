@@ -21,8 +21,8 @@ class HapticWindowWatch;
 
 /**
  * Draws if the tip or the proxy has moved visibly, or an event has happened, since the last frame;
- * else HapticRenderPace decides. A window that was closed is not drawn, because that would open
- * another one.
+ * else HapticRenderPace decides. A closed window is not drawn, because drawing would open another
+ * window.
  */
 class SceneFrames
 {
@@ -38,26 +38,26 @@ public:
   }
   void Draw(bool quickly);
   /**
-   * Called by the timer: draws a frame if one is due, and tells whether. `isNew`: the device has a
-   * new state.
+   * Call it from the timer: draws a frame if one is due, and returns whether it did. `isNew`: the
+   * device has a new state.
    */
   bool DrawIfDue(bool isNew);
   /**
-   * Whether a motion of the mouse that touches is to draw now, because timers are late:
-   * HapticRenderPace::IsLate. If it is the first one after a rest, waits until it has been felt,
-   * and for the hand to arrive, which takes the time `travel` (s).
+   * Whether a motion of the mouse in the touch mode is to draw now, because timers are late:
+   * HapticRenderPace::IsLate. After a rest, it first waits until the motion has been felt and the
+   * hand has arrived, which takes `travel` (s).
    */
   bool AwaitLateMotion(double travel) const;
-  /** Notes an event that the next frame has to show. */
+  /** Records an event that the next frame has to show. */
   void NoteEvent() { this->HasHappened = true; }
   /** Shows a notice in the head-up display at once. */
   void Notify(const std::string& notice);
 
 private:
   bool HasMoved() const;
-  /** Whether it is known that no input waits. */
+  /** Whether no input waits, as far as is known. */
   bool IsIdle() const;
-  /** Notes an event if the editor has counted more than the last frame shows. */
+  /** Records an event if the editor has counted more than the last frame shows. */
   void FollowEditor();
 
   TouchedScene& Scene;
@@ -65,9 +65,9 @@ private:
   const std::function<void(bool)> DrawScene;
   FrameQuality Quality;
   HapticRenderPace Pace;
-  Vector3 DrawnTip; ///< world, of the last frame
+  Vector3 DrawnTip; ///< world position in the last frame
   Vector3 DrawnProxy;
-  double CountedShare = 1.0; ///< of the editor, in the last frame
+  double CountedShare = 1.0; ///< counted fraction of the editor in the last frame
   bool HasHappened = false;
 };
 

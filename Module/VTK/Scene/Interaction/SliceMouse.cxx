@@ -19,7 +19,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // A motion that began in the scene goes on over the slices.
+  // A motion that began in the scene continues over the slices.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)
@@ -92,7 +92,7 @@ bool SliceMouse::TurnWheel(double steps, int x, int y)
   this->Scene.Slices->GetPosition(position);
   if (this->Touch.LeadsTip())
   {
-    // The tip may be on its way.
+    // The tip may still be moving.
     const Vector3& lead = this->Touch.GetLead();
     position[0] = lead.X;
     position[1] = lead.Y;
@@ -133,7 +133,7 @@ void SliceMouse::GoTo(const double position[3])
     this->Touch.LeadTo({ position[0], position[1], position[2] });
     return;
   }
-  // An observer of the beginning may have taken them away.
+  // An observer of the touch mode's beginning may have removed the slices.
   if (this->Scene.Slices)
   {
     this->Scene.Slices->SetPosition(position);
@@ -143,9 +143,9 @@ void SliceMouse::GoTo(const double position[3])
 
 void SliceMouse::SetWindowLevel(int x, int y)
 {
-  // As vtkInteractorStyleImage: the width of the slice is four times the window.
+  // Like vtkInteractorStyleImage: a motion across the slice's width is four times the window.
   constexpr double speed = 4.0;
-  constexpr double least = 0.01; // of the window, in proportion to what it was
+  constexpr double least = 0.01; // least factor of the window
   vtkRenderer* const renderer = this->Scene.Slices->GetRenderer(this->Slice);
   const int* const size = renderer->GetSize();
   const double across = speed * (x - this->From[0]) / std::max(1, size[0]);

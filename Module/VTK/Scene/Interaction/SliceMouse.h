@@ -25,12 +25,12 @@ public:
   }
 
   bool Press(int x, int y, bool isRight);
-  /** Ends what the press of this button began. */
+  /** Ends the action that the press of this button began. */
   bool Release(bool isRight);
   bool Move(int x, int y);
   bool TurnWheel(double steps, int x, int y);
 
-  /** Whether the events have changed what the slices show, without a motion of the tip. */
+  /** Whether events have changed what the slices show, without a motion of the tip. */
   bool TakeChange();
 
 private:
@@ -41,10 +41,10 @@ private:
     WindowLevel
   };
 
-  /** The slice under the mouse, if there are slices; else -1. */
+  /** The slice under the mouse; -1 if there is none. */
   int Find(int x, int y) const;
   void GoTo(int x, int y);
-  /** Leads the tip to a position, or if the mouse does not lead it, the slices. */
+  /** Leads the tip to a position; if the mouse does not lead the tip, moves the slices there. */
   void GoTo(const double position[3]);
   void SetWindowLevel(int x, int y);
 
@@ -52,9 +52,9 @@ private:
   TouchMode& Touch;
   Drag Dragged = Drag::None;
   bool IsRight = false;  ///< the button that drags
-  int Slice = 0;         ///< in which the drag began
-  int From[2] = {};      ///< where it began
-  double Before[2] = {}; ///< window and level then
+  int Slice = 0;         ///< the slice in which the drag began
+  int From[2] = {};      ///< start of the drag
+  double Before[2] = {}; ///< window and level at the start
   bool HasChanged = false;
 };
 

@@ -19,7 +19,8 @@ namespace
 {
 
 constexpr double LongestWait = 1.0; // s
-/// The most that counts between two events (s): the loop does not run while a slow frame is drawn.
+/// The longest counted time between two events (s): the loop stands still while a slow frame is
+/// drawn.
 constexpr double LongestGap = 0.1;
 
 constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand::KeyPressEvent,
@@ -32,7 +33,7 @@ constexpr unsigned long InputEvents[] = { vtkCommand::MouseMoveEvent, vtkCommand
 TimerWatch::TimerWatch(vtkInteractorStyleHaptic* style)
   : Style(style)
 {
-  this->InputObserver->PassiveObserverOn(); // what has grabbed the focus takes them from others
+  this->InputObserver->PassiveObserverOn(); // a focus grabber hides events from active observers
   this->InputObserver->SetClientData(this);
   this->InputObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<TimerWatch*>(self)->OnInput(); });
@@ -116,7 +117,7 @@ void TimerWatch::OnInput()
 //------------------------------------------------------------------------------
 void TimerWatch::Update()
 {
-  if (!this->IsUpdating) // it may draw, for a notice
+  if (!this->IsUpdating) // an update may draw, for a notice
   {
     const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this->Style);
     this->IsUpdating = true;

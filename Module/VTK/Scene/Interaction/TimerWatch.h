@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Notices that a program's loop of events sends no timer events, and updates the haptics without.
+ * Notices that a program's event loop sends no timer events, and then updates the haptics without
+ * timers.
  */
 #ifndef TimerWatch_h
 #define TimerWatch_h
@@ -22,9 +23,9 @@ namespace VolumeHaptics
 
 /**
  * A server, or a toolkit whose interactor was not initialised, passes events of mouse and keys to
- * VTK but none of timers. If a second of such events passes without an update, this warns once, and
- * from then on updates the haptics with each of these events and each frame of the window, until an
- * update comes from elsewhere.
+ * VTK, but no timer events. If a second of such events passes without an update, this class warns
+ * once. From then on it updates the haptics with each of these events and each frame of the window,
+ * until an update comes from elsewhere.
  */
 class TimerWatch
 {
@@ -34,10 +35,10 @@ public:
   TimerWatch(const TimerWatch&) = delete;
   TimerWatch& operator=(const TimerWatch&) = delete;
 
-  /** The interactor whose events are watched, from the beginning; nullptr for none. */
+  /** Watches the events of this interactor, from the beginning; nullptr for none. */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
-  /** Notes an update of the haptics, by a timer or by the program. */
+  /** Records an update of the haptics, by a timer or by the program. */
   void NoteUpdate();
 
 private:
@@ -47,11 +48,11 @@ private:
 
   vtkInteractorStyleHaptic* const Style;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
-  vtkWeakPointer<vtkRenderWindow> Window; ///< whose frames update the haptics
+  vtkWeakPointer<vtkRenderWindow> Window; ///< the window whose frames update the haptics
   vtkNew<vtkCallbackCommand> InputObserver;
   vtkNew<vtkCallbackCommand> FrameObserver;
-  std::int64_t LastInput = 0; ///< ServoClock; 0 without any
-  double Waited = 0.0;        ///< s with input and without an update
+  std::int64_t LastInput = 0; ///< ServoClock; 0 before the first
+  double Waited = 0.0;        ///< s of input without an update
   bool IsUpdating = false;
 };
 

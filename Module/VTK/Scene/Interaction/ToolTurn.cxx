@@ -20,9 +20,9 @@ namespace
 {
 
 constexpr double RadiansPerPixel = 0.01;
-constexpr double RadiansPerStep = 0.1; ///< of the wheel
+constexpr double RadiansPerStep = 0.1; ///< for a step of the wheel
 constexpr double FineShare = 0.2;      ///< with Shift
-constexpr double SameMotion = 0.5;     ///< s, at most between two events of the mouse
+constexpr double SameMotion = 0.5;     ///< s, the longest time between two events of one motion
 
 } // namespace
 
@@ -58,8 +58,8 @@ Quaternion ToolTurn::FindStart()
   {
     std::copy_n(matrix->GetData(), placement.size(), placement.begin());
   }
-  // The tool follows slower than the mouse, and its state is late: a motion goes on from what was
-  // ordered. Between two, the program may have turned it.
+  // The tool follows slower than the mouse, and its state is late: continue from the ordered
+  // orientation. Between two motions, the program may have turned the tool.
   const double time = vtkTimerLog::GetUniversalTime();
   const bool isKnown = time - this->Turned < SameMotion && placement == this->Placement;
   this->Placement = placement;

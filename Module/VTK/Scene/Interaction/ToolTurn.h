@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The mouse turns a tool with a shape whose device measures no orientation.
+ * Turns a shaped tool by the mouse if its device measures no orientation.
  */
 #ifndef ToolTurn_h
 #define ToolTurn_h
@@ -25,27 +25,27 @@ public:
 
   /** Whether the hand holds a tool that only the mouse can turn. */
   bool HasTool() const;
-  /** The same while the key Alt says that the mouse turns it. */
+  /** Whether, in addition, the key Alt is held. */
   bool IsOn() const;
 
   ///@{
   /**
-   * From one position of the pointer to another one (pixels), as a ball under the pointer: about
-   * the view's axes that point up and right; and about the line of sight. A share of it with Shift.
+   * Turns the tool from one position of the pointer to the next (pixels), like a ball under the
+   * pointer: about the view's axes up and right, and about the line of sight. Less with Shift.
    */
   void Roll(const int from[2], const int to[2]);
   void Twist(double steps);
   ///@}
 
 private:
-  /** By an angle vector (rad) along right, up and towards the viewer. */
+  /** Turns by an angle vector (rad) along right, up and towards the viewer. */
   void TurnBy(const Vector3& angles);
-  /** Where the next turn begins (world). */
+  /** The orientation at which the next turn begins (world). */
   Quaternion FindStart();
 
   TouchedScene& Scene;
-  Quaternion Wish;                    ///< world; as ordered last
-  std::array<double, 16> Placement{}; ///< of the device then: the hand turns with it
+  Quaternion Wish;                    ///< world; the last ordered orientation
+  std::array<double, 16> Placement{}; ///< placement of the device then: the hand turns with it
   double Turned = -1e9;               ///< s, the time of the last turn
 };
 

@@ -44,7 +44,7 @@ void TouchMode::Set(bool on)
   this->Window.Look();
   if (this->Scene.Device && this->Scene.Device->IsArmOrdered())
   {
-    this->Scene.Device->Disarm(); // a force that fades already goes on to fade
+    this->Scene.Device->Disarm(); // a force that already fades continues to fade
   }
   this->Scene.Style->Modified();
 }
@@ -80,8 +80,8 @@ void TouchMode::Begin(const Vector3* at)
     vtkWarningWithObjectMacro(this->Scene.Style, << this->Scene.Hidden);
     return;
   }
-  // Observers of the long work may end the loop, disarm, or take the device or the interactor away.
-  // Each of these also ends the beginning, and nothing is armed then.
+  // Observers of the long work may end the loop, disarm, or remove the device or the interactor.
+  // Each of these also cancels the beginning; then nothing is armed.
   const vtkSmartPointer<vtkInteractorStyleHaptic> style = this->Scene.Style;
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   const vtkSmartPointer<vtkRenderer> renderer = this->Scene.FindRenderer();
@@ -103,7 +103,7 @@ void TouchMode::Begin(const Vector3* at)
     }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      // A mesh that is made in the background is not waited for.
+      // Do not wait for a mesh that is made in the background.
       const HapticBaker baker(filter);
       const LongWork work(device, MeshingWork, baker.Prepare() ? 0.0 : baker.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))
@@ -197,7 +197,7 @@ void TouchMode::MoveInPlane(const int from[2], const int to[2])
 double TouchMode::GetTravelTime() const
 {
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
-  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // for each world unit
+  const double meters = filter ? filter->GetMetersPerWorldUnit() : 0.0; // metres per world unit
   return meters * Norm(this->Lead - this->Scene.GetTip()) / VirtualTip::GetSpeed();
 }
 
@@ -210,9 +210,9 @@ bool TouchMode::HasSurfaces() const
 
 Vector3 TouchMode::FollowSurface(vtkRenderer* renderer, const Vector3& target) const
 {
-  /// The slope up to which a touched surface is followed; beyond it is an edge.
+  /// The steepest slope on which the tip follows a touched surface; steeper is an edge.
   constexpr double steepest = 2.0;
-  /// The height, in voxels, from which the hand comes back to the surface.
+  /// The height (voxels) from which the hand returns to the surface.
   constexpr double highest = 10.0;
   vtkVolumeHapticsFilter* const filter = this->Scene.Device->GetVolumeHaptics();
   Vector3 before;

@@ -32,56 +32,56 @@ public:
   /** Begins the mode with a virtual tip at a position in the world. */
   void BeginAt(const Vector3& world) { this->Begin(&world); }
   bool IsOn() const { return this->IsTouching; }
-  /** For another device: ends the mode without calling the old device. */
+  /** Ends the mode without calling the old device, for a new device. */
   void Reset() { this->IsTouching = this->IsPressed = false; }
   /**
-   * Call it if something disarmed the device: a touch mode that is beginning does not arm it then.
+   * Call it if something disarmed the device: a touch mode that is beginning then does not arm it.
    */
   void StopBeginning() { this->IsBeginning = false; }
 
-  /** Whether the mouse leads the tip now; the next functions need that. */
+  /** Whether the mouse leads the tip now; a condition of the next functions. */
   bool LeadsTip() const;
   /** Leads the tip to a position in the world. */
   void LeadTo(const Vector3& world);
-  /** Where the tip is led to (world). */
+  /** The target of the tip (world). */
   const Vector3& GetLead() const { return this->Lead; }
-  /** How long the hand takes from the tip that was last seen to there, s. */
+  /** The time (s) that the hand takes from the last seen tip to the target. */
   double GetTravelTime() const;
-  /** Moves along the line of sight, away from the viewer; one step is one of the wheel. */
+  /** Moves along the line of sight, away from the viewer; a step is one of the wheel. */
   void MoveInDepth(double steps);
   /**
-   * Moves from one position of the pointer to another one (pixels): along the surface, or in the
-   * plane of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
+   * Moves from one position of the pointer to the next (pixels): along the surface, or in the plane
+   * of the view. See vtkInteractorStyleHaptic::SetTipFollowsSurface.
    */
   void MoveInPlane(const int from[2], const int to[2]);
-  /** The share of a motion that is made: less with Shift. */
+  /** The fraction of a motion that is made: less with Shift. */
   double GetFineness() const;
-  /** The mouse's button is that of the device, until it is released or the mode ends. */
+  /** Makes the mouse's button the device's button, until it is released or the mode ends. */
   void PressButton();
-  /** False if it was not pressed. */
+  /** False if the button was not pressed. */
   bool ReleaseButton();
 
-  /** Called, if there is one, before the mode begins: it sets TouchedScene::Hidden. */
+  /** Called before the mode begins, unless null: it sets TouchedScene::Hidden. */
   std::function<void()> BeforeBegin;
-  /** Called, if there is one, before a tip lands on what is along the line of sight there. */
+  /** Called before a tip lands on something along the line of sight there, unless null. */
   std::function<void(vtkRenderer* renderer, const Vector3& through)> BeforeLanding;
 
 private:
-  /** Where `at` tells; or if it is null, in front of the first surface under the pointer. */
+  /** Begins at `at`; if that is null, in front of the first surface under the pointer. */
   void Begin(const Vector3* at);
   double GetDepthStep() const;
-  /** Whether the touched method has surfaces that the tip can follow. */
+  /** Whether the felt method has surfaces that the tip can follow. */
   bool HasSurfaces() const;
-  /** Where the tip goes instead of to a position in the plane of the view. */
+  /** The tip's target on the surface, instead of a position in the plane of the view. */
   Vector3 FollowSurface(vtkRenderer* renderer, const Vector3& target) const;
 
   TouchedScene& Scene;
   HapticWindowWatch& Window;
   const WorkspaceControl& Workspace;
   bool IsTouching = false;
-  bool IsPressed = false;   ///< the button, by PressButton
-  bool IsBeginning = false; ///< Begin runs, and nothing has ended it yet
-  Vector3 Lead;             ///< world; the target of the tip
+  bool IsPressed = false;   ///< the button, pressed by PressButton
+  bool IsBeginning = false; ///< Begin runs, and nothing has cancelled it yet
+  Vector3 Lead;             ///< world; target of the tip
 };
 
 } // namespace VolumeHaptics

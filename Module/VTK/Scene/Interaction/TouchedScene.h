@@ -26,8 +26,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The parts of a HapticInteraction share it. The application may set each of the objects to
- * null at any time, also in an observer of an event that a part causes.
+ * Shared by the parts of a HapticInteraction. The application may set each of the objects to null
+ * at any time, also in an observer of an event that a part causes.
  */
 class TouchedScene
 {
@@ -43,12 +43,12 @@ public:
   vtkSmartPointer<vtkHapticFunctionEditor> Editor;
   vtkSmartPointer<vtkHapticSliceView> Slices;
   vtkSmartPointer<vtkHapticMeasurements> Measurements;
-  bool TurnsView = true; ///< with the right button in the touch mode; beside another style not
-  std::string Hidden;    ///< why what is touched is not seen, and the cure; empty if it is
+  bool TurnsView = true; ///< with the right button in the touch mode; not beside another style
+  std::string Hidden;    ///< why the touched volume is not seen, and the cure; empty if it is seen
 
   /**
    * The renderer of the last button event, or the default one, or the window's first. VTK has no
-   * current one before the first button event.
+   * current renderer before the first button event.
    */
   vtkRenderer* FindRenderer() const;
 
@@ -59,7 +59,7 @@ public:
   bool IsReal() const { return this->Device && this->Device->IsOpen() && !this->IsVirtual(); }
 
   ///@{
-  /** By the device's last state; there must be a device. */
+  /** Read from the device's last state; there must be a device. */
   bool IsArmed() const;
   Vector3 GetTip() const; ///< world
   Vector3 GetProxy() const;

@@ -24,14 +24,14 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double Pause = 0.1;        // s between choices, each of which walks along a line
+constexpr double Pause = 0.1;        // s between choices; each choice walks along a line
 constexpr double SmallForce = 0.005; // N
 
-/** What a choice between volumes looks at. */
+/** The data on which a choice between volumes depends. */
 struct SurfaceAhead
 {
   double Distance = HUGE_VAL; // world units along the line of sight
-  double Force = 0.0;         // N, of a press
+  double Force = 0.0;         // N, force of a press
 };
 
 /** Whether two renderers show the same positions of the world at the same pixels. */
@@ -44,8 +44,8 @@ bool IsSameView(vtkRenderer* a, vtkRenderer* b)
 }
 
 /**
- * The volumes that are drawn where a style touches: in its default renderer, or if it has none, in
- * all of its window. False if it has no window.
+ * The volumes that are drawn where a style touches: in its default renderer, or without one in its
+ * whole window. False if it has no window.
  */
 bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 {
@@ -71,7 +71,7 @@ bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
 
 bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
-  // About equal forces, such as those of one material: the nearest one.
+  // If forces are about equal, such as those of one material, choose the nearest volume.
   constexpr double clearly = 1.05;
   const bool isStronger = a.Force > clearly * b.Force + SmallForce;
   const bool isWeaker = b.Force > clearly * a.Force + SmallForce;
@@ -92,7 +92,8 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
   }
   if (!this->Scene.Device->GetVolumeHaptics())
   {
-    // Whether the volume can be touched or not: callers go on to its settings.
+    // Give the device a filter, whether or not the volume can be touched: callers set up the
+    // filter.
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
   if (volume->IsA("vtkMultiVolume"))
@@ -127,7 +128,7 @@ bool TouchedVolumes::Set(vtkVolume* volume)
   }
   if (volume && !this->All.empty())
   {
-    // The first one's filter feels the new volume, whichever is felt now.
+    // The first volume's filter feels the new volume, whichever is felt now.
     this->Feel(this->All.front().Filter);
   }
   this->All.clear();
@@ -156,7 +157,7 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   }
   for (Entry& entry : this->All)
   {
-    // The first one may have the device's.
+    // The first volume may share the device's filter.
     entry.Filter = entry.Filter ? entry.Filter.Get() : this->Scene.Device->GetVolumeHaptics();
     if (entry.Filter == filter)
     {
@@ -276,7 +277,7 @@ Press TouchedVolumes::FindPress() const
 {
   if (this->Scene.Style->GetFeltVolume() != vtkInteractorStyleHaptic::STRONGEST)
   {
-    return {}; // the nearest one is found without a press
+    return {}; // the nearest volume is found without a press
   }
   constexpr double voxels = 4.0;
   double least = HUGE_VAL;
@@ -361,8 +362,8 @@ void TouchedVolumes::ChooseAhead(vtkRenderer* renderer)
       best = ahead;
     }
   }
-  // Near a surface, the hand may have touched it since the last state. What is hardly better would
-  // change to and fro.
+  // Near a surface, the hand may have touched it since the last state. A volume that is hardly
+  // better would cause changes to and fro.
   const SurfaceAhead demanded{ own.Distance - voxel, own.Force };
   if (least > voxel && IsBetter(best, demanded, choice))
   {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The volumes that a hand can touch, each with a filter of its own, and which of them it feels.
+ * The volumes that a hand can touch, each with a filter of its own, and the choice which one is
+ * felt.
  */
 #ifndef TouchedVolumes_h
 #define TouchedVolumes_h
@@ -23,11 +24,11 @@ namespace VolumeHaptics
 {
 
 /**
- * The servo feels one volume at a time: that whose surface is the first one ahead of the tip, along
- * the line of sight, or that whose surface ahead pushes back most strongly, as the style's
- * FeltVolume says. It changes only while there is no force and the next surface ahead is more
- * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Volumes
- * that are not seen are not chosen, and not felt.
+ * The servo feels one volume at a time. The style's FeltVolume chooses the volume whose surface
+ * comes first ahead of the tip, along the line of sight, or the volume whose surface ahead pushes
+ * back most strongly. It changes only while there is no force and the next surface ahead is more
+ * than a voxel away, so that no force steps; the device's rate limits a drag that begins. Invisible
+ * volumes are neither chosen nor felt.
  */
 class TouchedVolumes
 {
@@ -45,38 +46,38 @@ public:
   bool Set(vtkVolume* volume);
   bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   ///@}
-  /** The volume that is felt; null if there is none. */
+  /** The felt volume; null if there is none. */
   vtkVolume* Get() const;
   int GetCount() const { return static_cast<int>(this->All.size()); }
 
-  /** What tools have removed, by the filters of the volumes and that of the device. */
+  /** The tissue that tools have removed, by the filters of the volumes and the device's filter. */
   std::vector<CarvedArray> FindCarved() const;
   /**
-   * Gives the filters what their volumes show now. TouchedScene::Hidden tells if the one that is
-   * felt is not shown.
+   * Gives the filters what their volumes show now. Sets TouchedScene::Hidden if the felt volume is
+   * not shown.
    */
   void Follow();
-  /** Feels the first volume that is shown instead of one that is not, if there is any. */
+  /** If the felt volume is not shown, feels the first shown volume, if there is any. */
   void FeelShown();
   /** Chooses among the volumes along the line of sight through a position. */
   void ChooseAt(vtkRenderer* renderer, const Vector3& through);
-  /** Chooses among the volumes ahead of the tip, if nothing is touched. */
+  /** Chooses among the volumes ahead of the tip, while nothing is touched. */
   void ChooseAhead(vtkRenderer* renderer);
 
 private:
   struct Entry
   {
     std::unique_ptr<TouchedVolume> Volume;
-    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's
+    vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's filter
     bool IsShown = true;
   };
-  /** The one that is felt; null if there is none. */
+  /** The felt volume; null if there is none. */
   const Entry* FindFelt() const;
-  /** Whether a volume can be touched; if not, tells why. */
+  /** Whether a volume can be touched; if not, reports why. */
   bool CanTouch(vtkVolume* volume) const;
-  /** The press by which surfaces are compared: four of the smallest voxels deep. */
+  /** The depth of the press that compares surfaces: four of the smallest voxels. */
   Press FindPress() const;
-  /** The device feels by this filter from now on. */
+  /** Makes the device feel with this filter from now on. */
   void Feel(vtkVolumeHapticsFilter* filter);
   vtkVolumeHapticsFilter* FilterOf(const Entry& entry) const
   {
@@ -87,7 +88,7 @@ private:
   const HapticShownFrames& Pictures;
   const CarvedPictures& Carved;
   std::vector<Entry> All;
-  Vector3 ChosenTip; ///< the tip when it was chosen last
+  Vector3 ChosenTip; ///< position of the tip at the last choice
   double ChosenTime = 0.0;
 };
 

@@ -66,7 +66,7 @@ void WorkspaceControl::SetClutch(bool on)
   {
     return;
   }
-  // Observers of what follows may take it away.
+  // Keep the device: observers of the following events may remove it.
   const vtkSmartPointer<vtkHapticDevice> device = this->Scene.Device;
   device->UpdateState();
   const Vector3 tip = this->Scene.GetTip();

@@ -20,17 +20,17 @@ namespace VolumeHaptics
 class WorkspaceControl
 {
 public:
-  /** `armsAfterClutch` tells whether force may come back when the clutch is released. */
+  /** `armsAfterClutch` returns whether force may come back when the clutch is released. */
   WorkspaceControl(TouchedScene& scene, std::function<bool()> armsAfterClutch);
 
-  /** Releases the clutch of the device, which then stays without force. */
+  /** Releases the clutch of the device, and leaves the device without force. */
   void LeaveDevice();
-  /** For another device: places the workspace again. */
+  /** Places the workspace again, for a new device. */
   void Reset() { this->IsPlaced = false; }
 
   /**
    * Places the workspace if it follows the camera, and the camera or a setting has changed. Returns
-   * true if it did; the device then has to be published.
+   * whether it did; if so, publish the device.
    */
   bool Follow(vtkRenderer* renderer);
 
@@ -41,7 +41,7 @@ public:
   /** See vtkInteractorStyleHaptic::SetClutch. */
   void SetClutch(bool on);
   bool IsClutched() const { return this->IsOn; }
-  /** Another style with this device may have released its clutch: this one's goes on. */
+  /** Keeps this style's clutch, which another style with this device may have released. */
   void KeepClutch();
 
 private:

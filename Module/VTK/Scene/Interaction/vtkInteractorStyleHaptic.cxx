@@ -25,7 +25,10 @@ using namespace VolumeHaptics;
 namespace
 {
 
-/** Without a window there are no such events, and VTK's own styles would crash. */
+/**
+ * Whether there is a window. Without one, such events do not occur, and VTK's own styles would
+ * crash.
+ */
 bool HasWindow(vtkRenderWindowInteractor* interactor)
 {
   return interactor && interactor->GetRenderWindow();
@@ -64,7 +67,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   {
     this->Timer = interactor->CreateRepeatingTimer(static_cast<unsigned long>(1000.0 / rate));
     this->IsEnabled = interactor->GetEnabled() != 0;
-    // Whose timer has fired, this one does not know: it names the timer that was made last.
+    // This interactor does not know whose timer has fired: it names the timer made last.
     this->SharesTimers =
       std::strcmp(interactor->GetClassName(), "vtkGenericRenderWindowInteractor") == 0;
   }
@@ -79,11 +82,11 @@ struct vtkInteractorStyleHaptic::vtkInternals
 
   HapticInteraction Interaction;
   TimerWatch Loop;
-  int Timer = 0;             ///< 0 without a timer, because the application may have one of its own
+  int Timer = 0;             ///< 0 without a timer; the application may have one of its own
   int FiredTimer = 0;        ///< interactors pass the timer's id to observers, but not to styles
   bool SharesTimers = false; ///< a timer event may be of any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
-  bool IsEnabled = false; ///< the interactor; a timer event before that is dropped, wx's only one
+  bool IsEnabled = false; ///< of the interactor; an earlier timer event, wx's only one, is dropped
   vtkNew<vtkCallbackCommand> EnableObserver;
 };
 
@@ -194,7 +197,7 @@ bool vtkInteractorStyleHaptic::GetTouchMode()
 //------------------------------------------------------------------------------
 void vtkInteractorStyleHaptic::FadeOut()
 {
-  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete it
+  const vtkSmartPointer<vtkInteractorStyleHaptic> keep(this); // observers may delete this
   this->Internals->Interaction.FadeOut();
 }
 
@@ -369,7 +372,7 @@ void vtkInteractorStyleHaptic::SetInteractor(vtkRenderWindowInteractor* interact
   {
     d.StartTimer(this->Interactor, this->DisplayRate);
     this->Interactor->AddObserver(vtkCommand::ModifiedEvent, d.EnableObserver);
-    // Before the style itself gets the event.
+    // Called before the style itself gets the event.
     this->Interactor->AddObserver(vtkCommand::TimerEvent, d.TimerObserver, this->Priority + 1.0f);
   }
   this->Modified();
@@ -419,8 +422,8 @@ void vtkInteractorStyleHaptic::DrawScene(bool quickly)
     this->Interactor->Render();
     return;
   }
-  // Mappers draw as finely as this frame rate allows. The frames of others, such as a widget that
-  // is dragged, keep their own.
+  // Mappers draw as finely as this frame rate allows. Other frames, such as those of a dragged
+  // widget, keep their own rate.
   const double before = window->GetDesiredUpdateRate();
   window->SetDesiredUpdateRate(
     quickly ? this->Interactor->GetDesiredUpdateRate() : this->Interactor->GetStillUpdateRate());
@@ -457,8 +460,8 @@ void vtkInteractorStyleHaptic::OnMouseMove()
   {
     return;
   }
-  // The superclass asks the window of the renderer for its size: a renderer that was removed from
-  // its window, or that the application has set, may have none.
+  // The superclass asks the renderer's window for its size. A renderer that was removed from its
+  // window, or that the application has set, may have no window.
   const int* const now = this->Interactor->GetEventPosition();
   this->FindPokedRenderer(now[0], now[1]);
   if (this->CurrentRenderer && this->CurrentRenderer->GetRenderWindow())
@@ -501,7 +504,7 @@ void vtkInteractorStyleHaptic::OnRightButtonDown()
   {
     return;
   }
-  // In the touch mode the right button turns the camera, and the touch goes on.
+  // In the touch mode, the right button turns the camera, and the touch continues.
   this->GetTouchMode() ? this->Superclass::OnLeftButtonDown()
                        : this->Superclass::OnRightButtonDown();
 }
@@ -513,7 +516,7 @@ void vtkInteractorStyleHaptic::OnRightButtonUp()
   {
     return;
   }
-  // Ends the action of the press, even if the touch mode has changed since.
+  // End the action that the press began, even if the touch mode has changed since.
   this->State == VTKIS_DOLLY ? this->Superclass::OnRightButtonUp()
                              : this->Superclass::OnLeftButtonUp();
 }

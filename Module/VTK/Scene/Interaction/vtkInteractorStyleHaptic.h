@@ -115,13 +115,13 @@
  * loop ends (the keys q and e, the window manager's close, TerminateApp()), before any other
  * observer of ExitEvent is called; when the window is finalized; when the touched renderer is taken
  * out of it; and when the interactor is disabled, deleted or given another style. Force fades out
- * when a window of X11, or a window around it, is minimised or hidden, which covers Tk and wx. Of
- * QVTKOpenGLNativeWidget neither VTK nor X11 knows that: a program calls
+ * when a window of X11, or a window around it, is minimised or hidden, which covers Tk and wx.
+ * Neither VTK nor X11 reports that for QVTKOpenGLNativeWidget: a program calls
  * VolumeHaptics::WidgetWatch::Watch() of Qt/WidgetWatch.h once. Elsewhere, a program that hides a
  * view calls FadeOut().
  *
- * Timers belong to the loop of events. If a loop sends events of the mouse and keys, but for a
- * second none of timers, the style warns once, and updates with these events and with each frame of
+ * Timers belong to the loop of events. If a loop sends events of mouse and keys, but no timer
+ * events for a second, the style warns once, and updates with these events and with each frame of
  * the window, until the program calls UpdateHaptics() or DrawHaptics().
  *
  * With a real device, the workspace follows the camera: right, up and towards the user are the same

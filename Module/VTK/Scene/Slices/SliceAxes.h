@@ -21,20 +21,20 @@ struct SignedAxis
   int Sign = 1;
 };
 
-/** How one slice lies on the screen. */
+/** The layout of one slice on the screen. */
 struct SliceAxes
 {
-  SignedAxis Through; ///< along this, a step of the wheel goes
-  SignedAxis Right;   ///< of the screen
+  SignedAxis Through; ///< direction of a step of the wheel
+  SignedAxis Right;   ///< right on the screen
   SignedAxis Up;
-  const char* Name = "";                              ///< "Axial", or that of an index, "k"
+  const char* Name = "";                              ///< "Axial", or the name of an index, "k"
   std::array<const char*, 4> Sides{ "", "", "", "" }; ///< left, right, bottom, top
 };
 
 /**
- * Along the index axes k, j and i of an image; or if the world's axes point to a patient's left,
- * back and head, the axial, the coronal and the sagittal slice as radiologists look at them: each
- * along the index axis that is nearest to this axis of the world.
+ * The slices along the index axes k, j and i of an image. If the world's axes point to a patient's
+ * left, back and head: the axial, coronal and sagittal slice as radiologists look at them, each
+ * along the index axis nearest to the world's axis.
  */
 std::array<SliceAxes, 3> FindSliceAxes(vtkImageData* image, bool anatomical);
 

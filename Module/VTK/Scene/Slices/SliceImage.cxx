@@ -96,7 +96,7 @@ bool SliceImage::FollowRemoval(vtkHapticDevice* device)
     ? vtkHapticRegionSource::SafeDownCast(filter->GetInputAlgorithm(0, 0))
     : nullptr;
   const bool isCoarse = large && this->Image && this->Image == large->GetCoarseImage();
-  // While time goes on, all tissue is felt.
+  // While the data time runs, all tissue is felt.
   const bool isFelt = filter && !device->HasFrames() && this->Samples && !large &&
     filter->GetTouchedImage() && this->Samples == HapticBaker(filter).GetTouched()[0].Array;
   RemovedTissue removed = isCoarse || isFelt ? FindRemoved(filter) : RemovedTissue();
@@ -144,7 +144,7 @@ void SliceImage::CopyLeftPart(const int part[6], vtkDataArray* left) const
   place->CopyStructure(this->Image);
   if (this->IsCarved() && this->Cover == CarvedCover::Nearest)
   {
-    // The image is the volume, or a region of it, wherever it has been moved to since.
+    // The image is the volume, or a region of the volume, which may have been moved since.
     place->CopyStructure(this->Removed.Volume);
     place->SetExtent(this->Image->GetExtent());
   }
@@ -238,7 +238,7 @@ std::array<double, 2> SliceImage::FindUsualValues() const
   constexpr double below = 0.01;
   constexpr double above = 0.995;
   const vtkIdType count = this->Samples->GetNumberOfTuples();
-  // An odd step, so that it does not take the same column of each row.
+  // Use an odd step, so that it does not take the same column of each row.
   const vtkIdType step = (count / most) | 1;
   std::vector<double> values;
   for (vtkIdType i = 0; i < count; i += step)

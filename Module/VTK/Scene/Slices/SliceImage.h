@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The image whose slices are shown: what a device feels, as it is felt now.
+ * The image whose slices are shown: the data that a device feels now.
  */
 #ifndef SliceImage_h
 #define SliceImage_h
@@ -29,19 +29,19 @@ class SliceImage
 {
 public:
   /**
-   * Takes the image that the application has chosen; or without one, that of the device's filter:
-   * its frame at the data time, or the coarse level of a volume that is larger than memory. Returns
-   * whether the samples or their geometry have changed. Does not copy samples.
+   * Updates the image: the application's choice, or else the image of the device's filter, which is
+   * the frame at the data time, or the coarse level of a volume larger than memory. Returns whether
+   * the samples or their geometry have changed. Does not copy samples.
    */
   bool Follow(vtkHapticDevice* device, vtkImageData* chosen);
 
   /**
-   * Looks for tissue that a tool of the device's filter has removed from what is shown. Returns
-   * whether there is more or less of it than before.
+   * Checks how much tissue a tool of the device's filter has removed from the shown image. Returns
+   * whether this has changed.
    */
   bool FollowRemoval(vtkHapticDevice* device);
 
-  /** Whether there is something to show. */
+  /** Whether there is an image to show. */
   bool HasSamples() const { return this->Samples != nullptr; }
 
   /**
@@ -51,8 +51,8 @@ public:
   vtkImageData* GetPlain() const { return this->Plain; }
 
   /**
-   * An image that has a slice across an axis of it: the plain one, or if tissue was removed, one of
-   * that slice alone, with what is left.
+   * An image with a slice across one of its axes: the plain image, or if tissue was removed, an
+   * image of that slice alone, with the remaining tissue.
    */
   vtkImageData* GetLayer(int axis, int number);
 
@@ -63,7 +63,7 @@ public:
   }
 
   ///@{
-  /** From the world to continuous indices, within the image, and back. */
+  /** Convert from the world to continuous indices, within the image, and back. */
   std::array<double, 3> FindIndex(const double world[3]) const;
   void FindWorld(const std::array<double, 3>& index, double world[3]) const;
   ///@}
@@ -71,20 +71,20 @@ public:
   std::array<double, 3> GetCentre() const;
 
   /**
-   * What is left of the nearest sample: its component, or of several the magnitude, as
-   * UsesMagnitude tells.
+   * The remaining value of the nearest sample: its component, or the magnitude of several
+   * components, as UsesMagnitude says.
    */
   double GetValue(const std::array<double, 3>& index) const;
-  /** "magnitude " or "component 1 of 3: " in front of a value; else empty. */
+  /** "magnitude " or "component 1 of 3: " in front of a value; empty for plain scalars. */
   std::string DescribeComponents() const;
   bool UsesMagnitude() const { return this->IsMagnitude; }
   int GetComponent() const { return this->Component; }
 
-  /** Where 1 % of some values are below, and where 0.5 % are above, with all tissue. */
+  /** The values below which 1 %, and above which 0.5 % of some samples are, with all tissue. */
   std::array<double, 2> FindUsualValues() const;
 
 private:
-  /** A slice of what is left. */
+  /** A slice of the remaining tissue. */
   struct Layer
   {
     vtkSmartPointer<vtkImageData> Image;
@@ -95,13 +95,13 @@ private:
   void CopyLeftPart(const int part[6], vtkDataArray* left) const;
   double GetValueOf(vtkDataArray* samples, vtkIdType id) const;
 
-  vtkSmartPointer<vtkImageData> Image; ///< in the world
+  vtkSmartPointer<vtkImageData> Image; ///< placed in the world
   vtkSmartPointer<vtkDataArray> Samples;
   vtkNew<vtkImageData> Plain;
   RemovedTissue Removed;
   CarvedCover Cover = CarvedCover::Nearest;
-  std::array<Layer, 3> Layers; ///< by axis
-  vtkMTimeType Time = 0;       ///< of image and samples, when they were taken
+  std::array<Layer, 3> Layers; ///< one per axis
+  vtkMTimeType Time = 0;       ///< time of image and samples when they were fetched
   int Component = 0;
   bool IsMagnitude = false;
 };

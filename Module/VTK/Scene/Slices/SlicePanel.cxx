@@ -27,9 +27,9 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double CrossGap = 7.0;     ///< of the crosshair around the tip, pixels
-constexpr double SliceMargin = 1.03; ///< of the viewport to the slice
-constexpr int LeastLettered = 120;   ///< of a viewport with letters at its sides, pixels
+constexpr double CrossGap = 7.0;     ///< gap in the crosshair around the tip, pixels
+constexpr double SliceMargin = 1.03; ///< height of the viewport relative to the slice
+constexpr int LeastLettered = 120;   ///< least size of a viewport with letters at its sides, pixels
 
 void SetUpSliceText(vtkTextActor* actor, double grey)
 {
@@ -40,7 +40,7 @@ void SetUpSliceText(vtkTextActor* actor, double grey)
   actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
 }
 
-/** A line along the left and the lower edge, which divides a panel from what is beside it. */
+/** A line along the left and the lower edge, which separates a panel from its neighbours. */
 void SetUpSliceFrame(vtkActor2D* actor)
 {
   vtkNew<vtkPoints> points;
@@ -238,7 +238,7 @@ void SlicePanel::PlaceCrosshair()
   {
     const double shown =
       axis == this->Axes.Through.Axis ? this->Mapper->GetSliceNumber() : this->Index[axis];
-    // In front of the slice.
+    // Draw in front of the slice.
     centre[axis] = this->Spacing[axis] * shown - 0.01 * camera->GetDistance() * back[axis];
   }
   vtkNew<vtkPoints> points;
@@ -315,7 +315,7 @@ std::array<double, 3> SlicePanel::FindIndex(int x, int y) const
   const int* const size = this->Renderer->GetSize();
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   const double pixel = 2.0 * camera->GetParallelScale() / size[1];
-  // The middle of the pixel, from the middle of the viewport.
+  // The middle of the pixel, relative to the middle of the viewport.
   const double across = pixel * (x + 0.5 - origin[0] - 0.5 * size[0]);
   const double upwards = pixel * (y + 0.5 - origin[1] - 0.5 * size[1]);
   const SliceAxes& axes = this->Axes;
@@ -328,7 +328,7 @@ std::array<double, 3> SlicePanel::FindIndex(int x, int y) const
   {
     index[axis] = at[axis] / this->Spacing[axis];
   }
-  // The position in the slice, not its middle, if the tip has not moved across it.
+  // Use the position in the slice, not its middle, if the tip has not moved across it.
   index[axes.Through.Axis] = this->Index[axes.Through.Axis];
   return index;
 }

@@ -34,28 +34,31 @@ public:
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   const SliceAxes& GetAxes() const { return this->Axes; }
 
-  /** An image without direction: see SliceImage::GetPlain. */
+  /** Sets an image without direction: see SliceImage::GetPlain. */
   void SetImage(vtkImageData* plain, const SliceAxes& axes, vtkImageProperty* look);
   void Hide();
-  /** Another image with the shown slice: see SliceImage::GetLayer. */
+  /** Sets another image with the shown slice: see SliceImage::GetLayer. */
   void SetLayer(vtkImageData* layer);
 
   /**
-   * Shows the slice of a continuous index, and the crosshair there. The lines have the colours of
-   * the panels whose slices they are: of those along the index axes.
+   * Shows the slice of a continuous index, with the crosshair there. The lines have the colours of
+   * the panels whose slices they are, in the order of the index axes.
    */
   void Show(
     const std::array<double, 3>& index, const std::array<std::array<unsigned char, 3>, 3>& colors);
-  /** The texts: the upper left one begins with the panel's name, in its colour. */
+  /** Sets the texts: the upper left one begins with the panel's name, in its colour. */
   void SetTexts(const std::string& title, const std::string& facts, const std::string& below);
   void SetColor(const std::array<unsigned char, 3>& color);
 
-  /** The whole slice in the middle of the viewport, whatever its size. Cheap if nothing changed. */
+  /**
+   * Fits the whole slice into the middle of the viewport, whatever its size. Cheap if nothing
+   * changed.
+   */
   void Fit();
 
   /**
-   * The continuous index of a position of the window (pixels) in the shown slice; it may be
-   * outside of the image.
+   * The continuous index at a position in the window (pixels), in the shown slice; it may be
+   * outside the image.
    */
   std::array<double, 3> FindIndex(int x, int y) const;
   bool Contains(int x, int y) const;

@@ -34,11 +34,11 @@ namespace
 using SliceColor = std::array<unsigned char, 3>;
 using SliceIndex = std::array<double, 3>;
 
-/** Of the axial, the coronal and the sagittal slice, as 3D Slicer has them, but lighter. */
+/** Colours of the axial, the coronal and the sagittal slice: those of 3D Slicer, but lighter. */
 constexpr std::array<SliceColor, 3> PanelColors = { { { 240, 110, 96 }, { 118, 196, 108 },
   { 232, 208, 96 } } };
 
-/** A motion of the tip that is followed, voxels along an axis. */
+/** The least motion of the tip that the slices follow, voxels along an axis. */
 constexpr double LeastTipMotion = 0.5;
 
 std::string WriteSliceValue(double number)
@@ -65,11 +65,11 @@ struct vtkHapticSliceView::vtkInternals
   vtkNew<vtkImageProperty> Look;
   vtkNew<vtkLookupTable> Grey;
   std::array<double, 2> Usual{ { 0.0, 1.0 } };
-  SliceIndex Position{}; ///< of the crosshair
-  SliceIndex Tip{};      ///< that was followed last
+  SliceIndex Position{}; ///< position of the crosshair
+  SliceIndex Tip{};      ///< the tip when the slices last followed it
   bool HasTip = false;
-  bool HasUsual = false;    ///< the usual values of the image, or of those before it
-  vtkMTimeType Updated = 0; ///< when the settings were last shown
+  bool HasUsual = false;    ///< usual values of the image, or of a previous image
+  vtkMTimeType Updated = 0; ///< time when the settings were last shown
 
   std::vector<vtkRenderer*> GetColumn() const
   {
@@ -199,7 +199,7 @@ void vtkHapticSliceView::SetRenderWindow(vtkRenderWindow* window)
     window->AddObserver(vtkCommand::StartEvent, d.StartObserver);
   }
   this->Modified();
-  this->Update(); // the mouse may come before the first frame
+  this->Update(); // the mouse may arrive before the first frame
 }
 
 //------------------------------------------------------------------------------
@@ -357,7 +357,7 @@ bool vtkHapticSliceView::vtkInternals::FollowTip()
   {
     motion = std::max(motion, std::abs(tip[axis] - this->Tip[axis]));
   }
-  // Where the tip rests before the first touch tells nothing.
+  // Ignore where the tip rests before the first touch.
   const int status = device->GetStatus();
   const bool isArmed = status == vtkHapticDevice::ARMED || status == vtkHapticDevice::ACTIVE;
   const bool follows = this->HasTip ? motion >= LeastTipMotion : isArmed;
@@ -393,7 +393,7 @@ bool vtkHapticSliceView::vtkInternals::FollowImage()
   const bool stays = hadSamples && this->HasUsual;
   this->Position = stays ? this->Shown.FindIndex(world) : this->Shown.GetCentre();
   const std::array<double, 2> usual = this->Shown.FindUsualValues();
-  // The frames of a volume that moves, and the regions of a large one, are not lit anew each time.
+  // Frames of a moving volume, and regions of a large volume, do not choose window and level anew.
   this->Usual[0] = this->HasUsual ? std::min(this->Usual[0], usual[0]) : usual[0];
   this->Usual[1] = this->HasUsual ? std::max(this->Usual[1], usual[1]) : usual[1];
   this->HasUsual = true;

@@ -5,23 +5,23 @@
  * @brief   three slices of the touched image through the tip, beside the scene
  *
  * A column at the right edge of a window, of slices along the three axes of the image, each with a
- * crosshair at the tip. The first one tells the value there, the name of its label in the filter's
- * label table, and the tissue as the head-up display names it. The other renderers of the window
- * get what is left of its width.
+ * crosshair at the tip. The first slice shows the value there, the name of its label in the
+ * filter's label table, and the tissue as the head-up display names it. The other renderers of the
+ * window get the rest of its width.
  *
  *   slices->SetDevice(device);
  *   slices->SetRenderWindow(window);
  *   style->SetSliceView(slices);
  *
  * The slices follow the tip before each frame of the window, within the image and in steps of half
- * a voxel; nobody has to update them. With vtkInteractorStyleHaptic, which the last line tells,
- * the mouse goes where it clicks, and a key shows and hides the slices.
+ * a voxel; they need no update by the program. With the last line, vtkInteractorStyleHaptic moves
+ * to the place of a click, and a key shows and hides the slices.
  *
- * They are those of the image's own axes, so that nothing is interpolated between them, even if the
- * image is oblique. Of a volume that moves they show the frame that is felt, and of one that is
- * larger than memory its coarse level. Where a vtkHapticBurr of the filter has removed tissue, they
- * show what is left; of a coarse level, the mean in each voxel. Of several components they show the
- * one that is felt, or if the modes of PRIMITIVES feel all of them, the magnitude.
+ * Slices lie along the image's own axes, so that nothing is interpolated between them, even if the
+ * image is oblique. They show the felt frame of a moving volume, and the coarse level of a volume
+ * larger than memory. Where a vtkHapticBurr of the filter has removed tissue, they show what is
+ * left; a coarse level shows the mean in each voxel. Of several components they show the felt one,
+ * or the magnitude if the modes of PRIMITIVES feel all of them.
  *
  * Needs VTK::RenderingOpenGL2 and VTK::RenderingFreeType in the application.
  *

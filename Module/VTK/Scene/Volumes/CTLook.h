@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a CT volume is shown, by the explorer and by ParaView's plugin: the surface that a hand meets
- * first is what is seen, in the colours of skin and bone.
+ * The look of a CT volume in the explorer and in ParaView's plugin: the eye sees the surface that a
+ * hand meets first, in the colours of skin and bone.
  */
 #ifndef CTLook_h
 #define CTLook_h
@@ -17,27 +17,27 @@ namespace VolumeHaptics
 struct LookStop
 {
   double Value;
-  double Opacity; ///< of a layer of LookLayer
+  double Opacity; ///< opacity of a layer of LookLayer
   std::array<double, 3> Color;
 };
 
 /**
- * The thickness (voxels) of the layer whose opacities these are. Half of the picture is the first
- * half voxel of it, and rays in steps of a voxel do not show the steps.
+ * The thickness (voxels) of the layer to which opacities refer. Half of the picture comes from its
+ * first half voxel, and rays in steps of a voxel do not show the steps.
  */
 constexpr double LookLayer = 4.0;
-/** The opacity of what is felt. */
+/** The opacity of felt tissue. */
 constexpr double LookOpaque = 0.998;
 
 /**
- * From nothing to all of the opacity, on the edge from air to fat and skin, where a hand meets it.
- * What the opacity hides is not felt, so that nothing is felt that is hardly seen, such as the foam
- * and the blankets around a body.
+ * The opacity rises from zero to full on the edge from air to fat and skin, where a hand meets it.
+ * Hidden tissue is not felt, so that hardly visible things, such as the foam and the blankets
+ * around a body, are not felt either.
  */
 constexpr double CTLookClear = -350.0;
 constexpr double CTLookSkin = -300.0;
 
-/** By Hounsfield units. */
+/** Opacities and colours by Hounsfield units. */
 constexpr LookStop CTLook[] = {
   { -1024.0, 0.0, { 0.85, 0.60, 0.47 } },
   { CTLookClear, 0.0, { 0.85, 0.60, 0.47 } },

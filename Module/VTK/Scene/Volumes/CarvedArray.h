@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is left of the values of an array from which a tool has removed tissue, brick by brick, to
- * be shown. The array itself is never written to, since the servo reads it.
+ * The remaining values of an array from which a tool has removed tissue, brick by brick, for
+ * display. The array itself is never written to, because the servo reads it.
  */
 #ifndef CarvedArray_h
 #define CarvedArray_h
@@ -24,7 +24,7 @@
 namespace VolumeHaptics
 {
 
-/** The nearest value of a type. */
+/** The nearest value that a type can hold. */
 template <typename T>
 T NearestOf(double value)
 {
@@ -43,16 +43,18 @@ T NearestOf(double value)
   }
 }
 
-/** The array of an image, of which one component has lost tissue. */
+/** The array of an image; one component has lost tissue. */
 struct CarvedArray
 {
   vtkSmartPointer<vtkDataArray> Array; ///< x first, of the image's points
   int Component = 0;
   std::int64_t Dimensions[3] = { 0, 0, 0 };
-  /** The index of the array's first sample among the shares: not 0 for a region of a volume. */
+  /**
+   * The index of the array's first sample among the removed shares: not 0 for a region of a volume.
+   */
   std::int64_t First[3] = { 0, 0, 0 };
   std::shared_ptr<TissueRemoval> Removal;
-  double Air = 0.0; ///< the value of a sample without tissue
+  double Air = 0.0; ///< value of a sample without tissue
 
   bool IsSame(const CarvedArray& other) const
   {
@@ -72,7 +74,7 @@ struct ArrayBox
   std::int64_t Samples() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
-/** What to read of a brick: its shares, or all tissue, whatever was removed. */
+/** What to read of a brick: its shares, or all tissue as if nothing was removed. */
 enum class BrickContent : std::uint8_t
 {
   Left,
@@ -89,7 +91,7 @@ bool FindBrickBox(const CarvedArray& carved, std::uint32_t brick, ArrayBox& box)
 void CopyBrick(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, std::vector<unsigned char>& to);
 
-/** The same as float, each component times its scale plus its bias. */
+/** Writes the same tuples as float, each component times its scale plus its bias. */
 void CopyBrickAsFloat(const CarvedArray& carved, std::uint32_t brick, BrickContent content,
   const ArrayBox& box, const float* scale, const float* bias, std::vector<unsigned char>& to);
 

@@ -24,7 +24,7 @@ vtkImageData* FindImage(vtkVolumeMapper* mapper, int port)
     : nullptr;
 }
 
-/** What a mapper shows of the image at a port. */
+/** What a mapper shows of the image on a port. */
 vtkDataArray* GetShown(vtkVolumeMapper* mapper, int port)
 {
   vtkImageData* const image = FindImage(mapper, port);
@@ -91,11 +91,11 @@ void CarvedCopy::CopyImage()
   this->Left = CopyArray(this->Carved.Array);
   if (this->Left->HasInformation())
   {
-    // The copy is this picture's own.
+    // The copy belongs to this picture.
     this->Left->GetInformation()->Remove(vtkHapticRemoval::TOUCHED_ARRAY());
   }
   this->Copy->ShallowCopy(this->Image);
-  // Arrays keep their numbers, by which a mapper may ask for one.
+  // Arrays keep their indices, because a mapper may select an array by index.
   vtkPointData* const from = this->Image->GetPointData();
   vtkPointData* const to = this->Copy->GetPointData();
   to->Initialize();

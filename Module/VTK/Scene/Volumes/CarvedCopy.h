@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Shows what a tool has left of an image by a copy in the place of a mapper's input: for mappers
+ * Shows what a tool has left of an image by a copy that replaces a mapper's input: for mappers
  * whose texture can't be written to. It needs the memory of the array once more, and VTK uploads or
  * prepares all of it after each change.
  */
@@ -24,11 +24,11 @@ class vtkAlgorithmOutput;
 namespace VolumeHaptics
 {
 
-/** The port at which a mapper gets an image of which it shows an array; -1 if there is none. */
+/** The port whose image has an array that the mapper shows; -1 if there is none. */
 int FindShownPort(vtkVolumeMapper* mapper, vtkDataArray* array);
 /**
- * The array that a mapper shows if it is the touched one, or is shown instead of it: see
- * vtkHapticRemoval::TOUCHED_ARRAY(). Null if it shows neither.
+ * The array that a mapper shows, if it is the touched array or is shown instead of it: see
+ * vtkHapticRemoval::TOUCHED_ARRAY(). Null otherwise.
  */
 vtkDataArray* FindShownArray(vtkVolumeMapper* mapper, vtkDataArray* touched);
 
@@ -45,14 +45,16 @@ public:
   CarvedCopy(const CarvedCopy&) = delete;
   CarvedCopy& operator=(const CarvedCopy&) = delete;
 
-  /** Copies the image if it is new or modified, else the bricks that wait; whether it changed. */
+  /**
+   * Copies the image if it is new or modified, else the waiting bricks. Returns whether it changed.
+   */
   bool Update();
   bool IsCopy(vtkDataObject* image) const { return this->Input.IsImage(image); }
-  /** What the copy replaces; null if there is none. */
+  /** The image that the copy replaces; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const { return this->Input.GetReplaced(); }
 
 private:
-  /** Takes the place of the input that shows the array; false if none does. */
+  /** Replaces the input that shows the array; false if no input does. */
   bool Replace();
   void CopyImage();
   void WriteBrick(std::uint32_t brick);
@@ -60,11 +62,11 @@ private:
   vtkWeakPointer<vtkVolumeMapper> Mapper;
   const CarvedArray& Carved;
   FollowedBricks& Bricks;
-  vtkSmartPointer<vtkImageData> Image; ///< that the application shows
-  vtkMTimeType ImageTime = 0;          ///< of the image, when it was copied
+  vtkSmartPointer<vtkImageData> Image; ///< the application's image
+  vtkMTimeType ImageTime = 0;          ///< time of the image when it was copied
   vtkSmartPointer<vtkImageData> Copy;
   vtkSmartPointer<vtkDataArray> Left; ///< the copy's array
-  ReplacedInput Input;                ///< which gives the mapper its own back at the end
+  ReplacedInput Input;                ///< restores the mapper's own input at the end
   std::vector<unsigned char> Buffer;
 };
 

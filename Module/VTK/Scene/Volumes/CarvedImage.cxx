@@ -19,14 +19,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Shares along an axis, the last one not included. */
+/** A range of shares along an axis, without End. */
 struct ShareRange
 {
   std::int64_t Begin;
   std::int64_t End;
 };
 
-/** Which shares belong to the samples of a part of an image, by axis. */
+/** The shares that belong to the samples of a part of an image, by axis. */
 class ShareRaster
 {
 public:
@@ -59,7 +59,7 @@ public:
     }
     return true;
   }
-  /** The samples to which shares of a range belong, along an axis. */
+  /** The samples to which a range of shares belongs, along an axis. */
   ShareRange FindSamples(int axis, std::int64_t begin, std::int64_t end) const
   {
     const std::vector<ShareRange>& all = this->Axes[axis];
@@ -121,7 +121,7 @@ private:
   std::vector<ShareRange> Axes[3];
 };
 
-/** Of the rows of a part of an image. */
+/** Calls f for each row of a part of an image. */
 template <typename F>
 void ForEachRow(const int extent[6], const int part[6], F&& f)
 {
@@ -163,7 +163,7 @@ void CopyPart(vtkDataArray* whole, const int extent[6], const int part[6], vtkDa
     });
 }
 
-/** Takes the removed share of one component from the samples that have lost tissue. */
+/** Subtracts the removed share of one component from the samples that have lost tissue. */
 template <typename T>
 void CarvePart(
   const RemovedTissue& removed, const ShareRaster& raster, const int part[6], vtkDataArray* left)
@@ -174,7 +174,7 @@ void CarvePart(
   const std::int64_t ny = part[3] - part[2] + 1;
   const int components = left->GetNumberOfComponents();
   auto* const values = static_cast<T*>(left->GetVoidPointer(0)) + removed.Component;
-  // A sample may have shares of several bricks.
+  // A sample may have shares in several bricks.
   std::vector<bool> isDone(static_cast<std::size_t>(left->GetNumberOfTuples()), false);
   const std::uint32_t count = bricks.GetCount();
   for (std::uint32_t brick = 0; brick < count; ++brick)

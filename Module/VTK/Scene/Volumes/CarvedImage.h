@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What is left of an image from which a tool has removed tissue, also if its samples are fewer than
- * those of the volume that is felt. For small images and parts of images: each change writes all
- * of it anew.
+ * The remaining values of an image from which a tool has removed tissue; the image may have fewer
+ * samples than the felt volume. For small images and parts of images: each change writes all values
+ * anew.
  */
 #ifndef CarvedImage_h
 #define CarvedImage_h
@@ -21,16 +21,16 @@
 namespace VolumeHaptics
 {
 
-/** Which tissue of the volume a sample of an image stands for. */
+/** The tissue of the volume that a sample of an image stands for. */
 enum class CarvedCover : std::uint8_t
 {
-  Nearest, ///< that of the nearest sample of the volume
-  Voxel    ///< the mean of all samples of the volume that are in its voxel
+  Nearest, ///< the nearest sample of the volume
+  Voxel    ///< the mean of the volume's samples in the sample's voxel
 };
 
 /**
- * Writes what is left of the samples of a part of an image, x first. All of them, where the axes of
- * the image and the volume are not parallel.
+ * Writes the remaining values of a part of an image, x first. All tissue remains if the axes of the
+ * image and the volume are not parallel.
  * @param place  the image where it lies in the world of the volume
  * @param whole  its array, with all tissue
  * @param part   the extent to write
@@ -39,22 +39,22 @@ enum class CarvedCover : std::uint8_t
 void CopyLeft(const RemovedTissue& removed, CarvedCover cover, vtkImageData* place,
   vtkDataArray* whole, const int part[6], vtkDataArray* left);
 
-/** An image with its scalars, as far as a tool has left of them. */
+/** An image with scalars of the remaining tissue. */
 class CarvedImage
 {
 public:
   /**
-   * Follows an image, which may be null; whether Get() is another one than before. An image that is
-   * the same object with the same time is not looked at again.
+   * Follows an image, which may be null. Returns whether Get() is a new image. An image that is the
+   * same object with the same time is not checked again.
    */
   bool Follow(
     vtkImageData* image, vtkImageData* place, const RemovedTissue& removed, CarvedCover cover);
-  /** The image itself as long as nothing was removed; otherwise a copy, which no longer changes. */
+  /** The image itself while nothing is removed; otherwise a copy, which no longer changes. */
   vtkImageData* Get() const { return this->Left; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkMTimeType Time = 0; ///< of the image, when it was followed
+  vtkMTimeType Time = 0; ///< time of the image at the last Follow
   RemovedTissue Removed;
   vtkSmartPointer<vtkImageData> Left;
 };

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether a mapper has begun to draw in a way that shows no texture of its image. */
+/** Whether a mapper now draws in a way that uses no texture of its image. */
 bool DrawsOtherwise(vtkVolumeMapper* mapper)
 {
   auto* const smart = vtkSmartVolumeMapper::SafeDownCast(mapper);

@@ -5,11 +5,11 @@
  * Lets a volume mapper show what a tool has left of the array that it shows.
  *
  * vtkOpenGLGPUVolumeRayCastMapper, also within a vtkSmartVolumeMapper, gets only the changed bricks
- * of its texture. Any other mapper gets a copy of the image in the place of its input. The
+ * of its texture. For any other mapper, a copy of the image replaces its input. The
  * application's image is never written to. At the end the mapper shows all tissue again.
  *
- * What VTK computes from the image itself stays that of the whole one: the range of its values, and
- * the contours with which vtkGPUVolumeRayCastMapper::UseDepthPass begins its rays.
+ * Results that VTK computes from the image itself remain those of all tissue: the range of values,
+ * and the contours with which vtkGPUVolumeRayCastMapper::UseDepthPass begins its rays.
  */
 #ifndef CarvedPicture_h
 #define CarvedPicture_h
@@ -37,29 +37,29 @@ public:
   CarvedPicture& operator=(const CarvedPicture&) = delete;
 
   /**
-   * Follows the bricks, before a frame is drawn; whether the mapper has something new to show, so
-   * that one should be drawn. Nothing is changed as long as no tissue was removed.
+   * Collects the changed bricks, before a frame is drawn. Returns whether the mapper has something
+   * new to show, so that a frame should be drawn. Does nothing while no tissue is removed.
    */
   bool Update();
   vtkVolumeMapper* GetMapper() const { return this->Mapper; }
-  /** The touched array, of which the tool has removed tissue. */
+  /** The touched array, whose tissue the tool removes. */
   const CarvedArray& GetArray() const { return this->Touched; }
-  /** The array that is shown, which may be another one. */
+  /** The shown array, which may differ from the touched one. */
   vtkDataArray* GetShown() const { return this->Carved.Array; }
-  /** Whether an image is the copy that the mapper shows in the place of its own. */
+  /** Whether an image is the copy that replaces the mapper's own image. */
   bool IsCopy(vtkDataObject* image) const { return this->Copy && this->Copy->IsCopy(image); }
-  /** What the copy replaces; null if there is none. */
+  /** The image that the copy replaces; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const
   {
     return this->Copy ? this->Copy->GetReplaced() : nullptr;
   }
-  /** Whether the mapper's texture is written to; false if there is none, or a copy is shown. */
+  /** Whether the mapper's texture is written to; false if there is none, or if a copy is shown. */
   bool HasTexture() const { return this->Texture != nullptr; }
 
 private:
   vtkWeakPointer<vtkVolumeMapper> Mapper;
   const CarvedArray Touched;
-  const CarvedArray Carved; ///< the array that is shown
+  const CarvedArray Carved; ///< the shown array
   FollowedBricks Bricks;
   std::unique_ptr<CarvedTexture> Texture;
   std::unique_ptr<CarvedCopy> Copy;

@@ -27,7 +27,7 @@ void CarvedPictures::Find(
   {
     auto* const volume = vtkVolume::SafeDownCast(prop);
     auto* const mapper = volume ? vtkVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-    // Nothing if the mapper has a picture's copy, or shows something else.
+    // Null if the mapper has a picture's copy, or shows something else.
     vtkDataArray* const shown = FindShownArray(mapper, array.Array);
     const auto isKnown = [mapper, shown, &array](const std::unique_ptr<CarvedPicture>& one)
     {
@@ -69,7 +69,7 @@ bool CarvedPictures::Update(vtkRenderer* renderer, const std::vector<CarvedArray
       this->Find(one, array, now);
     }
   }
-  // The end of a picture changes what is shown, too.
+  // The end of a picture changes the shown tissue, too.
   bool isNew = std::any_of(this->All.begin(), this->All.end(),
     [](const std::unique_ptr<CarvedPicture>& one) { return one != nullptr; });
   this->All = std::move(now);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets the volumes of a scene show what a tool has left of them.
+ * Makes the volumes of a scene show what a tool has left of them.
  */
 #ifndef CarvedPictures_h
 #define CarvedPictures_h
@@ -24,11 +24,11 @@ class CarvedPictures
 {
 public:
   /**
-   * Finds the volumes that show the arrays, in all renderers of a renderer's window, and lets them
-   * follow; whether a frame should be drawn. Others show all of their tissue again.
+   * Updates the volumes that show the arrays, in all renderers of a renderer's window. Returns
+   * whether a frame should be drawn. Other volumes show all of their tissue again.
    */
   bool Update(vtkRenderer* renderer, const std::vector<CarvedArray>& arrays);
-  /** All volumes show all of their tissue again. */
+  /** Makes all volumes show all of their tissue again. */
   void Clear() { this->All.clear(); }
 
   ///@{

@@ -20,10 +20,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** More renderings in a row that show all tissue: VTK uploads the array in each of them. */
+/** If more renderings in a row show all tissue, VTK uploads the array in each of them. */
 constexpr int MostMissed = 3;
 
-/** The types whose textures VTK fills from the array, or from floats made of it. */
+/** Types whose textures VTK fills from the array itself, or from floats made of it. */
 bool HasTextureType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -37,7 +37,7 @@ bool HasTextureType(vtkDataArray* array)
   }
 }
 
-/** How OpenGL reads the samples of a brick from memory; it ends with the scope. */
+/** Sets how OpenGL reads the samples of a brick from memory, until the scope ends. */
 class PackedSamples
 {
 public:
@@ -48,7 +48,7 @@ public:
     for (std::size_t i = 0; i < std::size(Names); ++i)
     {
       state->vtkglGetIntegerv(Names[i], &this->Before[i]);
-      // VTK remembers these, and may not have noticed what others have set.
+      // VTK caches these, and may not have noticed what others have set.
       state->vtkglPixelStorei(Names[i], this->Before[i]);
       state->vtkglPixelStorei(Names[i], Names[i] == GL_UNPACK_ALIGNMENT ? 1 : 0);
     }
@@ -149,8 +149,8 @@ bool CarvedTexture::FindUpload()
     this->HasFailed = true;
     return false;
   }
-  // The pointer in the block is that of a texture only after an upload: it is not reset if VTK
-  // releases the texture.
+  // The block's pointer is valid only after an upload: VTK does not reset it when it releases the
+  // texture.
   if (this->Texture && this->UploadTime == volume->UploadTime.GetMTime())
   {
     return false;
@@ -211,7 +211,7 @@ void CarvedTexture::EndRendering()
   {
     this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
   }
-  // Without a texture, the shader was built, and the next rendering has the event.
+  // Without a texture, this rendering built the shader, and the next rendering sends the event.
   const bool wasMissed = isLate || !this->Texture;
   this->Missed = wasMissed ? this->Missed + 1 : 0;
   this->HasFailed = this->HasFailed || this->Missed > MostMissed;
@@ -263,7 +263,7 @@ void CarvedTexture::Restore()
   vtkOpenGLRenderWindow* const window = texture ? texture->GetContext() : nullptr;
   if (!window || texture->GetHandle() == 0)
   {
-    return; // VTK uploads the array before it draws it again
+    return; // VTK uploads the array before drawing it again
   }
   window->PushContext();
   if (this->IsAtHand())

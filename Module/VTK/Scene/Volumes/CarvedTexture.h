@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Sends what a tool has removed to the texture by which a vtkOpenGLGPUVolumeRayCastMapper draws an
- * array, a brick at a time.
+ * @file Writes removed tissue into the texture of an array that a vtkOpenGLGPUVolumeRayCastMapper
+ * draws, a brick at a time.
  *
- * It works within the mapper's renderings, whose events it observes: there the texture is at hand,
- * and its OpenGL context is the current one. Before each one it sends what has changed. If VTK has
- * uploaded the array anew, with all tissue, it sends all bricks before anything is drawn. Only if
- * VTK builds its shader in the same rendering, as in the first one in a window, there is no event
- * between the two; then that one shows all tissue, and another one is asked for.
+ * It observes the mapper's rendering events and works within them: there the texture exists, and
+ * its OpenGL context is current. Before each rendering it sends the changed bricks. If VTK has
+ * uploaded the array anew, with all tissue, it sends all bricks before anything is drawn. If VTK
+ * builds its shader in the same rendering, as in a window's first one, there is no event between
+ * upload and drawing; then that rendering shows all tissue, and another one is requested.
  */
 #ifndef CarvedTexture_h
 #define CarvedTexture_h
@@ -44,25 +43,25 @@ public:
   CarvedTexture(const CarvedTexture&) = delete;
   CarvedTexture& operator=(const CarvedTexture&) = delete;
 
-  /** Whether the last rendering did not show everything, so that there has to be another one. */
+  /** Whether the last rendering did not show everything, so that another one is needed. */
   bool TakeFrameDue() { return std::exchange(this->IsFrameDue, false); }
   /**
-   * Whether bricks can't be shown in this way: the texture is divided into blocks or does not hold
-   * the array, it can't show the value of removed tissue, which is beyond the array's range, or VTK
-   * uploads it in each rendering.
+   * Whether bricks can't be written to the texture: the texture is divided into blocks or does not
+   * hold the array, it can't show the value of removed tissue, because this is beyond the array's
+   * range, or VTK uploads it in each rendering.
    */
   bool IsImpossible() const { return this->HasFailed; }
-  /** The mapper shows something else, and later perhaps the array again. */
+  /** Call if the mapper shows something else; it may show the array again later. */
   void Forget();
-  /** Gives all tissue back to the texture. */
+  /** Restores all tissue in the texture. */
   void Restore();
 
 private:
   void FollowRendering(unsigned long event);
   void EndRendering();
-  /** Notes that VTK has uploaded another texture, or the same one anew. */
+  /** Detects that VTK has uploaded another texture, or the same one anew. */
   bool FindUpload();
-  /** Whether the texture that was found last can be written to now. */
+  /** Whether the last texture can be written to now. */
   bool IsAtHand() const;
   template <typename Take>
   void Send(BrickContent content, Take&& take);
@@ -74,9 +73,9 @@ private:
   FollowedBricks& Bricks;
   vtkNew<vtkCallbackCommand> Observer;
   vtkWeakPointer<vtkTextureObject> Texture;
-  vtkMTimeType UploadTime = 0; ///< of the texture, when all bricks were sent
-  vtkTimeStamp Begin;          ///< of the rendering
-  int Missed = 0;              ///< renderings in a row in which all tissue was seen
+  vtkMTimeType UploadTime = 0; ///< time of the texture when all bricks were sent
+  vtkTimeStamp Begin;          ///< begin of the rendering
+  int Missed = 0;              ///< number of renderings in a row that showed all tissue
   bool IsFrameDue = false;
   bool HasFailed = false;
   std::vector<unsigned char> Buffer;

@@ -36,7 +36,7 @@ enum Kind
 
 constexpr unsigned char Hidden = vtkDataSetAttributes::HIDDENPOINT;
 
-/** Whether values have opacity, as a table over their range. */
+/** Whether values have opacity: a table over their range. */
 class OpacityTable
 {
 public:
@@ -70,7 +70,10 @@ void HideBinary(const T* mask, vtkUnsignedCharArray* flags)
   }
 }
 
-/** Each label by the opacity of its own function, if it has one, at the voxel's value. */
+/**
+ * Visibility by label: the opacity of the label's own function, if it has one, at the voxel's
+ * value.
+ */
 void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedCharArray* flags)
 {
   double range[2];
@@ -96,7 +99,7 @@ void HideByLabels(const DrawnImage& drawn, vtkDataArray* labels, vtkUnsignedChar
   }
 }
 
-/** What is below the lowest isosurface, outside of all of them. */
+/** Hides what is outside all isosurfaces: below the lowest one. */
 void HideBelow(const DrawnImage& drawn, vtkUnsignedCharArray* flags)
 {
   vtkContourValues* const values = drawn.Property->GetIsoSurfaceValues();

@@ -21,28 +21,28 @@ class vtkVolumeProperty;
 namespace VolumeHaptics
 {
 
-/** What an image shows, and by what. */
+/** What an image shows, and with which settings. */
 struct DrawnImage
 {
   vtkAbstractVolumeMapper* Mapper;
   vtkVolumeProperty* Property;
   vtkImageData* Image;
-  vtkDataArray* Array; ///< that is drawn; null if there is none
-  bool AreCells;       ///< whether it is one of cells
+  vtkDataArray* Array; ///< the drawn array; null if there is none
+  bool AreCells;       ///< whether it is an array of cells
   int Component;
-  bool IsIsosurface; ///< whether an isosurface is felt, and needs no help
+  bool IsIsosurface; ///< whether an isosurface is felt, so that it needs no flags
 };
 
 class DrawnVoxels
 {
 public:
   /**
-   * Flags of the image's points, or of its cells if these are drawn, of which those that are hidden
-   * are vtkDataSetAttributes::HIDDENPOINT; null if the image's own flags say what is hidden. It is
-   * the same array until something changes.
+   * Flags of the image's points, or of its cells if these are drawn. Hidden ones have the flag
+   * vtkDataSetAttributes::HIDDENPOINT. Null if the image's own flags are enough. The array stays
+   * the same until something changes.
    */
   vtkUnsignedCharArray* Find(const DrawnImage& drawn);
-  /** Whether the flags say all, and not the property's scalar opacity. */
+  /** Whether the flags decide alone, without the property's scalar opacity. */
   bool ReplacesOpacity() const { return this->HasOpacity; }
 
 private:
@@ -56,7 +56,7 @@ private:
     int Component = 0;
     bool operator==(const Source& other) const;
   };
-  /** The same of the cells. */
+  /** The same for cells. */
   vtkUnsignedCharArray* FindCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 
@@ -65,20 +65,18 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Flags;
 };
 
-/** The mask by which a mapper hides voxels; null if there is none of this kind. */
+/** The mask by which a mapper hides voxels; null if it has none. */
 vtkImageData* FindBinaryMask(vtkAbstractVolumeMapper* mapper);
 
-/** The mask whose labels have an opacity of their own; null if there is none. */
+/** The mask whose labels have opacities of their own; null if there is none. */
 vtkImageData* FindOpacityMask(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
 
-/**
- * Whether a mask is one of an image: it has a voxel for each one, whatever its own place.
- */
+/** Whether a mask fits an image: it has a voxel for each of the image's, whatever its own place. */
 bool IsMaskOf(vtkImageData* mask, vtkImageData* image);
 
 /**
- * Whether a mapper hides points and cells that are blanked; if it draws cell data, blanked cells
- * alone, since VTK 9.2.
+ * Whether a mapper hides blanked points and cells. If it draws cell data, it hides only blanked
+ * cells, since VTK 9.2.
  */
 bool HidesBlanked(vtkAbstractVolumeMapper* mapper, bool areCells);
 

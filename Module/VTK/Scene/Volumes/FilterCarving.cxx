@@ -61,11 +61,11 @@ bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved)
   {
     return false;
   }
-  // Of the whole volume of the last model; the image may be a region of it.
+  // Take it from the last model's whole volume; the image may be a region of it.
   vtkImageData* const volume = RemovalData::Of(removal).Geometry;
   if (!IsPartOf(image, volume))
   {
-    return false; // another volume, of which a model will be made
+    return false; // a new volume, without a model yet
   }
   const int* const whole = volume->GetExtent();
   const int* const extent = image->GetExtent();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tools of a filter have removed from the array that it touches.
+ * The tissue that the tools of a filter have removed from the touched array.
  */
 #ifndef FilterCarving_h
 #define FilterCarving_h
@@ -21,15 +21,15 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** What was removed from a volume at one time, and where that lies. */
+/** The tissue removed from a volume at one time, and its place. */
 struct RemovedTissue
 {
   std::shared_ptr<TissueRemoval> Removal; ///< null: nothing
-  vtkSmartPointer<vtkImageData> Volume;   ///< its place and its extent, without samples
-  vtkMTimeType VolumeTime = 0;            ///< of the Volume
-  int Component = 0;                      ///< that has lost tissue
-  double Air = 0.0;                       ///< the value of a sample without tissue
-  std::uint64_t Changes = 0;              ///< of the bricks
+  vtkSmartPointer<vtkImageData> Volume;   ///< place and extent of the volume, without samples
+  vtkMTimeType VolumeTime = 0;            ///< time of Volume
+  int Component = 0;                      ///< the component that has lost tissue
+  double Air = 0.0;                       ///< value of a sample without tissue
+  std::uint64_t Changes = 0;              ///< number of the bricks' changes
 
   bool IsSame(const RemovedTissue& other) const
   {
@@ -40,12 +40,12 @@ struct RemovedTissue
 };
 
 /**
- * The same of the whole volume, of which the samples in memory may be a region, or none; nothing
- * while all tissue remains, and of another volume, of which a model will be made.
+ * The removed tissue of the whole volume; the samples in memory may be a region of it, or none.
+ * Empty while all tissue remains, and for a new volume without a model.
  */
 RemovedTissue FindRemoved(vtkVolumeHapticsFilter* filter);
 
-/** Nothing is updated. False while nothing was removed from the volume that the filter has now. */
+/** Whether tissue was removed from the filter's present volume. Updates nothing. */
 bool FindCarved(vtkVolumeHapticsFilter* filter, CarvedArray& carved);
 
 } // namespace VolumeHaptics

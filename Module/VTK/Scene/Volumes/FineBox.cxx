@@ -95,7 +95,8 @@ void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
       image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], origin);
     this->Next->SetOrigin(origin);
     this->Next->SetDirectionMatrix(image->GetDirectionMatrix());
-    // A region never changes. It is kept until the next one, so that none has the same address.
+    // A region never changes. Keep it until the next one is there, so that no other has its
+    // address.
     const char* const samples = static_cast<const char*>(scalars->GetVoidPointer(0));
     const auto size = static_cast<std::size_t>(scalars->GetDataTypeSize());
     this->Work.Follow(key,
@@ -107,7 +108,7 @@ void FineBox::Follow(vtkImageData* image, vtkIdType mostVoxels)
   {
     this->TakeCopy(**made);
     this->Shown = key;
-    this->Work.Forget(); // its bytes
+    this->Work.Forget(); // releases its memory
   }
 }
 

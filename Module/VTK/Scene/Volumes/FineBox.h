@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Copies of the samples of a region, for a picture.
+ * Copies of a region's samples, for display.
  */
 #ifndef FineBox_h
 #define FineBox_h
@@ -20,16 +20,16 @@
 namespace VolumeHaptics
 {
 
-/** Makes them on a thread of its own. All functions are for the owner. */
+/** Makes copies on a thread of its own. All functions are for the owner. */
 class FineBox
 {
 public:
   /**
-   * Follows an image; null for none. Of a large one, every n-th sample along each axis is taken, so
-   * that there are no more than wanted.
+   * Follows an image; null for none. Of a large image, copies every n-th sample along each axis, up
+   * to the wanted number.
    */
   void Follow(vtkImageData* image, vtkIdType mostVoxels);
-  /** The last copy that has been made, in the image's place; null if there is none. */
+  /** The last finished copy, in the image's place; null if there is none. */
   vtkImageData* GetCopy() const { return this->Copy; }
 
 private:
@@ -46,11 +46,11 @@ private:
 
   void TakeCopy(const std::vector<char>& bytes);
 
-  vtkSmartPointer<vtkDataArray> Source; ///< of what is or was copied last
-  vtkSmartPointer<vtkImageData> Next;   ///< the geometry of what is being copied
+  vtkSmartPointer<vtkDataArray> Source; ///< source of the copy in work, or of the last one
+  vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in work
   vtkSmartPointer<vtkImageData> Copy;
-  Key Of;    ///< what is or was copied last
-  Key Shown; ///< what Copy is of
+  Key Of;    ///< what the copy in work, or the last copy, is made of
+  Key Shown; ///< what Copy is made of
   KeyedWork<Key, Bytes> Work;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The bricks that were changed and are not shown yet.
+ * The changed bricks that are not shown yet.
  */
 #ifndef FollowedBricks_h
 #define FollowedBricks_h
@@ -38,8 +38,8 @@ public:
   FollowedBricks& operator=(const FollowedBricks&) = delete;
 
   /**
-   * Looks for changes; whether there are any. With more followers than the bricks can have, all
-   * bricks count as changed if one is.
+   * Checks for changes; returns whether there are any. If there are more followers than the bricks
+   * support, any change marks all bricks.
    */
   bool Follow()
   {
@@ -72,7 +72,7 @@ public:
     }
     return isAny;
   }
-  /** Calls f(brick) for each one that waits, and forgets them. */
+  /** Calls f(brick) for each waiting brick, and forgets them. */
   template <typename F>
   void Take(F&& f)
   {
@@ -83,7 +83,7 @@ public:
     }
     this->Waiting.clear();
   }
-  /** The same for all bricks that there are. */
+  /** Calls f(brick) for all existing bricks, and forgets the waiting ones. */
   template <typename F>
   void TakeAll(F&& f)
   {
@@ -96,12 +96,12 @@ public:
   }
 
 private:
-  /** Followers that the bricks can still have: a recording needs one. */
+  /** The number of followers that the bricks can still have: a recording needs one. */
   static constexpr int KeptFree = 1;
 
   std::shared_ptr<TissueRemoval> Removal;
   int Follower;
-  std::uint64_t Changes = 0; ///< when it last looked without being a follower
+  std::uint64_t Changes = 0; ///< number of changes at the last look without being a follower
   std::vector<bool> Waits;
   std::vector<std::uint32_t> Waiting;
 };

@@ -38,8 +38,8 @@ bool HasShapeOf(vtkImageData* image, vtkImageData* other)
 }
 
 /**
- * Whether an array is one of the components of another one, as far as some samples tell: a mask of
- * the same shape, for example, is none.
+ * Whether an array is a component of another array, as far as some samples show: a mask of the same
+ * shape, for example, is none.
  */
 bool IsComponentOf(vtkDataArray* array, vtkDataArray* frames)
 {
@@ -116,7 +116,7 @@ void HapticShownFrames::Find(vtkRenderer* renderer, vtkHapticDevice* device)
       now.push_back({ volume, mapper, input, nullptr, nullptr });
     }
   }
-  // Volumes that have left the scene, or show something else.
+  // Forget volumes that have left the scene, or show something else.
   this->Restore();
   this->All = std::move(now);
 }

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets the volumes of a scene show a volume that moves where it is felt.
+ * Makes the volumes of a scene show a moving volume in its felt state.
  *
- * The source of the image is asked for frames ahead of the hand, so that what it has is not what is
- * felt. Volumes that show the felt image get a picture instead, which is the frame that is nearest
- * to the servo's time.
+ * The source of the image reads frames ahead of the hand, so its output is not the felt frame.
+ * Volumes that show the felt image get a picture instead: the frame nearest to the servo's time.
  */
 #ifndef HapticShownFrames_h
 #define HapticShownFrames_h
@@ -26,23 +25,23 @@ class vtkRenderer;
 namespace VolumeHaptics
 {
 
-/** Whether a shown image is another one, or has its scalars. */
+/** Whether a shown image is the given image, or has its scalars. */
 bool HasSamplesOf(vtkImageData* shown, vtkImageData* image);
 
 class HapticShownFrames
 {
 public:
   /**
-   * To be called before frames are read: finds the volumes that show the image of a device's
-   * filter. They have the image, or its scalars; or if its components are frames, an image of its
-   * shape with one of them.
+   * Call it before frames are read: finds the volumes that show the image of a device's filter.
+   * They have the image, or its scalars; or if its components are frames, an image of its shape
+   * with one of them.
    */
   void Find(vtkRenderer* renderer, vtkHapticDevice* device);
-  /** Shows the frame at the device's time in them. Whether another one was shown before. */
+  /** Shows the frame at the device's time in these volumes. Returns whether the frame changed. */
   bool Show(vtkHapticDevice* device);
-  /** Gives them back what they showed. */
+  /** Restores what the volumes showed. */
   void Restore();
-  /** Whether an image is one of the pictures. */
+  /** Whether an image is one of the pictures made here. */
   bool IsPicture(vtkImageData* image) const;
 
 private:
@@ -50,8 +49,8 @@ private:
   {
     vtkWeakPointer<vtkVolume> Volume;
     vtkWeakPointer<vtkVolumeMapper> Mapper;
-    vtkWeakPointer<vtkImageData> Image;    ///< that the application shows
-    vtkSmartPointer<vtkImageData> Picture; ///< instead; null if it does not move yet
+    vtkWeakPointer<vtkImageData> Image;    ///< the application's image
+    vtkSmartPointer<vtkImageData> Picture; ///< shown instead; null if it does not move yet
     vtkSmartPointer<vtkAlgorithm> Before;  ///< the mapper's input; its connection keeps no producer
     int Port = 0;
   };

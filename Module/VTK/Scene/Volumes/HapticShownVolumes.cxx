@@ -104,7 +104,7 @@ const Difference Differences[] = {
     "are. Cure: vtkResampleToImage as the input of the mapper." },
 };
 
-/** Whether corners of an image are at other positions in a scene than in the world. */
+/** Whether corners of an image have different positions in a scene and in the world. */
 bool IsPlacedElsewhere(vtkMatrix4x4* matrix, vtkImageData* shown, vtkImageData* felt)
 {
   const int* const here = shown->GetExtent();
@@ -189,7 +189,7 @@ bool FeelsCropping(
     planes, planes + 6, own, [most](double a, double b) { return std::abs(a - b) <= most; });
 }
 
-/** Whether a filter has all clipping planes of a mapper. */
+/** Whether a filter has all of a mapper's clipping planes. */
 bool FeelsClipping(vtkVolumeHapticsFilter* filter, vtkAbstractVolumeMapper* mapper)
 {
   vtkPlaneCollection* const own = filter->GetClippingPlanes();
@@ -249,11 +249,11 @@ bool FeelsIso(vtkVolumeHapticsFilter* filter, vtkVolumeProperty* property)
   return isDrawn && TouchesIsosurface(filter);
 }
 
-/** Whether most of a face of an image is opaque, as far as some samples tell. */
+/** Whether most of a face of an image is opaque, as far as some samples show. */
 bool IsOpaque(vtkDataArray* array, int component, const int dimensions[3], int face,
   vtkPiecewiseFunction* opacity)
 {
-  constexpr int looks = 24; // along an axis
+  constexpr int looks = 24; // samples along an axis
   constexpr double opaque = 0.5;
   const int axis = face / 2;
   const int others[2] = { (axis + 1) % 3, (axis + 2) % 3 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the volumes of a scene that show the felt image differently from how it feels.
+ * Finds the volumes of a scene that show the felt image in another way than it feels.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h
@@ -26,18 +26,15 @@ class CarvedPictures;
 class HapticShownFrames;
 struct DrawnVolume;
 
-/**
- * Remembers its warnings, so that each difference is reported once as long as it lasts.
- */
+/** Stores its warnings, so that each difference is reported once while it lasts. */
 class HapticShownVolumes
 {
 public:
   /**
-   * A warning for each visible volume of a renderer that shows an image, or another one with the
-   * same scalars, in a way that the filter does not feel. It names the differences that are new
-   * since the last call, and the cures. The pictures of a volume that moves show the image, too,
-   * and so do copies of what a tool has left of it, and the volume that is followed, if there is
-   * one.
+   * Returns a warning for each visible volume of a renderer that shows an image, or an image with
+   * the same scalars, in a way that the filter does not feel. It names the new differences since
+   * the last call, and the cures. Pictures of a moving volume show the image, too, and so do copies
+   * of what a tool has left of it, and the followed volume.
    */
   std::vector<std::string> Check(vtkRenderer* renderer, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
@@ -52,7 +49,7 @@ private:
   unsigned int FindDifferences(const DrawnVolume& drawn, vtkImageData* image,
     vtkVolumeHapticsFilter* filter, const HapticShownFrames& pictures, const CarvedPictures& carved,
     vtkVolume* followed);
-  /** Of what is drawn: cells alone, or points and cells. */
+  /** Counts blanks in the drawn data: cells alone, or points and cells. */
   bool HasBlanks(vtkImageData* image, bool areCells);
   bool HasBlanks(vtkUnsignedCharArray* ghosts, int hidden, int which);
   /** Whether the followed volume is opaque up to all faces of its image. */
@@ -65,13 +62,13 @@ private:
     vtkMTimeType Time = 0;
     bool HasAny = false;
   };
-  Blanks Last[2]; ///< of points and of cells, because counting them takes a pass over the image
+  Blanks Last[2]; ///< of points and of cells; stored, because counting takes a pass over the image
   struct Filled
   {
     vtkMTimeType Time = 0;
     bool IsTrue = false;
   };
-  Filled LastFilled; ///< of the followed volume
+  Filled LastFilled; ///< state of the followed volume
 };
 
 } // namespace VolumeHaptics

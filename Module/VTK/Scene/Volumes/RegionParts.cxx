@@ -15,7 +15,7 @@ RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDire
     bool isBox = true;
     for (int a = 0; a < 3; ++a)
     {
-      // The plane that divides it from the box has the eye on the box's side.
+      // The plane between part and box has the eye on the box's side.
       const double above = side[a] > 0 ? (isDirection ? eye[a] : eye[a] - box[2 * a + 1])
                                        : (isDirection ? -eye[a] : box[2 * a] - eye[a]);
       isBehind = isBehind || (side[a] != 0 && above <= 0.0);

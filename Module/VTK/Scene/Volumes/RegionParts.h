@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which parts of a cropped volume lie before its box, and which behind.
+ * Divides the parts of a cropped volume into those before its box and those behind.
  */
 #ifndef RegionParts_h
 #define RegionParts_h
@@ -10,7 +10,7 @@
 namespace VolumeHaptics
 {
 
-/** Flags of vtkVolumeMapper::SetCroppingRegionFlags; none has the box itself. */
+/** Flags of vtkVolumeMapper::SetCroppingRegionFlags; none includes the box itself. */
 struct RegionParts
 {
   int Behind = 0;
@@ -18,8 +18,8 @@ struct RegionParts
 };
 
 /**
- * For a box (lower and upper bounds along x, y and z) and an eye; or, if it is infinitely far away,
- * the direction to it.
+ * Computes the flags for a box (lower and upper bounds along x, y and z) and an eye; or the
+ * direction to the eye, if it is infinitely far away.
  */
 RegionParts SplitAroundBox(const double box[6], const double eye[3], bool isDirection);
 

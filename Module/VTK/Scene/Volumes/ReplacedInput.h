@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An image in the place of the input of a volume mapper, which gets its own back.
+ * An image that replaces the input of a volume mapper for a time.
  */
 #ifndef ReplacedInput_h
 #define ReplacedInput_h
@@ -27,9 +27,9 @@ public:
   ReplacedInput(const ReplacedInput&) = delete;
   ReplacedInput& operator=(const ReplacedInput&) = delete;
 
-  /** Shows an image in the place of a mapper's input, or of the image that is there already. */
+  /** Replaces a mapper's input, or the replacement already there, by an image. */
   void Put(vtkVolumeMapper* mapper, int port, vtkImageData* image);
-  /** Gives the mapper its own input back, unless the application has set another one. */
+  /** Restores the mapper's own input, unless the application has set another one. */
   void GiveBack();
   /** Whether the mapper shows the image. */
   bool IsShown() const;
@@ -38,9 +38,9 @@ public:
     return mapper == this->Mapper && this->IsShown();
   }
   bool IsImage(vtkDataObject* image) const { return image && image == this->Image; }
-  /** Updates what was replaced, for which the mapper no longer asks. Null if there is none. */
+  /** Updates the replaced input, which the mapper no longer updates. Null if there is none. */
   vtkImageData* UpdateReplaced() const;
-  /** What was replaced; null if there is none. */
+  /** The replaced input; null if there is none. */
   vtkAlgorithmOutput* GetReplaced() const
   {
     return this->Before ? this->Before->GetOutputPort(this->BeforePort) : nullptr;
@@ -48,7 +48,7 @@ public:
 
 private:
   vtkWeakPointer<vtkVolumeMapper> Mapper;
-  int Port = 0; ///< of the mapper
+  int Port = 0; ///< port of the mapper
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkAlgorithm> Before; ///< the mapper's input; its connection keeps no producer
   int BeforePort = 0;

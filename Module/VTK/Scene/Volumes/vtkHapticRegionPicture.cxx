@@ -39,7 +39,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** The parts of the coarse volume before the box; they are drawn by the mapper of those behind. */
+/** The coarse volume's parts before the box; drawn by the mapper of the parts behind. */
 class FrontParts : public vtkVolume
 {
 public:
@@ -71,7 +71,9 @@ private:
 };
 vtkStandardNewMacro(FrontParts);
 
-/** From the plain block of an image's voxels, which all mappers draw alike, to its place. */
+/**
+ * The matrix from the plain block of an image's voxels, which all mappers draw alike, to its place.
+ */
 void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
 {
   toWorld->Identity();
@@ -85,7 +87,7 @@ void PlaceBlock(vtkImageData* image, vtkMatrix4x4* toWorld)
   }
 }
 
-/** The box of a block in other coordinates; false if it would not lie along their axes. */
+/** The box of a block in other coordinates; false if it would not be parallel to their axes. */
 bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
 {
   const double origin[4] = { 0.0, 0.0, 0.0, 1.0 };
@@ -116,7 +118,7 @@ bool TransformBox(const double size[3], vtkMatrix4x4* matrix, double box[6])
   return true;
 }
 
-/** The distances between samples and rays of the other mapper, for voxels of another size. */
+/** Scales the other mapper's distances between samples and rays to voxels of another size. */
 void CopyQuality(vtkVolumeMapper* from, vtkVolumeMapper* to, double scale)
 {
   to->SetBlendMode(from->GetBlendMode());
@@ -162,15 +164,15 @@ public:
   }
 
   vtkImageData* GetFine() const { return this->LeftFine.Get(); }
-  /** What is left of the copy of the region, which lies in the world. */
+  /** The remaining tissue of the region's copy, which lies in the world. */
   void FollowFine(vtkImageData* copy, const RemovedTissue& removed)
   {
     this->LeftFine.Follow(copy, copy, removed, CarvedCover::Nearest);
   }
 
   /**
-   * What is left of the coarse image. All of it is copied and uploaded, so not for each change
-   * within the box, where only the fine one is seen.
+   * The remaining tissue of the coarse image. All of it is copied and uploaded, so not after
+   * changes within the box, where only the fine image is seen.
    */
   void FollowCoarse(vtkImageData* copy, const RemovedTissue& removed)
   {
@@ -198,7 +200,7 @@ public:
     this->CoarseBox = copy;
     const bool hasChanged = this->HasChangesOutside(copy, removed.Volume);
     RemovedTissue made = removed;
-    made.Changes = this->CoarseMade.Changes; // the bricks tell of these
+    made.Changes = this->CoarseMade.Changes; // the bricks report these changes
     const vtkMTimeType time = std::max(own->GetMTime(), this->Volume->GetMatrix()->GetMTime());
     const bool isElse = this->CoarseTime != time || !made.IsSame(this->CoarseMade);
     if (!hasChanged && !isOtherBox && !isElse)
@@ -207,7 +209,7 @@ public:
     }
     if (isElse)
     {
-      this->LeftCoarse = {}; // what it was made of is no longer there
+      this->LeftCoarse = {}; // its source no longer exists
     }
     this->CoarseTime = time;
     this->CoarseMade = removed;
@@ -231,10 +233,10 @@ public:
     this->Carved = nullptr;
   }
 
-  /** Whether bricks have changed which are not inside of the box that is shown finely. */
+  /** Whether bricks have changed outside the finely shown box. */
   bool HasChangesOutside(vtkImageData* copy, vtkImageData* volume)
   {
-    // Of the shares, a brick from its sides. Empty without a copy.
+    // The box in shares, reduced by a brick on each side. Empty without a copy.
     double inside[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
     if (copy)
     {
@@ -280,7 +282,7 @@ public:
     this->Front->VisibilityOff();
   }
 
-  /** Draws the box between the parts of the coarse volume; false if it can't. */
+  /** Draws the box between the parts of the coarse volume; false if that fails. */
   bool Refine(vtkImageData* copy)
   {
     vtkVolumeMapper* const coarse = this->GetCoarseMapper();
@@ -379,11 +381,11 @@ public:
   CarvedImage LeftCoarse;
   ReplacedInput CoarseInput;
   ///@{
-  /** With which LeftCoarse was made. */
+  /** The data from which LeftCoarse was made. */
   std::shared_ptr<TissueRemoval> Carved;
   std::unique_ptr<FollowedBricks> Bricks;
   vtkSmartPointer<vtkImageData> CoarseBox;
-  RemovedTissue CoarseMade; ///< of which the coarse image was made
+  RemovedTissue CoarseMade; ///< removed tissue in the coarse image
   vtkMTimeType CoarseTime = 0;
   ///@}
   bool HasCropped = false;
@@ -475,7 +477,7 @@ void vtkHapticRegionPicture::SetRenderer(vtkRenderer* renderer)
   if (renderer)
   {
     renderer->AddObserver(vtkCommand::StartEvent, this->Internals->Observer);
-    // Behind the coarse volume, in this order.
+    // Add these after the coarse volume, in this order.
     renderer->AddViewProp(this->Internals->Fine);
     renderer->AddViewProp(this->Internals->Front);
   }

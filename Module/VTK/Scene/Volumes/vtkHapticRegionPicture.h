@@ -4,8 +4,8 @@
  * @class   vtkHapticRegionPicture
  * @brief   shows a large volume coarsely, and finely where its samples are in memory
  *
- * A vtkVolume shows the coarse image of a vtkHapticRegionSource. This cuts the box of the resident
- * region out of it, and shows there the samples that are felt:
+ * A vtkVolume shows the coarse image of a vtkHapticRegionSource. This class cuts the box of the
+ * resident region out of the coarse image, and shows the felt samples there:
  *
  *   coarse->SetMapper(mapper); // of source->GetCoarseImage()
  *   renderer->AddVolume(coarse);
@@ -15,14 +15,14 @@
  *   picture->SetRenderer(renderer);
  *
  * From then on the box follows the hand, before each frame. A thread copies its samples, so that
- * neither servo nor GUI thread waits; there are two copies at most, the one that is shown and the
- * next one. Where the coarse image stands in for samples that are late, and if the axes of the two
- * are not parallel, only the coarse one is shown.
+ * neither servo nor GUI thread waits; there are two copies at most: the shown one and the next one.
+ * Only the coarse image is shown where it replaces late samples, and if the axes of the two images
+ * are not parallel.
  *
  * The parts of the coarse volume behind the box are drawn first, then the box, then the parts in
  * front of it: whichever of the 26 parts around the box lies on the viewer's side of all planes
- * that divide it from the box. So the picture is that of one volume, from all sides. The mappers of
- * box and parts are of the class of the volume's own.
+ * that divide it from the box. So the picture looks like one volume from all sides. The mappers of
+ * box and parts have the class of the volume's mapper.
  *
  * @sa vtkHapticRegionSource
  */
