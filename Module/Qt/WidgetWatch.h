@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets the hand go when a widget of Qt is no longer seen, for programs with VTK's widget for Qt.
+ * Ends the touch when a widget of Qt is no longer seen, for programs with VTK's widget for Qt.
  */
 #ifndef WidgetWatch_h
 #define WidgetWatch_h
@@ -19,14 +19,14 @@ namespace VolumeHaptics
 {
 
 /**
- * VTK tells nobody that a widget of Qt is hidden, minimised or closed. This watches for it, and
- * then lets the force fade and leaves the touch mode. One call does it:
+ * VTK sends no event when a widget of Qt is hidden, minimised or closed. This class watches the
+ * widget, then lets the force fade and leaves the touch mode. One call does it:
  *
  *   view->interactor()->SetInteractorStyle(style); // a QVTKOpenGLNativeWidget
  *   VolumeHaptics::WidgetWatch::Watch(view, style);
  *
- * The watch belongs to the widget, and ends with it. The program compiles this header, with its own
- * Qt 5 or 6 (Widgets): the library does not know Qt.
+ * The watch belongs to the widget, and ends with it. The program compiles this header with its own
+ * Qt 5 or 6 (Widgets): the library does not depend on Qt.
  */
 class WidgetWatch final : public QObject
 {
@@ -39,8 +39,8 @@ public:
 
   bool eventFilter(QObject* watched, QEvent* event) override
   {
-    // Only the window itself gets an event when it is minimised. Its widget may come to another
-    // window, such as a dock's that floats, and is shown anew then.
+    // Only the window itself gets an event when it is minimised. Its widget may move to another
+    // window, such as a floating dock's, and is shown anew then.
     const QEvent::Type type = event->type();
     if (type == QEvent::Hide ||
       (type == QEvent::WindowStateChange && this->Window && this->Window->isMinimized()))
@@ -83,7 +83,7 @@ private:
   }
 
   vtkWeakPointer<vtkInteractorStyleHaptic> Style;
-  QPointer<QWidget> Window; ///< in which the widget is
+  QPointer<QWidget> Window; ///< the window that contains the widget
 };
 
 } // namespace VolumeHaptics

@@ -12,8 +12,9 @@
 class vtkPiecewiseFunction;
 
 /**
- * Adds the points of a text to a function: one number, which holds everywhere; or pairs of a place
- * and a number, such as "0 0, 0.5 2". False if a text is something else. An empty one adds nothing.
+ * Adds the points of a text to a function: one number, which holds everywhere; or pairs of a
+ * position and a number, such as "0 0, 0.5 2". False for any other text. An empty text adds
+ * nothing.
  */
 bool ReadFunctionText(std::string text, vtkPiecewiseFunction* function);
 

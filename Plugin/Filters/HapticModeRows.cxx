@@ -35,7 +35,7 @@ struct ModeOfRow
 {
   const char* Kind;
   vtkSmartPointer<vtkHapticMode> (*Make)();
-  vtkPiecewiseFunction* (*GetSecond)(vtkHapticMode* mode); ///< null: it has none
+  vtkPiecewiseFunction* (*GetSecond)(vtkHapticMode* mode); ///< null: no second function
 };
 
 template <typename Mode>
@@ -87,8 +87,8 @@ constexpr ModeOfRow ModesOfRows[] = {
 };
 
 /**
- * The distances of an image, the active scalars or an array, as a field; null without any. One that
- * is not computed yet has nothing, and is filled again when it is.
+ * The distances of an image, the active scalars or an array, as a field; null if there are none. An
+ * image that is not computed yet gives an empty field, which is filled later.
  */
 vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& array)
 {
@@ -106,7 +106,7 @@ vtkSmartPointer<vtkImageData> MakeField(vtkImageData* image, const std::string& 
   return field;
 }
 
-/** Gives polygons, lines or distances to a guide; what is wrong if that can't be. */
+/** Gives polygons, lines or distances to a guide; returns the error if that fails. */
 std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGuideMode* guide)
 {
   if (auto* const image = vtkImageData::SafeDownCast(data))
@@ -134,7 +134,7 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   return {};
 }
 
-/** The first data set in what may be composite; null if there is none. */
+/** The first data set in data that may be composite; null if there is none. */
 vtkDataSet* FindFirstSet(vtkDataObject* data)
 {
   auto* const composite = vtkCompositeDataSet::SafeDownCast(data);
@@ -155,7 +155,7 @@ vtkDataSet* FindFirstSet(vtkDataObject* data)
   return nullptr;
 }
 
-/** The first array of vectors or tensors, unless there are active ones; else empty. */
+/** The first array of vectors or tensors, unless one is active; else empty. */
 std::string FindArray(vtkDataObject* data, bool isTensor)
 {
   vtkDataSet* const set = FindFirstSet(data);
@@ -234,7 +234,7 @@ std::string HapticModeRows::Fill(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
-  this->IsDirty = false; // what follows calls this again
+  this->IsDirty = false; // the calls below call this function again
   std::string error;
   filter->RemoveAllModes();
   if (this->Preset != "None")
@@ -306,7 +306,7 @@ void HapticModeRows::AddRow(
     {
       flaw = FillGuide(this->Guide.Data, array, guide);
     }
-    else // of what is touched
+    else // an array of the touched data
     {
       mode->SetArrayName(array.c_str());
     }

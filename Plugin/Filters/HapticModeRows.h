@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The modes of a filter as rows of texts, and as the name of a preset.
+ * The modes of a filter, given as rows of texts and as the name of a preset.
  */
 #ifndef HapticModeRows_h
 #define HapticModeRows_h
@@ -21,13 +21,13 @@ class vtkVolumeHapticsFilter;
 
 /**
  * See vtkPVVolumeHapticsFilter::AddModeRow and SetModePreset. Guides are the shape or the distances
- * of the filter's port 2, and an empty array of a preset is found in the data of port 0, so that
- * modes are made anew if these change.
+ * on the filter's port 2. A preset without an array searches the data of port 0. So modes are made
+ * anew if these data change.
  */
 class HapticModeRows
 {
 public:
-  /** Kind, array, strength, second strength. */
+  /** The texts of a row: kind, array, strength, second strength. */
   using Row = std::array<std::string, 4>;
 
   void Add(const Row& row);
@@ -37,9 +37,9 @@ public:
   bool SetPreset(const std::string& preset);
   ///@}
 
-  /** Makes the filter's modes if it has to; returns the flaws of those that can't be made. */
+  /** Makes the filter's modes if needed; returns the errors of modes that can't be made. */
   std::string Fill(vtkVolumeHapticsFilter* filter);
-  /** Whether all could be made. */
+  /** Whether all modes could be made. */
   bool IsGood() const { return this->AreGood; }
 
   std::size_t GetNumberOfRows() const { return this->Rows.size(); }
@@ -51,7 +51,7 @@ private:
     vtkWeakPointer<vtkDataObject> Data;
     vtkMTimeType Time = 0;
 
-    /** Whether other data are there than before. */
+    /** Whether the data have changed. */
     bool Note(vtkDataObject* data);
   };
 

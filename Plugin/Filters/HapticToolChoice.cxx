@@ -45,7 +45,7 @@ std::string HapticToolChoice::Fill(vtkVolumeHapticsFilter* filter)
   {
     return {};
   }
-  this->IsDirty = false; // what follows calls this again
+  this->IsDirty = false; // the calls below call this function again
   this->Shape = shape;
   std::string error;
   if (isShell)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool of a filter as plain settings.
+ * The tool of a filter, given as plain settings.
  */
 #ifndef HapticToolChoice_h
 #define HapticToolChoice_h
@@ -17,35 +17,35 @@
 class vtkDataObject;
 class vtkVolumeHapticsFilter;
 
-/** See vtkPVVolumeHapticsFilter::SetToolKind. The shape of a shell is that of port 2. */
+/** See vtkPVVolumeHapticsFilter::SetToolKind. The shape of a shell comes from port 2. */
 class HapticToolChoice
 {
 public:
   std::string Kind = "None";
   ///@{
-  /** Of a needle. */
+  /** Settings of a needle. */
   std::string ShaftFriction;
   std::string CuttingForce;
   double LateralStrength = 1.0; ///< N
   ///@}
   ///@{
-  /** Of a point shell. */
+  /** Settings of a point shell. */
   int Points = 2000;
   double ContactArea = 25.0; ///< square world units
   ///@}
   ///@{
-  /** Of a burr. */
+  /** Settings of a burr. */
   double BurrRadius = 2.0;    ///< world units
   double BurrSpeed = 60000.0; ///< 1/min
   std::string SpecificEnergy;
   ///@}
 
-  /** After a setting has changed. */
+  /** Call after a setting has changed. */
   void Note() { this->IsDirty = true; }
 
-  /** Makes the filter's tool if it has to; returns the flaws of one that can't be made. */
+  /** Makes the filter's tool if needed; returns the errors of a tool that can't be made. */
   std::string Fill(vtkVolumeHapticsFilter* filter);
-  /** Whether it could be made. */
+  /** Whether the tool could be made. */
   bool IsGood() const { return this->IsMade; }
 
   void Print(std::ostream& os, vtkIndent indent) const;
@@ -55,7 +55,7 @@ private:
   void SetShell(vtkVolumeHapticsFilter* filter, std::string& error) const;
   void SetBurr(vtkVolumeHapticsFilter* filter, std::string& error) const;
 
-  vtkWeakPointer<vtkDataObject> Shape; ///< of the shell that was made last
+  vtkWeakPointer<vtkDataObject> Shape; ///< shape of the last shell
   bool IsDirty = false;
   bool IsMade = true;
 };

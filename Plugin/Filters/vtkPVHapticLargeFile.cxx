@@ -24,7 +24,7 @@ public:
 
   vtkMTimeType GetMTime() override
   {
-    // Not when it is asked for information: opening changes this source.
+    // Do not open it when the pipeline asks for information: opening changes this source.
     this->IsOpen = this->Owner && this->Owner->Open();
     return this->Superclass::GetMTime();
   }
@@ -35,7 +35,7 @@ protected:
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    // The owner has said why.
+    // The owner has reported why.
     return this->IsOpen ? this->Superclass::RequestInformation(request, inputs, outputs) : 0;
   }
 
@@ -101,7 +101,7 @@ bool vtkPVHapticLargeFile::Open()
 {
   if (this->GetMTime() > this->Opened)
   {
-    this->Opened.Modified(); // what follows calls this again
+    this->Opened.Modified(); // the calls below call this function again
     this->IsOpen = false;
     if (!this->FileName || !*this->FileName)
     {
@@ -149,7 +149,7 @@ int vtkPVHapticLargeFile::RequestData(
   vtkInformation* const info = outputs->GetInformationObject(0);
   vtkImageData* const output = vtkImageData::GetData(info);
   output->ShallowCopy(this->Volume->GetCoarseImage());
-  // Each process of a server has its piece.
+  // Each process of a server outputs its piece.
   output->Crop(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   return 1;
 }

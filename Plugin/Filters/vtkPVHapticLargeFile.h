@@ -5,9 +5,9 @@
  * @brief   a volume in a file that is larger than memory, as ParaView sees it
  *
  * The output is an image of the whole volume with coarse voxels, which ParaView shows and filters
- * as any other. A Volume Haptics filter with this as its Input feels the file itself: its
- * connection is led to a vtkHapticRegionSource, along paths as under a hand, so that nothing is
- * felt coarsely but where samples are late.
+ * like any image. A Volume Haptics filter with this Input feels the file itself: the filter is
+ * connected to a vtkHapticRegionSource, for paths and for a hand. Only late samples are felt
+ * coarsely.
  *
  * @sa vtkHapticRegionSource
  */
@@ -37,15 +37,18 @@ public:
   /** The large file that a connection comes from, also through ParaView's own filters; or null. */
   static vtkPVHapticLargeFile* Find(vtkAlgorithmOutput* output);
 
-  /** The volume in the file, for paths. The file is opened when it is used. */
+  /** The volume in the file, for paths. The file is opened at first use. */
   vtkHapticRegionSource* GetRegions();
 
-  /** The same for a hand, which has its own; null, with an error, if the file can't be opened. */
+  /**
+   * The same for a hand, which has a source of its own; null, with an error, if the file can't be
+   * opened.
+   */
   vtkSmartPointer<vtkHapticRegionSource> MakeRegions();
 
-  /** Open the file if that was not tried since this was modified. False if that failed. */
+  /** Open the file, unless that was tried since this was modified. False if that failed. */
   bool Open();
-  /** When it was opened last. */
+  /** The time of the last opening. */
   vtkMTimeType GetOpenTime() const { return this->Opened; }
 
 protected:
@@ -60,7 +63,7 @@ private:
 
   char* FileName = nullptr;
   vtkSmartPointer<Regions> Volume;
-  vtkTimeStamp Opened; // when that was tried
+  vtkTimeStamp Opened; // time of the last try
   bool IsOpen = false;
 
   vtkPVHapticLargeFile(const vtkPVHapticLargeFile&) = delete;

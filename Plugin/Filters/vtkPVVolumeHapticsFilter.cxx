@@ -469,7 +469,7 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
   this->FillTool();
   if (this->IsTableDirty)
   {
-    this->IsTableDirty = false; // what follows calls this again
+    this->IsTableDirty = false; // the calls below call this function again
     this->FillTable();
   }
   if (this->GetMaterialTime() > this->Filled)
@@ -495,9 +495,10 @@ int vtkPVVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation*
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->FillModes(); // whether polygons or lines guide is known only now
+  this->FillModes(); // only now is known whether polygons or lines guide
   this->FillTool();
-  // The property has reported the wrong name, table, modes and tool what they can't read.
+  // The property has reported a wrong name; label table, modes and tool have reported unreadable
+  // texts.
   return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->Tools.IsGood()
     ? this->Superclass::RequestData(request, inputs, outputs)
     : 0;

@@ -5,8 +5,8 @@
  * @brief   vtkVolumeHapticsFilter with its material as plain settings
  *
  * ParaView sets properties one by one, in any order, and draws its functions from 0 to 1. So this
- * filter keeps the user's choices (a preset, or five functions and the newtons of their 1), and
- * fills its vtkHapticProperty from them whenever one has changed. This happens before the property
+ * filter stores the user's choices (a preset, or five functions and the newtons of their value 1),
+ * and fills its vtkHapticProperty from them after each change. This happens before the property
  * is used: the pipeline and vtkHapticDevice::Publish both begin with GetMTime().
  */
 #ifndef vtkPVVolumeHapticsFilter_h
@@ -177,7 +177,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /** A function from 0 to 1, and the value of its 1. */
+  /** A function from 0 to 1, and the quantity at its value 1. */
   struct Curve
   {
     vtkSmartPointer<vtkPiecewiseFunction> Shape;
@@ -211,8 +211,8 @@ private:
   bool SolidFromImage = false;
   bool ShiftFromImage = false;
   int SurfaceSide = 0;
-  vtkTimeStamp Chosen; // when a setting of the material was last made
-  vtkTimeStamp Filled; // when the property last got them
+  vtkTimeStamp Chosen; // last change of a setting of the material
+  vtkTimeStamp Filled; // last filling of the property
   bool IsPresetKnown = true;
   std::vector<std::string> LabelFiles;
   std::vector<std::array<double, 5>> LabelMaterials;

@@ -16,10 +16,10 @@
 
 namespace
 {
-/** Newtons above which a surface is impenetrable; no scale should try to show them. */
+/** Newtons above which a surface is impenetrable; scales need not show more. */
 constexpr double Impenetrable = 1e4;
 
-/** The smallest of 1, 2 and 5 times a power of ten that the function does not exceed. */
+/** The smallest value of 1, 2 or 5 times a power of ten that the function does not exceed. */
 double ChooseScale(vtkPiecewiseFunction* function)
 {
   double most = 0.0;
@@ -100,7 +100,7 @@ void vtkSMVolumeHapticsProxy::CopyFunction(const char* name, vtkPiecewiseFunctio
   {
     return;
   }
-  // Distinctness is a share already.
+  // Distinctness is already between 0 and 1.
   const std::string scaleName = std::string(name) + "Scale";
   const bool isScaled = this->GetProperty(scaleName.c_str()) != nullptr;
   const double scale = isScaled ? ChooseScale(function) : 1.0;

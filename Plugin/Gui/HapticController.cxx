@@ -43,7 +43,7 @@
 namespace
 {
 
-/** Sets a property of a filter, as its panel would: it can be undone, and is traced. */
+/** Sets a property of a filter as its panel would: with undo, and in the trace. */
 template <typename ValueType>
 void SetOfFilter(pqPipelineSource* filter, const char* property, const ValueType& value)
 {
@@ -203,7 +203,7 @@ void HapticController::change(const char* property, int value)
   BEGIN_UNDO_EXCLUDE();
   {
     // Not traced: a user who replays a trace may not have a hand on a device. The changes that Poll
-    // shows do not belong into a trace either.
+    // shows are not traced either.
     vtkSMPropertyHelper(this->Device, property).Set(value);
     this->Device->UpdateVTKObjects();
     this->Device->Poll();
@@ -235,8 +235,8 @@ void HapticController::setTouchMode(bool on)
   pqView* const view = on && this->View ? this->findView() : nullptr;
   if (QWidget* const widget = view ? view->widget() : nullptr)
   {
-    // The keys of the touch mode come next, and the button has the keyboard. The one that takes
-    // keys may be a part of the view's widget.
+    // The keys of the touch mode come next, and the button has the keyboard: give it to the view. A
+    // part of the view's widget may be what takes keys.
     const QList<QWidget*> parts = widget->findChildren<QWidget*>();
     const auto takesKeys = [](QWidget* part) { return part->focusPolicy() != Qt::NoFocus; };
     const auto part = std::find_if(parts.begin(), parts.end(), takesKeys);
@@ -247,7 +247,7 @@ void HapticController::setTouchMode(bool on)
 //------------------------------------------------------------------------------
 bool HapticController::eventFilter(QObject* watched, QEvent* event)
 {
-  // A key is first offered to whoever overrides shortcuts; in a menu, it is pressed at once.
+  // Qt first offers a key to widgets that override shortcuts; in a menu, Qt presses it at once.
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && this->Device &&
     this->Device->GetDevice()->IsArmOrdered())
@@ -331,7 +331,8 @@ void HapticController::loadPreset(const QString& file)
     Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
     return;
   }
-  // The client reads it; the filter gets functions, which go to any server and into state files.
+  // The client reads the file; the filter gets functions, which go to any server and into state
+  // files.
   vtkNew<vtkHapticProperty> read;
   VolumeHapticsLive::HapticErrorCatcher errors;
   errors.Catch(read);
@@ -427,7 +428,7 @@ void HapticController::openRecorded()
   controller->ShowInPreferredView(vtkSMSourceProxy::SafeDownCast(reader->getProxy()), 0,
     view ? vtkSMViewProxy::SafeDownCast(view->getProxy()) : nullptr);
   pqApplicationCore::instance()->render();
-  // The hand goes on with what it touches.
+  // The hand continues with the volume that it touches.
   if (this->View)
   {
     pqActiveObjects::instance().setActiveSource(touched);

@@ -4,10 +4,10 @@
  * @class   HapticController
  * @brief   the actions of the dock window's buttons
  *
- * Everything acts through the properties of a `HapticDevice` and a `HapticView`, so that scripts
- * can do the same. The Python trace contains the setup, but not Running, Armed and Recording: a
- * user who replays it may not have a hand on the device. None of it can be undone: "undo" must not
- * arm a device.
+ * All actions set properties of a `HapticDevice` and a `HapticView`, so that scripts can do the
+ * same. The Python trace contains the setup, but not Running, Armed and Recording: a user who
+ * replays it may not have a hand on the device. No action can be undone: "undo" must not arm a
+ * device.
  *
  * Before ParaView quits, and before the server, the view, the device, its filter or the volume is
  * removed, the device is detached, with zero force. Escape ends the touch mode and disarms,
@@ -44,10 +44,10 @@ public:
     QString Name;  ///< maker, product, place
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
-  /** Looks again. "virtual" is first. */
+  /** Searches for devices anew. "virtual" is first. */
   static QList<DeviceChoice> listDevices();
 
-  /** The contents of the dock. */
+  /** The state that the dock shows. */
   struct Figures
   {
     bool Attached = false;
@@ -56,12 +56,12 @@ public:
     bool Recording = false;
     bool IsVirtual = false;
     bool CanHome = false;
-    bool HasTouch = false; ///< there is a filter, attached or of the active source
-    QString Preset;        ///< of that filter
-    int Method = 0;        ///< the same
+    bool HasTouch = false; ///< there is a filter, attached or for the active source
+    QString Preset;        ///< preset of that filter
+    int Method = 0;        ///< method of that filter
     bool CanShow = false;  ///< there is a volume, and a render view
-    bool IsVolume = false; ///< the view renders the volume as one
-    QString Recorded;      ///< the file of the last recording, if it was written
+    bool IsVolume = false; ///< the view renders the volume as a volume
+    QString Recorded;      ///< file of the last recording, if it was written
     QString Felt;          ///< names of the volume and of the filter; empty if nothing is attached
     QString Status;
     double Force = 0.0;        ///< N, on the hand
@@ -73,14 +73,14 @@ public:
   /** Polls the device. */
   Figures look();
 
-  /** Of the application: looks for Escape. */
+  /** Filters events of the application: detects Escape. */
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
   /**
    * Attaches to the active render view. The active source selects the device: it is a HapticDevice,
    * a VolumeHaptics filter, or image data; missing objects are made. A filter that is made gets the
-   * preset and the method. If that fails, told() tells the cure.
+   * preset and the method. If that fails, told() has the cure.
    */
   void attach(const QString& deviceId, const QString& preset, int method);
   void detach();
@@ -91,10 +91,16 @@ public Q_SLOTS:
   /** Records into a .vtp or .csv; an empty name ends and writes the recording. */
   void record(const QString& file);
   ///@{
-  /** Of the filter that is attached, or of the active source; nothing without one. */
+  /**
+   * Set preset and method of the attached filter, or of the active source's; do nothing without
+   * one.
+   */
   void setPreset(const QString& name);
   void setMethod(int method);
-  /** Functions from a file of vtkHapticProperty::WritePreset, and what is felt to one. */
+  /**
+   * Read functions from a file of vtkHapticProperty::WritePreset, or write the felt ones to such a
+   * file.
+   */
   void loadPreset(const QString& file);
   void savePreset(const QString& file);
   ///@}

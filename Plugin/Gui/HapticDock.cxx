@@ -26,14 +26,14 @@
 namespace
 {
 constexpr int Period = 100;    ///< ms between looks at the device
-constexpr int BarSteps = 1000; ///< of the bar, up to the largest force
+constexpr int BarSteps = 1000; ///< of the bar, from 0 to the largest force
 
-/** In the order of vtkVolumeHapticsAlgorithm::MethodType. */
+/** Names in the order of vtkVolumeHapticsAlgorithm::MethodType. */
 const char* const Methods[] = { QT_TRANSLATE_NOOP("HapticDock", "Proxy"),
   QT_TRANSLATE_NOOP("HapticDock", "Force field"), QT_TRANSLATE_NOOP("HapticDock", "Surface proxy"),
   QT_TRANSLATE_NOOP("HapticDock", "Local surface"), QT_TRANSLATE_NOOP("HapticDock", "Primitives") };
 
-/** Asks the window system, so that it knows of motions whose events are still to come. */
+/** The pointer by the window system, which knows of motions whose events are still to come. */
 void FindPointer(int position[2])
 {
   const QPoint place = QCursor::pos();
@@ -216,12 +216,12 @@ void HapticDock::showChoices(const HapticController::Figures& now)
   const QSignalBlocker presets(this->Preset);
   const QSignalBlocker methods(this->Method);
   int at = this->Preset->findText(now.Preset);
-  if (at < 0) // that of a script, or a file
+  if (at < 0) // a preset from a script or a file
   {
     this->Preset->addItem(now.Preset);
     at = this->Preset->count() - 1;
   }
-  // An open list stays under the mouse.
+  // Do not change a list that is open under the mouse.
   if (!this->Preset->view()->isVisible())
   {
     this->Preset->setCurrentIndex(at);
@@ -236,7 +236,7 @@ void HapticDock::showChoices(const HapticController::Figures& now)
 QString HapticDock::askFile(
   const char* name, const QString& title, const QString& kinds, bool isNew)
 {
-  // The client reads and writes it, even if the data are on a server.
+  // The client reads and writes the file, even if the data are on a server.
   pqFileDialog dialog(nullptr, this, title, QString(), kinds);
   dialog.setObjectName(name);
   dialog.setFileMode(isNew ? pqFileDialog::AnyFile : pqFileDialog::ExistingFile);
@@ -273,7 +273,7 @@ void HapticDock::listDevices()
   this->Device->clear();
   for (const HapticController::DeviceChoice& choice : HapticController::listDevices())
   {
-    // A state may be a sentence with the cure: that goes into the tool tip.
+    // A state may be a sentence with the cure: show the whole in the tool tip.
     const QString state = choice.State.section(". ", 0, 0);
     this->Device->addItem(QString("%1: %2").arg(choice.Id, state), choice.Id);
     this->Device->setItemData(

@@ -44,14 +44,14 @@ private:
   QPushButton* addButton(QGridLayout* grid, int row, int column, const char* name,
     const QString& text, const QString& tip);
   void addChoices(QGridLayout* grid, int row);
-  /** Shows those of a filter; without one, the choice for one to come stays. */
+  /** Shows preset and method of a filter; without a filter, the choice for the next one stays. */
   void showChoices(const HapticController::Figures& now);
-  /** The name of a file that the user chooses; empty if none. */
+  /** The name of a file that the user chooses; empty if none was chosen. */
   QString askFile(const char* name, const QString& title, const QString& kinds, bool isNew);
 
   HapticController* Controller;
   QTimer Timer;
-  QString Told; ///< until the next action
+  QString Told; ///< kept until the next action
   QComboBox* Device;
   QPushButton* Attach;
   QPushButton* Arm;

@@ -79,8 +79,8 @@ pqPipelineSource* FindDevice(pqPipelineSource* touch)
 }
 
 /**
- * A hand must not suddenly feel something that it was not led to. Can't be undone, and is not
- * traced.
+ * Disarms the device: a hand must not suddenly feel something that it was not led to. Can't be
+ * undone, and is not traced.
  */
 void Disarm(vtkSMProxy* device)
 {

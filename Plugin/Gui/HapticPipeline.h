@@ -29,12 +29,18 @@ bool IsVolume(pqPipelineSource* source);
 pqPipelineSource* FindOrMakeDevice(pqPipelineSource* source);
 
 ///@{
-/** Upstream: the filter of a device, and the input of that. nullptr if there is none. */
+/**
+ * The objects upstream: the filter of a device, and the input of the filter. nullptr if there is
+ * none.
+ */
 pqPipelineSource* GetTouch(pqPipelineSource* device);
 pqPipelineSource* GetVolume(pqPipelineSource* touch);
 ///@}
 
-/** The VolumeHaptics filter of a source that is one, of its device, or of a volume; or nullptr. */
+/**
+ * The VolumeHaptics filter: the source itself, or the filter of its device or of a volume; or
+ * nullptr.
+ */
 pqPipelineSource* FindTouch(pqPipelineSource* source);
 
 } // namespace HapticPipeline

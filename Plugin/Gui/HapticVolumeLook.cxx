@@ -35,7 +35,9 @@ pqDataRepresentation* FindShown(pqPipelineSource* volume, pqView* view)
   return port ? port->getRepresentation(view) : nullptr;
 }
 
-/** The name, if the source has it, or that of the first point array; empty if there is none. */
+/**
+ * The given name, if the source has it, or the first point array's name; empty if there is none.
+ */
 std::string FindArray(pqPipelineSource* volume, const QString& wanted)
 {
   vtkPVDataInformation* const data = volume->getOutputPort(0)->getDataInformation();
@@ -50,7 +52,7 @@ std::string FindArray(pqPipelineSource* volume, const QString& wanted)
                                                    : points->GetArrayInformation(0)->GetName();
 }
 
-/** The shortest edge of a voxel of an image; of other data, a part of the longest edge of all. */
+/** The shortest edge of an image's voxel; for other data, a fraction of the longest edge of all. */
 double FindVoxel(pqPipelineSource* volume)
 {
   constexpr double parts = 128.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a view shows the felt data.
+ * The look of the felt data in a view.
  */
 #ifndef HapticVolumeLook_h
 #define HapticVolumeLook_h
@@ -14,13 +14,13 @@ class QString;
 namespace HapticVolumeLook
 {
 
-/** Whether the view renders a source as a volume, which can be seen. */
+/** Whether the view renders a source visibly as a volume. */
 bool IsShown(pqPipelineSource* volume, pqView* view);
 
 /**
- * Renders a source as a volume that is opaque from the skin on, where a hand meets it, in colours
- * of skin and bone at Hounsfield units (CTLook), as the explorer does.
- * `array` is the point array; if it is empty, the first one. False if there is none.
+ * Renders a source as a volume that is opaque from the skin on, where a hand meets it. Colours are
+ * those of skin and bone by Hounsfield units (CTLook), as in the explorer. `array` is the point
+ * array; if it is empty, the first one. False if there is none.
  */
 bool ShowAsCT(pqPipelineSource* volume, pqView* view, const QString& array);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lets a filter feel no more of a volume than what a representation of ParaView crops it to.
+ * Limits a filter to the part of a volume to which a representation of ParaView crops it.
  */
 #ifndef HapticCropLink_h
 #define HapticCropLink_h
@@ -17,8 +17,8 @@ class HapticCropLink
 {
 public:
   /**
-   * Takes over the representation's properties UseCropping, CroppingOrigin and CroppingScale, as
-   * far as it has them. Without a representation, or without its cropping, all is felt.
+   * Copies the representation's properties UseCropping, CroppingOrigin and CroppingScale, as far as
+   * it has them. Without a representation, or without its cropping, all is felt.
    */
   void Follow(vtkSMProxy* representation, vtkVolumeHapticsFilter* filter);
 

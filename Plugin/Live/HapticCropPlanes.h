@@ -10,22 +10,22 @@
 namespace VolumeHapticsLive
 {
 
-/** What a representation scales and moves. */
+/** The reference that a representation scales and moves. */
 enum class CropBase
 {
   Bounds,     ///< up to ParaView 5.12
   WholeExtent ///< from 5.13 on, whatever the image's origin and spacing are
 };
 
-/** That of a version of ParaView. */
+/** The reference in a version of ParaView. */
 constexpr CropBase ChooseCropBase(int major, int minor)
 {
   return major > 5 || (major == 5 && minor >= 13) ? CropBase::WholeExtent : CropBase::Bounds;
 }
 
 /**
- * The planes as vtkImageVolumeRepresentation::UpdateMapperParameters() hands them to its mapper, in
- * the coordinates of the data.
+ * The planes in the coordinates of the data, as
+ * vtkImageVolumeRepresentation::UpdateMapperParameters() sets them on its mapper.
  */
 inline void FindCropPlanes(CropBase base, const double bounds[6], const int wholeExtent[6],
   const double origin[3], const double scale[3], double planes[6])

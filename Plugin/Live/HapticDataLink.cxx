@@ -99,7 +99,7 @@ void HapticDataLink::Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
 
 void HapticDataLink::FollowTime(vtkSMProxy* proxy, vtkSMSourceProxy* volume)
 {
-  // Its name is another one in each version of ParaView; there is one.
+  // Its name differs between versions of ParaView; exactly one name exists.
   vtkNew<vtkCollection> keepers;
   proxy->GetSessionProxyManager()->GetProxies("timekeeper", keepers);
   vtkSMProxy* const keeper = vtkSMProxy::SafeDownCast(keepers->GetItemAsObject(0));
@@ -117,7 +117,7 @@ void HapticDataLink::FollowImage(
   vtkVolumeHapticsFilter* const filter = this->Touch.GetFilter();
   if (volume)
   {
-    volume->UpdatePipeline(); // which also tells whether it has times
+    volume->UpdatePipeline(); // also reports whether the volume has times
   }
   if (HapticFrameLink::IsMoving(volume, port, filter))
   {
@@ -125,7 +125,7 @@ void HapticDataLink::FollowImage(
     {
       this->Image.FollowFrames(volume, port, this->ViewTime, filter, device, this->Frames);
     }
-    catch (const std::bad_alloc&) // it is tried again
+    catch (const std::bad_alloc&) // tried again later
     {
       report.SetProblem("This computer has no memory for a copy of the volume at this time, so it "
                         "is felt as it was before. Close other programs that need memory.");

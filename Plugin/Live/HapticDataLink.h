@@ -33,28 +33,28 @@ class HapticReport;
 class HapticDataLink
 {
 public:
-  /** `lost` is called as soon as the server is found not to answer. */
+  /** `lost` is called as soon as the server does not answer. */
   explicit HapticDataLink(std::function<void()> lost);
 
   /**
-   * Take over changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of
-   * the pipeline, and of its time. Problems go to the report.
+   * Follow changes of the device's properties Touch, FollowOpacity and MaximumRegionVoxels, of the
+   * pipeline, and of its time. Problems go to the report.
    */
   void Follow(vtkSMProxy* proxy, vtkHapticDevice* device, HapticReport& report);
 
   /** The filter in the client; null while there is nothing to touch. */
   vtkVolumeHapticsFilter* GetFilter() const { return this->Touch.GetFilter(); }
 
-  /** Whether a proxy is touched, or the view in which it is seen. */
+  /** Whether a proxy is touched, or is the view that shows the touched data. */
   bool Uses(vtkSMProxy* proxy) const;
 
   /** See vtkSMHapticDeviceProxy::SetVisibility. */
   void SetVisibility(vtkVolumeProperty* property) { this->Visibility = property; }
 
-  /** How long (s) it takes to fetch a region; 0 before the first. */
+  /** The time (s) of fetching a region; 0 before the first. */
   double GetLatency() const { return this->Region.GetLatency(); }
 
-  /** Forget the region that was fetched last. */
+  /** Forget the last fetched region. */
   void ClearRegion() { this->Region.Clear(); }
 
   /** Whether the data are on this process. */
@@ -77,8 +77,8 @@ private:
   HapticRegionLink Region; // if the data are on a server
   HapticOpacityLink Opacity;
   HapticCropLink Crop;
-  vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the one that Opacity finds
-  double ViewTime = 0.0;                         // s, of the data
+  vtkSmartPointer<vtkVolumeProperty> Visibility; // replaces the opacity that Opacity finds
+  double ViewTime = 0.0;                         // s, time of the data
 };
 
 } // namespace VolumeHapticsLive

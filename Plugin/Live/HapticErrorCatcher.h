@@ -26,7 +26,9 @@ public:
   HapticErrorCatcher(const HapticErrorCatcher&) = delete;
   void operator=(const HapticErrorCatcher&) = delete;
 
-  /** From now on, errors of this object are kept instead of shown. Call it once for an object. */
+  /**
+   * Collects errors of this object from now on, instead of showing them. Call it once per object.
+   */
   void Catch(vtkObject* object);
   /**
    * The errors since the last call, without files and addresses; empty if there were none.

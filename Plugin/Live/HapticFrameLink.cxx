@@ -24,19 +24,21 @@ namespace
 {
 
 ///@{
-/** How long (s) a step of the animation takes: at least, at most, and a single one. */
+/** The duration (s) of a step of the animation: least, greatest, and for a single step. */
 constexpr double ShortestStep = 0.02;
 constexpr double LongestStep = 0.3;
 constexpr double SingleStep = 0.1;
 ///@}
-/** The share of the last step's time in which the next one is felt: so it ends before another. */
+/**
+ * Feel a step within this fraction of the last step's time, so that it ends before the next step.
+ */
 constexpr double StepShare = 0.9;
-/** How long (s of the servo) it may stand still on its way before it is no longer waited for. */
+/** The longest standstill (s of the servo) on the way before the servo is no longer awaited. */
 constexpr double Patience = 0.5;
 /** The time (s) in which the servo gets to the first image. */
 constexpr double BeginTime = 0.005;
 
-/** An image whose material is at rest: nothing is known of its way to the image itself. */
+/** Makes an image whose material is at rest: no motion is known on the way to the image itself. */
 vtkSmartPointer<vtkImageData> WithoutMotion(vtkImageData* image, const std::string& displacements)
 {
   if (displacements.empty())
@@ -70,7 +72,7 @@ bool HapticFrameLink::IsMoving(
     return false;
   }
   vtkPVDataInformation* const data = output->GetDataInformation();
-  // Data of other kinds are resampled, each time step by itself.
+  // Data of other kinds are resampled, each time step separately.
   if (data->IsCompositeDataSet() || !data->DataSetTypeIsA("vtkImageData"))
   {
     return false;
@@ -82,7 +84,7 @@ bool HapticFrameLink::IsMoving(
 void HapticFrameLink::Begin(
   vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device)
 {
-  // From wherever the servo's clock is, it gets to the end.
+  // From any position of the servo's clock, this leads to the end.
   this->From = WithoutMotion(image, filter->GetDisplacementArrayName());
   this->To = image;
   this->FromTime = time - (1.0 + 0.1 * std::abs(time));
@@ -123,7 +125,7 @@ void HapticFrameLink::Send()
   this->Source->RemoveAllFrames();
   this->Source->AddFrame(this->From, this->FromTime);
   this->Source->AddFrame(this->To, this->ToTime);
-  this->Source->Update(); // other links look at its image
+  this->Source->Update(); // other links compare its image
 }
 
 void HapticFrameLink::SetDuration(double seconds, vtkHapticDevice* device)
@@ -143,7 +145,7 @@ void HapticFrameLink::Clear()
 
 bool HapticFrameLink::IsThere(vtkHapticDevice* device)
 {
-  // By the servo's states: of a user interface that was busy, the clock tells nothing.
+  // Use the time in the servo's states: after a busy user interface, the clock means nothing.
   if (device->GetDataTime() != this->SeenTime || this->SeenAt == 0.0)
   {
     this->SeenTime = device->GetDataTime();

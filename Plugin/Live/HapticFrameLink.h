@@ -20,9 +20,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * ParaView has the data of one time: that of its animation, which a view shows. When that time
- * changes, the servo goes from the last image to the new one, in the time that the animation took
- * for its last step: a step behind what is seen, but without a jump, whatever the VCR buttons do,
+ * ParaView has the data of one time: the animation's time, which a view shows. When this time
+ * changes, the servo moves from the last image to the new one in the duration of the animation's
+ * last step. So the feel is a step behind the view, but does not jump, whatever the VCR buttons do,
  * forward or backward. Nothing is read twice. If the animation is faster than that, images are left
  * out; if it stands still, so does the volume.
  */
@@ -32,26 +32,26 @@ public:
   /** Whether the data of a port have times, and the filter feels the motion between them. */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
-  /** An image at a time, with which another volume begins. */
+  /** Starts a new volume with an image at a time. */
   void Begin(
     vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device);
-  /** From one image to another one at another time. */
+  /** Moves from one image to another image at another time. */
   void Go(vtkImageData* from, vtkImageData* to, double time, vtkHapticDevice* device);
-  /** Other regions of the images between which it goes. */
+  /** Replaces the regions of the two images between which it moves. */
   void Replace(vtkImageData* from, vtkImageData* to);
-  /** The next image is the first one. */
+  /** Makes the next image the first one. */
   void Clear();
 
-  /** Whether it has begun, for this filter. */
+  /** Whether it has begun for this filter. */
   bool HasBegun(vtkVolumeHapticsFilter* filter) const
   {
     return this->Source && this->Filter == filter;
   }
   /** Whether the last image is the first one. */
   bool IsFirst() const { return this->IsBeginning; }
-  /** Whether the servo is at the last image, so that it can go on from there. */
+  /** Whether the servo has reached the last image, so that it can move on. */
   bool IsThere(vtkHapticDevice* device);
-  /** The last image, and its time; and the time before. */
+  /** The last image and its time, and the previous time. */
   vtkImageData* GetImage() const { return this->To; }
   double GetTime() const { return this->ToTime; }
   double GetTimeBefore() const { return this->FromTime; }
@@ -64,11 +64,11 @@ private:
   vtkWeakPointer<vtkVolumeHapticsFilter> Filter;
   vtkSmartPointer<vtkImageData> From;
   vtkSmartPointer<vtkImageData> To;
-  double FromTime = 0.0; // of the data
+  double FromTime = 0.0; // time of the data
   double ToTime = 0.0;
   double SentAt = 0.0;   // s, of this computer
-  double SeenTime = 0.0; // of the data, in the servo's latest states
-  double SeenAt = 0.0;   // s, of the servo, since when; 0: not seen since the last step
+  double SeenTime = 0.0; // data time in the servo's latest states
+  double SeenAt = 0.0;   // s, servo time since SeenTime stands; 0: not seen since the last step
   bool IsBeginning = false;
 };
 

@@ -33,7 +33,7 @@ vtkDataObject* DataOf(vtkAlgorithmOutput* output)
   return output ? output->GetProducer()->GetOutputDataObject(output->GetIndex()) : nullptr;
 }
 
-/** When anything in the pipeline up to an output was last changed; executing is no change. */
+/** The time of the last change in the pipeline up to an output; executing is no change. */
 vtkMTimeType PipelineTimeOf(vtkAlgorithmOutput* output)
 {
   auto* const pipeline =
@@ -63,7 +63,7 @@ bool SharesArrays(vtkImageData* a, vtkImageData* b)
   return false;
 }
 
-/** Whether a time step of an output follows another one, in either direction. */
+/** Whether a time step of an output is next to another one, in either direction. */
 bool AreNeighbours(vtkAlgorithmOutput* output, double a, double b)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -144,7 +144,7 @@ void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, 
     HasGeometryOf(image, frames.GetImage());
   if (isBegun && (this->IsSeen(image, filter) || !frames.IsThere(device)))
   {
-    return; // what is new comes when the servo is ready for it
+    return; // the new image comes when the servo is ready for it
   }
   const bool isInPlace = isBegun && (this->IsInPlace || SharesArrays(image, frames.GetImage()));
   vtkNew<vtkImageData> copy;
@@ -152,7 +152,7 @@ void HapticImageLink::FollowFrames(vtkSMSourceProxy* source, unsigned int port, 
   this->See(image, filter);
   this->PipelineTime = pipelineTime;
   this->IsInPlace = isInPlace;
-  // Displacements lead to the next step only.
+  // Displacements lead only to the next step.
   const bool isStep =
     filter->GetDisplacementArrayName().empty() || AreNeighbours(output, frames.GetTime(), time);
   if (isBegun && time != frames.GetTime() && isStep)

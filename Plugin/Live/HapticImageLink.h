@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Data of this process' own pipeline, for a filter in the client: shared, not copied.
+ * Gives data of this process' own pipeline to a filter in the client: shared, not copied.
  */
 #ifndef HapticImageLink_h
 #define HapticImageLink_h
@@ -24,7 +24,7 @@ class HapticFrameLink;
 /**
  * The filter is not connected to the pipeline, because a view must not execute a filter whose data
  * the servo reads. It gets a shallow copy whenever the pipeline has new data. A pipeline that
- * allocates a new array then leaves the touched one alone.
+ * allocates a new array then does not change the touched array.
  */
 class HapticImageLink
 {
@@ -34,28 +34,28 @@ public:
    */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
-   * The same with an image that has times, as frames of input port 0. Its source was updated at a
-   * time. Another pipeline, or other settings in it, are another volume. Throws std::bad_alloc if
+   * Does the same with an image that has times, as frames of input port 0. Its source was updated
+   * at `time`. A new pipeline, or new settings in it, begin a new volume. Throws std::bad_alloc if
    * there is no memory for a frame that has to be copied.
    */
   void FollowFrames(vtkSMSourceProxy* source, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
-  /** The next Follow gives the output, even if it is the last one. */
+  /** Makes the next Follow give the output, even if it has not changed. */
   void Forget();
 
-  /** The output of a source of this process, updated; null without one. */
+  /** The updated output of a source of this process; null without a source. */
   static vtkAlgorithmOutput* FindOutput(vtkSMSourceProxy* source, unsigned int port);
 
 private:
   bool IsSeen(vtkDataObject* data, vtkAlgorithm* filter) const;
   void See(vtkDataObject* data, vtkAlgorithm* filter);
 
-  // Weak: a new object may have the address of one that was deleted.
+  // A weak pointer: a new object may have the address of a deleted one.
   vtkWeakPointer<vtkDataObject> Seen;
   vtkWeakPointer<vtkAlgorithm> SeenFilter;
   vtkMTimeType SeenTime = 0;
-  vtkMTimeType PipelineTime = 0; // of frames: when the pipeline was last changed
-  bool IsInPlace = false;        // of frames: the pipeline writes each one to the same arrays
+  vtkMTimeType PipelineTime = 0; // frames: last change of the pipeline
+  bool IsInPlace = false;        // frames: the pipeline writes each one to the same arrays
 };
 
 } // namespace VolumeHapticsLive

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A large file of this process' own pipeline, for a filter in the client.
+ * Connects a filter in the client with a large file of this process' own pipeline.
  */
 #ifndef HapticLargeLink_h
 #define HapticLargeLink_h
@@ -24,8 +24,8 @@ class HapticLargeLink
 {
 public:
   /**
-   * If an output is that of a large file, connect the filter with its samples, unless it is. False
-   * if it is no large file.
+   * If an output comes from a large file, connect the filter with its samples, unless it already
+   * is. False if it does not.
    */
   bool Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
 

@@ -129,7 +129,7 @@ vtkVolumeProperty* HapticOpacityLink::Find(vtkSMProxy* volume, vtkVolumeHapticsF
     {
       this->View = view;
       this->Representation = representation;
-      // One function for any touched component.
+      // Use one function for any touched component.
       this->Property->IndependentComponentsOff();
       this->Property->SetScalarOpacity(opacity);
       return this->Property;

@@ -21,14 +21,14 @@ class HapticOpacityLink
 {
 public:
   /**
-   * The opacity function with which a source is volume-rendered, in the active view, or else in any
-   * view: as a volume property whose function is ParaView's own. Null if it is not volume-rendered,
+   * The opacity function of a source's volume rendering, in the active view, or else in any view:
+   * as a volume property with ParaView's own function. Null if the source is not volume-rendered,
    * if the shown array or component is not the touched one, or if opacity does not depend on that
    * array's value alone.
    */
   vtkVolumeProperty* Find(vtkSMProxy* volume, vtkVolumeHapticsFilter* filter);
 
-  /** The view in which it was found; null if there is none. */
+  /** The view where the opacity was found; null if there is none. */
   vtkSMProxy* GetView() const { return this->View; }
 
   /** The representation; null if there is none. */

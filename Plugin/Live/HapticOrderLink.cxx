@@ -27,7 +27,7 @@ HapticOrderLink::HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice*
   this->DisarmObserver->SetClientData(this);
   this->DisarmObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
     { static_cast<HapticOrderLink*>(self)->FollowDisarm(); });
-  // After the other observers, which may disarm it during a clutch.
+  // Observe after the other observers, which may disarm the device during a clutch.
   device->AddObserver(vtkCommand::DisableEvent, this->DisarmObserver, -VTK_FLOAT_MAX);
 }
 
@@ -38,7 +38,7 @@ void HapticOrderLink::Leave()
 
 void HapticOrderLink::FollowDisarm()
 {
-  // While the device does not run, Armed may be an order for its start, which must stay.
+  // While the device does not run, Armed may be an order for its start: keep it.
   if (this->Device->IsRunning() && !this->Device->IsArmOrdered())
   {
     this->Reset("Armed");
@@ -145,7 +145,7 @@ void HapticOrderLink::FollowFault(bool isServerLost)
   const bool isFault = status == vtkHapticDevice::FAULT;
   if (isServerLost && this->Device->IsRunning() && (isFault || status <= vtkHapticDevice::READY))
   {
-    this->Stop(this->Report.GetNotice()); // it has faded, or was cut off before
+    this->Stop(this->Report.GetNotice()); // the force has faded, or was cut off before
     return;
   }
   if (this->Device->IsArmOrdered() && (isFault || status < vtkHapticDevice::READY))
@@ -218,12 +218,12 @@ void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
     }
     if (this->Device->IsArmOrdered())
     {
-      this->Device->FadeOut(); // else what was there before would be felt
+      this->Device->FadeOut(); // otherwise the previous data would be felt
     }
     return;
   }
   this->Device->SetVolumeHaptics(filter);
-  if (!this->Device->IsPublished()) // by a view, or by Start
+  if (!this->Device->IsPublished()) // published by a view, or by Start
   {
     this->Device->Publish();
   }
@@ -235,7 +235,7 @@ void HapticOrderLink::Stop(const std::string& why)
   {
     this->EndForce();
     this->Recording.Continue(this->Device);
-    this->Device->Stop(); // writes a recording, too
+    this->Device->Stop(); // also writes a recording
     this->Report.SetNotice(why);
   }
   std::string error;
@@ -256,7 +256,7 @@ void HapticOrderLink::Stop(const std::string& why)
 void HapticOrderLink::EndForce()
 {
   this->Device->Disarm();
-  // So that a recording includes the last orders.
+  // Wait, so that a recording includes the last orders.
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();

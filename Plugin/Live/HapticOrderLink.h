@@ -28,9 +28,9 @@ class HapticReport;
 
 /**
  * The properties are orders of the user: a device that something else has armed is disarmed if
- * Armed is 0. The device itself tells which order it has; nothing here repeats an order to arm.
- * Armed goes back to 0 as soon as something else disarms the device, such as a key or a closed
- * window, and after a fault; all of them do if the device is stopped. The user then has to order
+ * Armed is 0. The device itself reports its present order; an order to arm is never repeated here.
+ * Armed goes back to 0 when something else disarms the device, such as a key or a closed window,
+ * and after a fault. All orders go back to 0 when the device is stopped. The user then has to order
  * again.
  */
 class HapticOrderLink
@@ -39,14 +39,14 @@ public:
   /** The names of the properties. */
   static constexpr const char* Names[] = { "Armed", "Recording", "Running" };
 
-  /** `canReach` tells whether the server can be reached; if not, nothing is armed. */
+  /** `canReach` returns whether the server can be reached; if not, nothing is armed. */
   HapticOrderLink(vtkSMHapticDeviceProxy* proxy, vtkHapticDevice* device, HapticReport& report,
     std::function<bool()> canReachServer);
   ~HapticOrderLink() { this->Leave(); }
   HapticOrderLink(const HapticOrderLink&) = delete;
   HapticOrderLink& operator=(const HapticOrderLink&) = delete;
 
-  /** The proxy is being deleted: its properties no longer follow the device. */
+  /** Call when the proxy is being deleted: its properties no longer follow the device. */
   void Leave();
 
   /** Open and start the device if Running is 1 and it does not run. */
@@ -55,14 +55,14 @@ public:
   void Publish(vtkVolumeHapticsFilter* filter);
   /** Arm, disarm, record or stop, and take over limits and tip. */
   void Take();
-  /** Only disarm. For an order that comes while the proxy is busy. */
+  /** Disarm only, for an order that comes while the proxy is busy. */
   void TakeCuts();
-  /** After a fault the device is disarmed. If the server is lost, it is stopped. */
+  /** Disarms the device after a fault; stops it if the server is lost. */
   void FollowFault(bool isServerLost);
-  /** Take the device's new states into a log. */
+  /** Write the device's new states to a log. */
   void Continue() { this->Recording.Continue(this->Device); }
 
-  /** Zero force, stop, and reset the properties. The notice tells the reason; "" for none. */
+  /** Remove the force, stop, and reset the properties. The notice has the reason; "" for none. */
   void Stop(const std::string& why);
 
 private:
@@ -80,8 +80,8 @@ private:
   const std::function<bool()> CanReachServer;
   HapticRecordingLink Recording;
   vtkNew<vtkCallbackCommand> DisarmObserver;
-  double MaximumForce = 0.0; // N, taken over; 0: the device's own choice
-  std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // taken over
+  double MaximumForce = 0.0; // N, last applied; 0: the device's own choice
+  std::array<double, 3> Tip = { VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, VTK_DOUBLE_MAX }; // last applied
 };
 
 } // namespace VolumeHapticsLive

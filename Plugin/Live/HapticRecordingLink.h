@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Records the touch: as a recording of the device, or as a log if a server's region is touched.
+ * Records the touch: as the device's recording, or as a log if a server's region is touched.
  */
 #ifndef HapticRecordingLink_h
 #define HapticRecordingLink_h
@@ -19,12 +19,12 @@ namespace VolumeHapticsLive
 class HapticRecordingLink
 {
 public:
-  /** Begin. isWhole: the device touches the whole volume. IsOn tells whether it succeeded. */
+  /** Begin. isWhole: the device touches the whole volume. IsOn returns whether this succeeded. */
   void Start(const char* file, bool isWhole, vtkHapticDevice* device, std::string& error);
   void Stop(vtkHapticDevice* device, std::string& error);
   bool IsOn() const { return this->IsRecording; }
 
-  /** Take the device's new states. */
+  /** Record the device's new states. */
   void Continue(vtkHapticDevice* device) { this->Log.Continue(device); }
 
   /** Call it after vtkHapticDevice::Stop, which ends the device's own recording. */

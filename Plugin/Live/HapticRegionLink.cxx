@@ -22,9 +22,9 @@ namespace
 {
 
 constexpr std::array<int, 6> Empty = { 0, -1, 0, -1, 0, -1 };
-/** The shortest time (s) over which the tip's velocity is measured. */
+/** The shortest time (s) for measuring the tip's velocity. */
 constexpr double VelocityTime = 0.01;
-/** If a user interface was busy for longer (s), that says nothing about the next time. */
+/** s: a longer delay, by a busy user interface, does not predict the next one. */
 constexpr double LongestInterval = 0.5;
 
 } // namespace
@@ -97,7 +97,7 @@ HapticRegionLink::Answer HapticRegionLink::Fetch(
   return Answer::Region;
 }
 
-/** A corner for the survey, or the first region after it. */
+/** Fetches a corner for the survey, or the first region after it. */
 HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], double time,
   vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames)
 {
@@ -118,7 +118,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
     this->NoteLatency(start);
     image->GetExtent(this->Resident.data());
   }
-  // While another region is felt, a corner would interrupt it.
+  // While a previous region is felt, a corner would interrupt it.
   if (this->Resident != Empty || !this->HasImage)
   {
     this->IsMoving ? frames.Begin(image, time, filter, device)
@@ -129,7 +129,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFirst(const int region[6], doubl
   return Answer::Region;
 }
 
-/** A region at the time, and at the one before if the servo is on its way from there. */
+/** Fetches a region at the time, and at the previous time if the servo is moving from there. */
 HapticRegionLink::Answer HapticRegionLink::FetchFrames(
   const int region[6], double time, vtkHapticDevice* device, HapticFrameLink& frames)
 {
@@ -146,7 +146,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFrames(
     const Answer answer = this->Fetch(region, before, last);
     if (answer == Answer::Refused)
     {
-      // The server has it no longer: what is there now begins anew.
+      // The server has lost the previous time: begin anew with its present one.
       this->IsRefused = false;
       this->Proxy->SetStale(true);
       return Answer::Nothing;
@@ -170,7 +170,7 @@ HapticRegionLink::Answer HapticRegionLink::FetchFrames(
   return Answer::Region;
 }
 
-/** A region may have been wanted ever since the last look. */
+/** The region may have been wanted ever since the last look. */
 void HapticRegionLink::NoteLatency(double start)
 {
   this->Planner->AddLatency(this->Interval + vtkTimerLog::GetUniversalTime() - start);
@@ -202,7 +202,7 @@ HapticRegionLink::Answer HapticRegionLink::Poll(vtkSMSourceProxy* volume, unsign
   this->PollTime = now;
   if (volume)
   {
-    volume->UpdatePipeline(); // otherwise its next change would not be reported
+    volume->UpdatePipeline(); // otherwise the filter's next change would not be reported
   }
   const bool wasMoving =
     std::exchange(this->IsMoving, HapticFrameLink::IsMoving(volume, port, filter));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The region of a server's volume around a tip, for a filter in the client.
+ * Fetches the region of a server's volume around a tip, for a filter in the client.
  */
 #ifndef HapticRegionLink_h
 #define HapticRegionLink_h
@@ -26,8 +26,8 @@ namespace VolumeHapticsLive
 class HapticFrameLink;
 
 /**
- * At first it asks for the position of the volume. A corner of it comes, with which the servo can
- * start, because a tip outside the corner feels nothing. From then on it asks for the regions that
+ * Asks first for the position of the volume. The answer is a corner of it, with which the servo can
+ * start, because a tip outside the corner feels nothing. From then on, asks for the regions that
  * vtkHapticRegionPlanner plans.
  */
 class HapticRegionLink
@@ -35,29 +35,30 @@ class HapticRegionLink
 public:
   enum class Answer
   {
-    Nothing, ///< all that is needed is here
+    Nothing, ///< all needed samples are here
     Region,  ///< the filter has another image
-    Refused, ///< the problem tells why; it is not requested again until something changes
+    Refused, ///< the problem has the reason; no new request until something changes
     Lost     ///< the server does not answer
   };
 
   /**
-   * Fetch a region, one at most, if the planner wants it for the device's latest state. The volume
-   * was updated at a time. If it has several, the region of the next one is fetched, too, as soon
-   * as the servo has come to the last one; and while it is on its way, regions of both.
+   * Fetch one region at most, if the planner wants it for the device's latest state. The volume was
+   * updated at a time. If the volume has several times, the region of the next time is fetched as
+   * soon as the servo has reached the last one; while the servo moves between two times, regions of
+   * both are fetched.
    */
   Answer Poll(vtkSMSourceProxy* volume, unsigned int port, double time,
     vtkVolumeHapticsFilter* filter, vtkHapticDevice* device, HapticFrameLink& frames);
 
-  /** The time (s) from wanting a region to having it here; 0 before the first. */
+  /** The time (s) from wanting a region to having it; 0 before the first. */
   double GetLatency() const { return this->HasLatency ? this->Planner->GetLatency() : 0.0; }
-  /** Why the last region was refused. */
+  /** The reason why the last region was refused. */
   const std::string& GetProblem() const { return this->Problem; }
 
-  /** With another number, what was refused is asked for again. */
+  /** A new number makes a refused region be requested again. */
   void SetMaximumVoxels(vtkIdType voxels)
   {
-    const vtkIdType before = this->Planner->GetMaximumVoxels(); // which has limits of its own
+    const vtkIdType before = this->Planner->GetMaximumVoxels(); // the planner limits it
     this->Planner->SetMaximumVoxels(voxels);
     this->IsRefused = this->IsRefused && this->Planner->GetMaximumVoxels() == before;
   }
@@ -92,8 +93,8 @@ private:
   bool HasLatency = false;
   bool IsRefused = false;
   bool IsMoving = false;  // the volume has times
-  bool HasFrames = false; // frames have begun since the last survey
-  double ViewTime = 0.0;  // that of the volume on the server
+  bool HasFrames = false; // whether frames have begun since the last survey
+  double ViewTime = 0.0;  // the view's time of the volume on the server
 };
 
 } // namespace VolumeHapticsLive

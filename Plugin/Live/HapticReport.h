@@ -21,7 +21,7 @@ namespace VolumeHapticsLive
 class HapticReport
 {
 public:
-  /** From now on errors of this object are not shown, but become a problem. */
+  /** Turns errors of this object into problems, instead of showing them. */
   void Catch(vtkObject* object) { this->Errors.Catch(object); }
   /** Makes the errors since the last call the problem; returns the text if it is new, else "". */
   std::string TakeNewError();
@@ -51,7 +51,7 @@ private:
   HapticErrorCatcher Errors;
   std::string Problem;
   std::string Notice;
-  std::string Reported; // the error that was reported last
+  std::string Reported; // the last reported error
 };
 
 } // namespace VolumeHapticsLive

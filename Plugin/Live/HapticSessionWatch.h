@@ -3,7 +3,7 @@
 /**
  * @file
  * Reports that a proxy has to release the hand: an object that it needs is removed from the
- * pipeline, the session is closed, or the server is gone.
+ * pipeline, the session is closed, or the server is lost.
  */
 #ifndef HapticSessionWatch_h
 #define HapticSessionWatch_h
@@ -22,8 +22,8 @@ namespace VolumeHapticsLive
 {
 
 /**
- * In scripts a deleted proxy lives on as long as a variable refers to it, so destructors come too
- * late: a proxy that is no longer registered counts as deleted.
+ * A proxy that is no longer registered counts as deleted: a variable in a script keeps it alive, so
+ * destructors come too late.
  */
 class HapticSessionWatch
 {
@@ -40,7 +40,7 @@ public:
   HapticSessionWatch(const HapticSessionWatch&) = delete;
   void operator=(const HapticSessionWatch&) = delete;
 
-  /** Watch this session, and no other one. */
+  /** Watch this session only. */
   void Watch(vtkSMSession* session);
 
 private:

@@ -16,7 +16,7 @@ namespace VolumeHapticsLive
 
 namespace
 {
-/** Of the device's states; a view may read them, too. */
+/** The log's number as a reader of the device's states; a view may read them, too. */
 constexpr int Reader = 1;
 } // namespace
 
@@ -92,7 +92,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
     return true;
   }
   device->DrainStates(nullptr, Reader);
-  this->File.close(); // also tells whether the last of it could be written
+  this->File.close(); // also reports whether the end of the file could be written
   if (!this->File)
   {
     error = "The file \"" + this->Name +

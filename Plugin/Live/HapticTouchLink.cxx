@@ -69,7 +69,7 @@ void HapticTouchLink::Follow(vtkSMProxy* touch)
 void HapticTouchLink::CopySettings()
 {
   this->Twin->Copy(this->Touch, "vtkSMProxyProperty");
-  // Properties copy proxies that are in their domains, and the twin's domains are empty.
+  // Properties copy only proxies in their domains, and the twin's domains are empty.
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(this->Twin->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())

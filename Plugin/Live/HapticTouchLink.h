@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A filter in the client with the settings of a filter proxy whose data may be elsewhere.
+ * Makes a filter in the client with the settings of a filter proxy whose data may be elsewhere.
  */
 #ifndef HapticTouchLink_h
 #define HapticTouchLink_h
@@ -19,13 +19,13 @@ namespace VolumeHapticsLive
 {
 
 /**
- * What a burr in the hand has removed belongs to the followed filter, if that is in this process:
- * paths along it begin with what the hand has left. Else the second one has its own, and gets the
- * commands to undo, redo and restore, too.
+ * The tissue that a burr in the hand has removed belongs to the followed filter, if that filter is
+ * in this process: its paths begin with what the hand has left. Otherwise the second filter stores
+ * removed tissue itself, and also gets the commands to undo, redo and restore.
  *
- * The settings are those of a second proxy of the same kind, whose objects are made in the client
- * only. It copies every property of the first, whatever it is, except the inputs; functions are
- * shared, because ParaView's piecewise functions are on the client, too.
+ * The settings are in a second proxy of the same kind, whose objects exist in the client only. It
+ * copies every property of the first proxy, except the inputs; functions are shared, because
+ * ParaView's piecewise functions are on the client, too.
  */
 class HapticTouchLink
 {
@@ -35,10 +35,10 @@ public:
   HapticTouchLink(const HapticTouchLink&) = delete;
   void operator=(const HapticTouchLink&) = delete;
 
-  /** Take over the changes of its settings; nullptr ends that. */
+  /** Follow the changes of the proxy's settings; nullptr ends that. */
   void Follow(vtkSMProxy* touch);
 
-  /** Null without a proxy, or if it is not a vtkVolumeHapticsFilter. */
+  /** Null without a proxy, or if it is no vtkVolumeHapticsFilter. */
   vtkVolumeHapticsFilter* GetFilter() const;
   vtkSMProxy* GetTouch() const;
 
@@ -49,7 +49,7 @@ public:
 
 private:
   void NoteChange() { this->IsDirty = true; }
-  /** Of a command that was chosen, whose name it is. */
+  /** Called with the name of a chosen command. */
   void PassCommand(vtkObject* touch, unsigned long event, void* name);
   void ShareRemoval();
   /** The followed filter, if it is in this process; else null. */

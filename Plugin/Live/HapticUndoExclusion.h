@@ -15,9 +15,9 @@ namespace VolumeHapticsLive
 {
 
 /**
- * As long as it exists, what changes can't be undone. For what follows by itself from the device
- * and from the user's changes: an entry for that would be undone in the place of the user's
- * change, and would delete what could be redone.
+ * While this object exists, changes can't be undone. For changes that follow from the device or
+ * from the user's changes: an entry of their own would be undone instead of the user's change, and
+ * would delete the entries for redo.
  */
 class HapticUndoExclusion
 {

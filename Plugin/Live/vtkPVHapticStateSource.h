@@ -4,8 +4,8 @@
  * @class   vtkPVHapticStateSource
  * @brief   the state of a device in ParaView's client, as geometry on the data server
  *
- * The output is that of vtkHapticStateSource; the state comes from the client, through
- * vtkSMHapticDeviceProxy. If there are several processes, the first one has the output.
+ * The output is the same as vtkHapticStateSource's; the state comes from the client, through
+ * vtkSMHapticDeviceProxy. Of several processes, the first one has the output.
  */
 #ifndef vtkPVHapticStateSource_h
 #define vtkPVHapticStateSource_h
@@ -20,7 +20,7 @@ public:
   vtkTypeMacro(vtkPVHapticStateSource, vtkHapticStateSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The touched filter; only tells ParaView that the two belong together. */
+  /** The touched filter; this connection only shows in ParaView that the two belong together. */
   void SetTouch(vtkObject*) {}
 
   /** Length of a state. */

@@ -30,7 +30,7 @@ namespace
 
 /**
  * The longest pause (s) between calls of Poll while the device is armed. A user interface that
- * stands still for longer, for example because a server does not answer, can't be used to stop the
+ * stands still for longer, for example while a server does not answer, can't be used to stop the
  * hand.
  */
 constexpr double AttentionTime = 2.0;
@@ -56,7 +56,7 @@ struct vtkSMHapticDeviceProxy::vtkInternals
 
   bool IsBusy = false;
   bool IsClosed = false; // the session is over
-  bool IsLost = false;   // the server does not answer any more
+  bool IsLost = false;   // the server no longer answers
 };
 
 //------------------------------------------------------------------------------
@@ -142,10 +142,10 @@ void vtkSMHapticDeviceProxy::LoseServer()
 void vtkSMHapticDeviceProxy::UpdateVTKObjects()
 {
   auto& d = *this->Internals;
-  // First the orders, because a hand may be waiting for them.
+  // Carry out orders first, because a hand may be waiting for them.
   if (this->ObjectsCreated && d.IsBusy)
   {
-    // The rest waits until Poll has ended.
+    // Do the rest after Poll has ended.
     d.Orders.TakeCuts();
   }
   else if (this->ObjectsCreated)
@@ -167,7 +167,7 @@ bool vtkSMHapticDeviceProxy::Poll()
     return false;
   }
   d.IsBusy = true;
-  // The twin of the filter, the hand's state and the orders follow by themselves.
+  // No undo: the filter's twin, the hand's state and the orders follow by themselves.
   const VolumeHapticsLive::HapticUndoExclusion exclusion;
   if (this->CanReachServer())
   {
@@ -220,7 +220,7 @@ void vtkSMHapticDeviceProxy::UpdatePipeline(double time)
 //------------------------------------------------------------------------------
 void vtkSMHapticDeviceProxy::UpdatePropertyInformationInternal(vtkSMProperty*)
 {
-  // They belong to the client: the server need not be asked.
+  // These values belong to the client: no need to ask the server.
   auto& d = *this->Internals;
   if (this->ObjectsCreated && !d.IsBusy)
   {
@@ -251,7 +251,7 @@ vtkPVXMLElement* vtkSMHapticDeviceProxy::SaveXMLState(
 //------------------------------------------------------------------------------
 int vtkSMHapticDeviceProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
 {
-  // A state must not give orders, not even while it is loaded.
+  // Loading a state must not give orders.
   auto& d = *this->Internals;
   const bool wasBusy = std::exchange(d.IsBusy, true);
   int orders[std::size(HapticOrderLink::Names)];

@@ -7,22 +7,21 @@
  * The servo runs in the client, even if the data are on a server. The proxy owns a vtkHapticDevice
  * and, through the property Touch, a vtkVolumeHapticsFilter with the settings of that filter proxy.
  * The data server only has a small source that shows the client's state, vtkPVHapticStateSource.
- * Data of the same process are touched without a copy. Of data on a server, a region around the tip
- * is fetched (vtkHapticRegionPlanner) and given to the servo, without a step of the force. With the
- * round trip and load time t, v_max of a hand, the spring's length T_N/k, the reach r of a tick and
- * the band b over which force fades, its half-width is
+ * Data of the same process are touched without a copy. If the data are on a server, a region around
+ * the tip is fetched (vtkHapticRegionPlanner) and given to the servo, without a step of the force.
+ * With the round trip and load time t, v_max of a hand, the spring's length T_N/k, the reach r of a
+ * tick and the band b over which force fades, its half-width is
  *
  *   h = v_max t + T_N/k + r + b
  *
- * If the hand is faster than the data, force fades, and comes back when they have come.
- *
- * Nothing here has a clock: the timer of a user interface calls Poll, and so does UpdatePipeline,
- * which scripts call.
+ * If the hand is faster than the data, force fades, and comes back when the data arrive. Nothing
+ * here has a clock: the timer of a user interface calls Poll, and so does UpdatePipeline, which
+ * scripts call.
  *
  * Safety: force flows only while Running and Armed are 1, and only through the safety stage of
  * vtkHapticDevice. Both, and Recording, are neither saved in a state nor traced. They go back to 0,
  * with zero force, if this proxy, the touched filter or its view is deleted, if the session is
- * closed, and after a fault. If the server is gone, force fades within 50 ms. It also does so if
+ * closed, and after a fault. If the server is lost, force fades within 50 ms. Force also fades if
  * Poll is not called for 2 s, as in a client that waits for a server that hangs
  * (vtkHapticDevice::SetAttentionTime). Setting one of them to 0 takes effect at once, without a
  * Poll.
@@ -53,18 +52,18 @@ public:
   vtkVolumeHapticsFilter* GetFilter();
 
   /**
-   * Take over changes of properties, pipeline and opacity, give them to the servo, and take its
-   * latest state. True if that is a new one. A call during a call does nothing.
+   * Take over changes of properties, pipeline and opacity, give them to the servo, and get its
+   * latest state. True if the state is new. A call during a call does nothing.
    */
   bool Poll();
 
   /**
-   * Only voxels that this property shows are felt, instead of those that ParaView shows
+   * The property whose visible voxels are felt, instead of the voxels that ParaView shows
    * (FollowOpacity). nullptr (default) returns to FollowOpacity.
    */
   void SetVisibility(vtkVolumeProperty* property);
 
-  /** Zero force, and release the device, until Running is set again. */
+  /** Remove the force and release the device, until Running is set again. */
   void Shutdown();
 
   void UpdateVTKObjects() override;

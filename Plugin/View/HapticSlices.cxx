@@ -21,7 +21,7 @@ namespace
 {
 
 constexpr double ShortestPause = 0.05; // s
-constexpr double PauseShare = 4.0;     // of the time that drawing took
+constexpr double PauseShare = 4.0;     // multiples of the time that drawing took
 
 std::vector<vtkSMViewProxy*> FindSliceViews(vtkSMSession* session)
 {
@@ -55,7 +55,7 @@ void HapticSlices::Follow(
   this->IsKnown = true;
   if (isFirst)
   {
-    return; // where a device was before is no motion
+    return; // a jump from another device's position is no motion
   }
   double position[3];
   std::copy(tip, tip + 3, position);

@@ -12,11 +12,11 @@ namespace VolumeHaptics
 {
 namespace
 {
-/// The proxy's radius and the arrow of one newton, as shares of the volume's diagonal.
+/// The proxy's radius and the arrow of one newton, as fractions of the volume's diagonal.
 constexpr double RadiusPart = 0.006;
 constexpr double NewtonPart = 0.05;
 
-/// 1, 2 or 5 times a power of ten, not above a length.
+/// The largest of 1, 2 or 5 times a power of ten that is not above a length.
 double RoundLength(double length)
 {
   const double power = std::pow(10.0, std::floor(std::log10(length)));

@@ -18,7 +18,7 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** Adds props to a renderer, and removes them when it is destroyed. */
+/** Adds props to a renderer, and removes them when this object is destroyed. */
 class HapticViewProps
 {
 public:

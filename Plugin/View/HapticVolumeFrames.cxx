@@ -34,7 +34,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double LongestMotion = 0.03; // s; Qt, events and haptics take the rest of 1/20 s
+constexpr double LongestMotion = 0.03; // s; Qt, events and haptics need the rest of 1/20 s
 constexpr double LongestRest = 0.5;    // s, because a device without news lets go
 constexpr double LeastRate = 1.0;      // Hz; below it, vtkSmartVolumeMapper casts all rays
 constexpr double HighestRate = 60.0;   // Hz; above it, blocks of pixels save little time
@@ -47,7 +47,7 @@ int NumberOf(vtkSMProxy* proxy, const char* name)
   return proxy->GetProperty(name) ? vtkSMPropertyHelper(proxy, name, true).GetAsInt() : 0;
 }
 
-/** The part of a representation that draws it as a volume, if it does so now. */
+/** The part of a representation that now draws it as a volume, if any. */
 vtkSMProxy* FindVolume(vtkSMProxy* representation)
 {
   if (!representation || !representation->GetProperty(Mode) ||
@@ -61,7 +61,7 @@ vtkSMProxy* FindVolume(vtkSMProxy* representation)
                                                   : nullptr;
 }
 
-/** Whether vtkFixedPointVolumeRayCastMapper draws it as ParaView's choice does. */
+/** Whether vtkFixedPointVolumeRayCastMapper can draw it as ParaView's choice does. */
 bool CanBeCast(vtkSMProxy* representation)
 {
   constexpr int blends[] = { vtkVolumeMapper::COMPOSITE_BLEND,
@@ -82,7 +82,9 @@ bool CanBeCast(vtkSMProxy* representation)
     NumberOf(representation, "UseTransfer2D") == 0;
 }
 
-/** To the objects of the client and of the servers, beside the property. */
+/**
+ * Sends the mode to the objects of the client and of the servers, without changing the property.
+ */
 void SendMode(vtkSMProxy* volume, int mode)
 {
   vtkClientServerStream stream;
@@ -163,7 +165,7 @@ void HapticVolumeFrames::SetView(vtkSMRenderViewProxy* view)
   this->WindowOnProcessor.reset();
   if (this->Window)
   {
-    // After FrameQuality, which tells motion from rest by the rate that ParaView has set.
+    // Observe after FrameQuality, which tells motion from rest by the rate that ParaView has set.
     constexpr float priority = -1.0F;
     for (const auto event :
       { vtkCommand::StartEvent, vtkCommand::EndEvent, vtkCommand::AbortCheckEvent })
@@ -329,7 +331,7 @@ void HapticVolumeFrames::Interrupt()
   if (!std::equal(pointer, pointer + 2, this->Pointer))
   {
     this->Window->SetAbortRender(1);
-    // A window that draws for Qt shows what there is of the frame unless it is told not to.
+    // A window that draws for Qt shows its unfinished frame unless told not to.
     this->KeepsPicture = this->KeepsPicture || this->Window->GetSwapBuffers() != 0;
     this->Window->SwapBuffersOff();
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How ParaView's volumes are drawn while a hand touches them.
+ * Controls how ParaView's volumes are drawn while a hand touches them.
  */
 #ifndef HapticVolumeFrames_h
 #define HapticVolumeFrames_h
@@ -25,20 +25,20 @@ namespace VolumeHaptics
 {
 
 /**
- * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which gives nobody its ray
- * casters. On software OpenGL its frames in motion are speckled and slow. So, as FrameQuality does
- * with VTK's own mappers:
+ * ParaView draws images as volumes with vtkMultiBlockVolumeMapper, which hides its ray casters. On
+ * software OpenGL its frames in motion are speckled and slow. So this class does what FrameQuality
+ * does with VTK's own mappers:
  *
- * - While a scene is touched and OpenGL runs on the processor of whoever draws, the client or a
- *   server, volumes whose mode is Smart are drawn by VTK's ray caster for processors if it can:
- *   one component, at points, of an image. The property VolumeRenderingMode stays as it is.
+ * - While a scene is touched and OpenGL runs on the processor of the client or server that draws,
+ *   volumes whose mode is Smart are drawn by VTK's ray caster for processors if it can: one
+ *   component, at points, of an image. The property VolumeRenderingMode stays as it is.
  * - Frames in motion that the client draws with that ray caster take 30 ms: it gets the time that
  *   the rest of the frame leaves, and casts as many rays as fit. Qt draws its window meanwhile,
  *   so that 20 frames a second are left. ParaView itself asks for 5.
  * - These frames go without FXAA, which takes more time there than all else.
  * - Frames at rest take half a second at most while a device is armed. While the scene is touched,
- *   they are given up within 0.2 s of a motion of the pointer, if somebody tells where it is: VTK
- *   asks no more often.
+ *   they are given up within 0.2 s of a motion of the pointer, if its position is known; VTK asks
+ *   no more often.
  */
 class HapticVolumeFrames
 {
@@ -55,29 +55,31 @@ public:
   HapticVolumeFrames(const HapticVolumeFrames&) = delete;
   HapticVolumeFrames& operator=(const HapticVolumeFrames&) = delete;
 
-  /** Gives the volumes of the last view their own mode back. nullptr for none. */
+  /** Restores the own mode of the last view's volumes. nullptr for none. */
   void SetView(vtkSMRenderViewProxy* view);
-  /** Leaves the volumes as they are: nothing may be sent to a server that has gone. */
+  /** Leaves the volumes as they are: nothing may be sent to a lost server. */
   void Forget() { this->Volumes.clear(); }
   /** Draws the view with InteractiveRender or StillRender. */
   void Draw(bool quickly, Touch touch);
 
   /**
-   * Tells where the pointer is on the screen, even if its events wait in a queue that is not VTK's;
-   * nullptr: nobody knows.
+   * Sets a function that returns the pointer's position on the screen, even if its events wait in a
+   * queue that is not VTK's; nullptr: the position is not known.
    */
   using PointerQuery = void (*)(int position[2]);
   static void SetPointerQuery(PointerQuery query);
 
 private:
-  /** A volume that is drawn by another ray caster than ParaView has chosen. */
+  /** A volume that is drawn by a ray caster other than ParaView's choice. */
   struct Volume
   {
     vtkWeakPointer<vtkSMProxy> Representation;
-    vtkWeakPointer<vtkSMProxy> Drawn; ///< the part of it that draws the volume
-    unsigned long long SetTime;       ///< of the property VolumeRenderingMode
+    vtkWeakPointer<vtkSMProxy> Drawn; ///< the part that draws the volume
+    unsigned long long SetTime;       ///< time of the property VolumeRenderingMode
   };
-  /** How often the ray caster is asked to draw (Hz), so that a frame takes the time it may. */
+  /**
+   * The rate (Hz) at which the ray caster is asked to draw, so that a frame takes its allowed time.
+   */
   struct Rate
   {
     double Hz;
@@ -85,13 +87,15 @@ private:
   };
 
   void ChooseRayCasters(Touch touch);
-  /** Whether the one who has the data, and so draws the volumes, has OpenGL on the processor. */
+  /**
+   * Whether the process that has the data, and so draws the volumes, has OpenGL on the processor.
+   */
   bool IsOnProcessor();
   bool IsWindowOnProcessor();
-  /** Whether this chooses the rate of the frame. */
+  /** Whether this object chooses the rate of the frame. */
   bool SetsRate() const { return this->CastsOnProcessor && (this->IsQuick || this->IsArmed); }
   void Begin();
-  /** FXAA, and the swap of buffers. */
+  /** Restore FXAA, and the swap of buffers. */
   void GiveBack();
   void End();
   void Interrupt();
@@ -100,13 +104,13 @@ private:
   vtkWeakPointer<vtkRenderWindow> Window;
   vtkNew<vtkCallbackCommand> Observer;
   std::vector<Volume> Volumes;
-  std::vector<vtkWeakPointer<vtkRenderer>> Smoothed; ///< renderers that have lent their FXAA
+  std::vector<vtkWeakPointer<vtkRenderer>> Smoothed; ///< renderers whose FXAA is off for now
   ///@{
   /** Empty: not known yet. */
   std::optional<bool> OnProcessor;
   std::optional<bool> WindowOnProcessor;
   ///@}
-  bool CastsOnProcessor = false; ///< some volume is drawn so
+  bool CastsOnProcessor = false; ///< some volume is drawn by another ray caster
   bool IsDrawing = false;
   bool IsQuick = false;
   bool IsTouched = false;
@@ -115,7 +119,7 @@ private:
   Rate InMotion{ 20.0 };
   Rate AtRest{ 2.0 };
   std::chrono::steady_clock::time_point Start;
-  int Pointer[2] = { 0, 0 }; ///< when the frame began
+  int Pointer[2] = { 0, 0 }; ///< pointer at the frame's beginning
 };
 
 } // namespace VolumeHaptics

@@ -31,8 +31,8 @@ constexpr const char* DeviceDeleted =
 
 struct vtkHapticViewLink::vtkInternals
 {
-  // This link keeps no object alive that ParaView or the user may delete, except those that restore
-  // the view.
+  // Keep no object alive that ParaView or the user may delete, except the objects that restore the
+  // view.
   vtkWeakPointer<vtkSMRenderViewProxy> View;
   vtkWeakPointer<vtkSMHapticDeviceProxy> DeviceProxy;
   vtkSmartPointer<vtkHapticDevice> Device;
@@ -155,7 +155,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     case vtkCommand::DeleteEvent:
       if (caller == d.DeviceProxy.GetPointer())
       {
-        d.DeviceProxy = nullptr; // nothing may be sent through it any more
+        d.DeviceProxy = nullptr; // nothing may be sent through the proxy any more
         this->End(DeviceDeleted);
       }
       else
@@ -166,7 +166,7 @@ void vtkHapticViewLink::OnEvent(vtkObject* caller, unsigned long event, void* da
     default:
       d.DeviceProxy = nullptr;
       d.Style->ForgetVolumes();
-      this->End(ViewClosed); // with the connection
+      this->End(ViewClosed); // closed with the connection
   }
 }
 
@@ -178,7 +178,7 @@ void vtkHapticViewLink::Detach()
   {
     return;
   }
-  // First of all, because the hand is no longer shown after this.
+  // Disarm first, because the hand is no longer shown after this.
   d.Device->Disarm();
   for (auto& [object, tag] : d.Observers)
   {
@@ -255,7 +255,7 @@ void vtkHapticViewLink::SetTouchMode(bool on)
   {
     return;
   }
-  // A user who pressed a button has no pointer in the view yet.
+  // A user who pressed a button has no pointer in the view yet: begin in its middle.
   const int* const size = d.Interactor->GetSize();
   d.Interactor->SetEventInformation(size[0] / 2, size[1] / 2);
   d.Style->SetTouchMode(on);

@@ -6,12 +6,12 @@
  *
  * Attach() gives the view's interactor a vtkHapticViewStyle, and shows the hand and the forces in
  * the view's non-composited renderer, which the client draws itself: so they are visible with local
- * and with remote rendering. Detach() disarms the device, removes both, and restores the very style
- * of before.
+ * and with remote rendering. Detach() disarms the device, removes both, and restores the previous
+ * style.
  *
  * The link ends by itself, and disarms first, if the view or the device is closed or unregistered,
  * if the connection closes, and if ParaView gives the view another style, for example for a 2D view
- * or a selection; that style then stays. GetReason() tells why, and vtkCommand::EndEvent is
+ * or a selection; that style then stays. GetReason() returns why, and vtkCommand::EndEvent is
  * invoked.
  *
  * The device stays open and started.
@@ -39,11 +39,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * False, with an error that tells the cure, if the view has no interactor (as in pvbatch), or
+   * False, with an error that names the cure, if the view has no interactor (as in pvbatch), or
    * already has a device. Detaches from another view first.
    */
   bool Attach(vtkSMRenderViewProxy* view, vtkSMHapticDeviceProxy* device);
-  /** Does nothing if nothing is attached. */
+  /** Detaches; does nothing if nothing is attached. */
   void Detach();
   bool IsAttached() const;
 
@@ -68,8 +68,8 @@ public:
   ///@}
 
   /**
-   * The keys of the view: lines of an action, a tabulator, and its keys, as GetKey() of
-   * vtkInteractorStyleHaptic has them. Empty unless attached.
+   * The keys of the view: lines of an action, a tabulator, and its keys in the format of
+   * vtkInteractorStyleHaptic::GetKey(). Empty unless attached.
    */
   std::string GetKeys() const;
 

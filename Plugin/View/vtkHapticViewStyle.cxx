@@ -26,17 +26,18 @@ vtkHapticViewStyle::vtkHapticViewStyle()
   : Slices(std::make_unique<VolumeHaptics::HapticSlices>())
   , Frames(std::make_unique<VolumeHaptics::HapticVolumeFrames>())
 {
-  // The properties of the filter Volume Haptics say what is felt: ParaView's undo and redo compare.
+  // No key compares settings: the properties of the filter Volume Haptics say what is felt, and
+  // ParaView's undo and redo compare.
   this->SetKey("Compare", "");
-  // There is nothing to slice, to measure or to edit here.
+  // This view has nothing to slice, to measure or to edit.
   for (const char* const action : { "Slices", "Point", "Distance", "Angle", "Path", "Area", "Undo",
          "Redo", "RemoveLast", "Measurements", "FunctionEditor", "NextFunction", "Propose",
          "DropProposal", "DockEditor", "ResetFunctions", "Labels" })
   {
     this->SetKey(action, "");
   }
-  // Keys that ParaView's main window has do not come here; s, d, f, g and b begin a selection,
-  // which ends the touch.
+  // ParaView's main window takes its own keys first; s, d, f, g and b begin a selection, which ends
+  // the touch.
   this->SetKey("Help", "question");
   this->SetKey("Graph", "G");
   this->SetKey("Details", "D");
@@ -53,7 +54,7 @@ void vtkHapticViewStyle::SetView(vtkSMRenderViewProxy* view)
 {
   this->View = view;
   this->Frames->SetView(view);
-  // It takes precedence over the renderer under the pointer.
+  // This renderer takes precedence over the renderer under the pointer.
   vtkRenderer* const renderer = view ? view->GetRenderer() : nullptr;
   this->SetDefaultRenderer(renderer);
   this->SetCurrentRenderer(renderer);

@@ -5,11 +5,11 @@
  * @brief   vtkInteractorStyleHaptic in a render view of ParaView
  *
  * Draws with the view's StillRender and InteractiveRender, never with the window's Render, so that
- * data on servers are rendered, too. Picks in the one renderer that shows the data, whichever of
- * the view's renderers is under the pointer. Of VTK's keys only "r" is left, which resets the
- * view's camera: the others would change actors that belong to ParaView. Keys arm through the
- * device's property Armed, which follows the device when something disarms it; the key for the next
- * method sets Method and Solver of the touched filter.
+ * data on servers are rendered, too. Picks in the renderer that shows the data, whichever of the
+ * view's renderers is under the pointer. Of VTK's keys, only "r" remains, which resets the view's
+ * camera: the others would change actors that belong to ParaView. Keys arm through the device's
+ * property Armed, which follows the device when something disarms it; the key for the next method
+ * sets Method and Solver of the touched filter.
  *
  * While the scene is touched, ParaView's volumes are drawn by VTK's ray caster for processors where
  * OpenGL runs on the processor, too, without speckles and as quickly as 20 frames a second allow.
@@ -43,13 +43,14 @@ public:
 
   ///@{
   /**
-   * The view and the device. They are not kept alive: a deleted one is neither drawn nor polled.
+   * The view and the device. They are not kept alive: a deleted view is not drawn, a deleted device
+   * not polled.
    */
   void SetView(vtkSMRenderViewProxy* view);
   void SetDeviceProxy(vtkSMHapticDeviceProxy* device);
   ///@}
 
-  /** Call it before the end of a session whose server may have gone: nothing is sent there. */
+  /** Call it before the end of a session whose server may be lost: then nothing is sent to it. */
   void ForgetVolumes();
 
   ///@{
@@ -63,9 +64,10 @@ public:
   ///@}
 
   /**
-   * Tells where the pointer is on the screen, in pixels, in a program whose events of the mouse
-   * wait in a queue that is not VTK's: it is asked during fine frames, and a motion gives the frame
-   * up. The dock window sets Qt's. Null: such frames are drawn to their end. Default null.
+   * Sets a function that returns the pointer's position on the screen, in pixels, in a program
+   * whose mouse events wait in a queue that is not VTK's: it is asked during fine frames, and a
+   * motion gives the frame up. The dock window sets Qt's. Null: such frames are drawn to their end.
+   * Default null.
    */
   static void SetPointerQuery(void (*query)(int position[2]));
 

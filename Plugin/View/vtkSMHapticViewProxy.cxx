@@ -34,7 +34,7 @@ vtkHapticViewLink* vtkSMHapticViewProxy::GetLink()
 //------------------------------------------------------------------------------
 void vtkSMHapticViewProxy::UpdateVTKObjects()
 {
-  // All of it is in the client: nothing has to be sent.
+  // All objects are in the client: nothing has to be sent.
   this->Link->SetSlicesFollowTip(vtkSMPropertyHelper(this, "SlicesFollowTip").GetAsInt() != 0);
   if (vtkSMPropertyHelper(this, "Attached").GetAsInt() == 0)
   {
@@ -62,7 +62,7 @@ void vtkSMHapticViewProxy::OnEnd()
 {
   vtkSMPropertyHelper(this, "Attached").Set(0);
   vtkSMPropertyHelper(this, "TouchMode").Set(0);
-  // A closed view must not be kept alive.
+  // Do not keep a closed view alive.
   vtkSMPropertyHelper(this, "View").RemoveAllValues();
   vtkSMPropertyHelper(this, "Device").RemoveAllValues();
 }

@@ -23,7 +23,7 @@ namespace
 
 constexpr int PieceTag = 78232;
 
-/** The part of a box that is in another one; false if there is none. */
+/** The intersection of two boxes; false if it is empty. */
 bool Intersect(const int a[6], const int b[6], int both[6])
 {
   bool isThere = true;
@@ -68,7 +68,7 @@ std::vector<T> ReceiveNumbers(vtkMultiProcessController* controller, int from)
   return numbers;
 }
 
-/** Notes that a part of a region has come. */
+/** Records that a part of a region has arrived. */
 void Note(const int part[6], const int region[6], std::vector<bool>& isThere)
 {
   for (int k = part[4]; k <= part[5]; ++k)
@@ -147,7 +147,7 @@ bool HapticPieceGather::GatherRegion(vtkImageData* piece, vtkDataArray* array, c
   int both[6] = { 0, -1, 0, -1, 0, -1 };
   const bool hasPart = array && Intersect(piece->GetExtent(), region, both);
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
-  // A process without memory must report that before others wait for its part.
+  // A process without memory must report this before others wait for its part.
   std::vector<std::vector<int>> parts;
   vtkSmartPointer<vtkDataArray> whole;
   vtkSmartPointer<vtkDataArray> part;

@@ -33,10 +33,10 @@ public:
   HapticPieceGather(
     vtkMultiProcessController* controller, int arrayType, int components, std::string arrayName);
 
-  /** See vtkHapticRegionFilter::GatherSamples. The entries are those of the components. */
+  /** See vtkHapticRegionFilter::GatherSamples. There is an entry per component. */
   void GatherSamples(const int whole[6], std::vector<VolumeHaptics::NoiseSamples>& samples) const;
 
-  /** See vtkHapticRegionFilter::GatherRegion. The output of the other processes is empty. */
+  /** See vtkHapticRegionFilter::GatherRegion. On other processes, the output is empty. */
   bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     SampleCopier copySamples, vtkImageData* output, std::string& error) const;
 

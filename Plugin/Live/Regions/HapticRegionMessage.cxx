@@ -26,13 +26,13 @@ namespace
 
 constexpr int MessageTag = 78231;
 /**
- * A message is sent in parts of this size (bytes), so that one that does not fit into memory can be
- * skipped.
+ * The size (bytes) of a message's parts. A message that does not fit into memory can be skipped
+ * part by part.
  */
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
-/** No region has more bytes. */
+/** The most bytes of a region. */
 constexpr std::int64_t MostBytes = std::int64_t{ 1 } << 36;
-/** Reads as another number on a computer with another byte order. */
+/** A computer with another byte order reads a different number. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
 {
@@ -64,7 +64,7 @@ void PutText(std::vector<char>& message, const char* text)
   Put(message, text, static_cast<std::size_t>(size));
 }
 
-/** Bits have no size of their own, and no address. */
+/** Whether a type has whole bytes: bits have no size of their own, and no address. */
 bool CanSend(vtkDataArray* array)
 {
   return array && array->GetDataTypeSize() > 0;
@@ -84,7 +84,7 @@ void PutArray(std::vector<char>& message, vtkDataArray* array)
   Put(message, array->GetVoidPointer(0), size);
 }
 
-/** Takes numbers from a message until its end. */
+/** Reads numbers from a message up to its end. */
 class Reader
 {
 public:
@@ -133,7 +133,7 @@ public:
     const auto tuples = this->Take<std::int64_t>();
     vtkSmartPointer<vtkDataArray> array;
     array.TakeReference(vtkDataArray::CreateDataArray(type));
-    // Bits have no size by which to divide.
+    // Avoid a division by zero: bits have no size.
     const std::int64_t size = array ? array->GetDataTypeSize() : 0;
     const auto rest = static_cast<std::int64_t>(this->Message.size() - this->Next);
     this->IsGood = this->IsGood && size > 0 && components > 0 && tuples >= 0 &&

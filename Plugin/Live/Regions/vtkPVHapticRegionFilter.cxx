@@ -70,8 +70,8 @@ bool vtkPVHapticRegionFilter::CanExecute(bool hasPiece, std::string& error)
     array->GetDataTypeSize() > 0 && array->GetNumberOfTuples() == piece->GetNumberOfPoints();
   const bool isPart = hasArray && !isEmpty;
   const std::string name = isPart && array->GetName() ? array->GetName() : "";
-  // The largest over all processes of: whether something is wrong here, the kind of the array, and
-  // the number of a process that has a part of it.
+  // The largest over all processes: whether something is wrong here, the kind of the array, and the
+  // number of a process with a part of it.
   const int here[6] = { hasPiece ? 0 : 1, isEmpty || hasArray ? 0 : 1, isEmpty ? 0 : 1,
     isPart ? array->GetDataType() : -1, isPart ? array->GetNumberOfComponents() : 0,
     isPart && !this->IsAlone() ? this->Controller->GetLocalProcessId() : -1 };
@@ -127,7 +127,7 @@ void vtkPVHapticRegionFilter::ShareName(int from)
 int vtkPVHapticRegionFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Only the piece of this process: nothing has to be read again.
+  // Request only the piece of this process: nothing has to be read again.
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
   if (auto* const piece = vtkImageData::GetData(info))
   {

@@ -5,9 +5,9 @@
  * @brief   a region of a volume whose pieces are on several processes
  *
  * vtkHapticRegionFilter on every process of a controller, each with its own piece and the whole's
- * extent: the first process has the output. The noise is that of the whole, to the bit, for any
- * division into pieces. All processes have to execute it together; before that they have to agree,
- * by CanExecute, that they can.
+ * extent: the first process has the output. The noise equals the whole volume's to the bit, for any
+ * division into pieces. All processes have to execute it together; before that, they agree with
+ * CanExecute that they can.
  */
 #ifndef vtkPVHapticRegionFilter_h
 #define vtkPVHapticRegionFilter_h
@@ -42,7 +42,7 @@ public:
    */
   bool CanExecute(bool hasPiece, std::string& error);
 
-  /** Why the last region after that could not be gathered; empty if it was not tried. */
+  /** Why gathering the last region failed; empty if it was not tried. */
   std::string GetProblem() const;
 
 protected:

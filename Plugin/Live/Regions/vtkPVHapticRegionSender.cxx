@@ -31,7 +31,7 @@
 vtkStandardNewMacro(vtkPVHapticRegionSender);
 
 //------------------------------------------------------------------------------
-/** The volume at a time that was sent. */
+/** The volume at a sent time. */
 struct vtkPVHapticRegionSender::Instant
 {
   vtkNew<vtkPVHapticRegionFilter> Filter;
@@ -40,11 +40,14 @@ struct vtkPVHapticRegionSender::Instant
   int Whole[6] = { 0, -1, 0, -1, 0, -1 };
   std::string Array;
   ///@{
-  /** Of data that are no image: the piece of this process, and what resamples all of them. */
+  /**
+   * For data that are no image: the piece of this process, and the source that resamples all of
+   * them.
+   */
   vtkSmartPointer<vtkDataObject> Piece; ///< a shallow copy
   vtkWeakPointer<vtkDataObject> Seen;
   vtkMTimeType SeenTime = 0;
-  bool IsNew = false;                             ///< since it was opened
+  bool IsNew = false;                             ///< new since Regions was opened
   vtkSmartPointer<vtkHapticRegionSource> Regions; ///< on the first process; null if it failed
   std::string Problem;                            ///< why it failed
   ///@}
@@ -65,10 +68,10 @@ struct vtkPVHapticRegionSender::Instant
 namespace
 {
 
-/** A corner in which the largest kernel fits. */
+/** A corner with room for the largest kernel. */
 constexpr int CornerSteps = 39;
 
-/** The region that was asked for, or the corner of a volume. */
+/** The requested region, or the corner of a volume. */
 void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
 {
   std::copy_n(region, 6, wanted);
@@ -82,7 +85,7 @@ void ChooseRegion(const int whole[6], const int region[6], int wanted[6])
   }
 }
 
-/** On the first process, the pieces of all of them; each process has one. */
+/** Gathers the pieces of all processes on the first process; each process has one. */
 vtkSmartPointer<vtkDataObject> GatherPieces(
   vtkDataObject* piece, vtkMultiProcessController* controller)
 {
@@ -134,7 +137,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   {
     return false;
   }
-  // Requests the same as ParaView's own views, so that nothing is read a second time.
+  // Makes the same request as ParaView's own views, so that nothing is read a second time.
   vtkAlgorithm* const source = input->GetProducer();
   const int port = input->GetIndex();
   auto* const pipeline = Pipeline::SafeDownCast(source->GetExecutive());
@@ -145,7 +148,7 @@ bool vtkPVHapticRegionSender::UpdatePiece(Instant& instant)
   vtkInformation* const info = source->GetOutputInformation(port);
   if (info->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // A filter with a path asks the other processes for nothing, and an empty extent stays.
+    // A filter with a path requests nothing from the other processes, and an empty extent stays.
     int whole[6];
     info->Get(Pipeline::WHOLE_EXTENT(), whole);
     info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
@@ -178,7 +181,7 @@ vtkPVHapticRegionSender::Instant* vtkPVHapticRegionSender::Find(double time, boo
   const Instant& latest = *this->Instants[this->Latest];
   if (isPresent && latest.IsThere && latest.Time != time)
   {
-    this->Latest = 1 - this->Latest; // the older one is no longer needed
+    this->Latest = 1 - this->Latest; // the older time is no longer needed
   }
   if (isPresent)
   {
@@ -258,7 +261,7 @@ bool vtkPVHapticRegionSender::Resample(Instant& instant, bool hasPiece, const ch
   vtkPointData* const points = image->GetPointData();
   if (vtkDataArray* const found = name.empty() ? nullptr : points->GetArray(name.c_str()))
   {
-    points->SetScalars(found); // what is sent
+    points->SetScalars(found); // the data to send
   }
   return true;
 }

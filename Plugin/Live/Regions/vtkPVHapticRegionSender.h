@@ -6,13 +6,13 @@
  *
  * Every process of the server requests the piece from its input that it already has, so that
  * nothing is read again. The first process sends the region that they assemble. If the data have
- * several times, the pieces of the last two that were sent stay here, so that regions of both can
- * be had. See vtkSMHapticRegionProxy for the other side.
+ * several times, the pieces of the last two sent times are kept, so that regions of both can be
+ * requested. See vtkSMHapticRegionProxy for the other side.
  *
  * Data that are no image, and composite data, are gathered on the first process, which resamples
  * the regions (vtkHapticRegionSource::OpenDataSet).
  *
- * Of a vtkPVHapticLargeFile, the first process reads regions from the file itself.
+ * For a vtkPVHapticLargeFile, the first process reads regions from the file itself.
  */
 #ifndef vtkPVHapticRegionSender_h
 #define vtkPVHapticRegionSender_h
@@ -35,9 +35,9 @@ public:
   /**
    * Send a region (an extent) of a point array by name. An empty name means the active scalars. A
    * region without indices means a corner of the volume, from which the client learns the position
-   * of the whole. The present volume is that which the input has; its time is what the client calls
-   * it. Another one must be among the two that were sent last, as an error tells. Call it on all
-   * processes together. The client gets exactly one answer: the region, or an error.
+   * of the whole. The present volume is the input's; the client gives its time. Another time must
+   * be among the last two sent ones; else the answer is an error. Call it on all processes
+   * together. The client gets exactly one answer: the region, or an error.
    */
   void Send(
     const char* array, int x0, int x1, int y0, int y1, int z0, int z1, double time, int isPresent);
@@ -61,13 +61,13 @@ private:
   static bool IsGrid(const Instant& instant);
   bool Assemble(
     Instant& instant, bool hasPiece, const char* array, const int region[6], std::string& error);
-  /** Collective; on the first process there is the image. */
+  /** Collective; the first process has the image. */
   static bool Resample(Instant& instant, bool hasPiece, const char* array, const int region[6],
     vtkImageData* image, std::string& error);
 #endif
 
   std::unique_ptr<Instant> Instants[2];
-  int Latest = 0; ///< of Instants
+  int Latest = 0; ///< index into Instants
 };
 
 #endif

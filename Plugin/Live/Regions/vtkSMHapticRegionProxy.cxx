@@ -31,7 +31,7 @@ void vtkSMHapticRegionProxy::MarkDirty(vtkSMProxy* modified)
 //------------------------------------------------------------------------------
 bool vtkSMHapticRegionProxy::HasSender()
 {
-  // A server that does not know the request gives no answer, and the client would wait.
+  // A server that does not know the request sends no answer, and the client would wait.
   if (!this->IsKnown)
   {
     vtkClientServerStream stream;
@@ -83,7 +83,7 @@ vtkSMHapticRegionProxy::Answer vtkSMHapticRegionProxy::Fetch(const std::string& 
   }
   catch (const std::bad_alloc&)
   {
-    return LOST; // an answer that was not taken would look like the next one
+    return LOST; // an answer left unread would look like the next answer
   }
   try
   {

@@ -28,7 +28,7 @@ public:
   enum Answer
   {
     FETCHED,
-    REFUSED, ///< the error tells the server's reason
+    REFUSED, ///< the error has the server's reason
     LOST     ///< the server does not answer
   };
 
