@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An ordinary VTK volume viewer, and the ten lines that make its volume one to be touched.
+// An ordinary VTK volume viewer, and the ten lines that make its volume touchable.
 #include <vtkColorTransferFunction.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticProperty.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How a program adds a device of its own to those of vtkHapticDevice: a back end, a kind, and two
-// lines in the application. The "library" here is a stand-in with the shape that device libraries
-// share, so that the example runs as it is: put your calls in the place of OwnLibrary's. For a
-// device that all programs are to use, write a plug-in instead: see VendorDevice.cxx.
+// Adds a program's own device to vtkHapticDevice: a back end, a kind, and two lines in the
+// application. The "library" here is a stand-in with the shape that device libraries share, so that
+// the example runs as it is: replace OwnLibrary's calls by your own. To offer a device to all
+// programs, write a plug-in instead: see VendorDevice.cxx.
 #include <Devices/Common/DeviceKind.h>
 #include <vtkHapticDevice.h>
 #include <vtkNew.h>
@@ -30,9 +30,9 @@ int CountDevices()
 }
 int Open(int /*number*/)
 {
-  return 42; // a handle, below zero for an error
+  return 42; // a handle; below zero: an error
 }
-int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is nothing new
+int Read(int /*handle*/, Pose* pose) // below zero: an error; 0: nothing new
 {
   static double time = 0.0;
   time += 0.001;
@@ -90,7 +90,7 @@ public:
     }
   }
   std::string GetName() const override { return "own:" + std::to_string(this->Number); }
-  // From the data sheet. What is not limited, or not known, is 0.
+  // From the data sheet. 0: no limit, or not known.
   DeviceLimits GetLimits() const override
   {
     DeviceLimits limits;
@@ -110,30 +110,32 @@ public:
     const int result = OwnLibrary::Read(this->Handle, &pose);
     if (result < 0)
     {
-      return DeviceState::Lost; // cuts the force off until the user opens and arms it again
+      return DeviceState::Lost; // removes the force until the user opens and arms the device again
     }
-    // Ours are metres, and axes that point right, up and towards the user.
+    // DeviceSample has metres, and axes that point right, up and towards the user.
     const double* const p = pose.Millimetres;
     sample.Tip = { 1e-3 * p[0], 1e-3 * p[2], -1e-3 * p[1] };
-    // Ours is w first; the other three change their axes as a position does. If the library can't
-    // tell, leave HasOrientation false. See DeviceBackend.h for the axes of the stylus itself.
+    // DeviceSample has w first; x, y and z change their axes as a position does. If the library
+    // measures no orientation, leave HasOrientation false. DeviceBackend.h has the axes of the
+    // stylus itself.
     const double* const q = pose.Quaternion;
     sample.Orientation = { q[3], q[0], q[2], -q[1] };
     sample.HasOrientation = true;
     sample.Buttons = pose.Buttons;
     sample.Fresh = result > 0;
-    // When it was measured: now, as this library does not tell it.
+    // The time of the measurement: now, because this library does not report it.
     sample.Time = sample.Fresh ? Now() : 0;
     return DeviceState::Running;
   }
   DeviceState Write(const Vector3& force) noexcept override
   {
-    // It has come through the safety stage: finite, clamped, slewed. Back to the library's axes.
+    // The force has passed the safety stage: finite, clamped, slewed. Convert it to the library's
+    // axes.
     const double newtons[3] = { force.X, -force.Z, force.Y };
     return OwnLibrary::Write(this->Handle, newtons) < 0 ? DeviceState::Lost : DeviceState::Running;
   }
-  // From any thread, when the servo's does not answer. A library that takes calls from one thread
-  // only needs a watchdog of its own here; this one takes them from any.
+  // Any thread may call this when the servo's thread does not answer. A library that accepts calls
+  // from one thread only needs a watchdog of its own here; this one accepts them from any.
   void Quench() noexcept override
   {
     const double none[3] = { 0.0, 0.0, 0.0 };

@@ -63,7 +63,7 @@ public:
   ~Window() override
   {
     this->View->interactor()->SetInteractorStyle(nullptr);
-    this->Device->Close(); // disarms, and waits for the servo
+    this->Device->Close(); // disarms, and waits for the servo to stop
   }
 
 private:
@@ -94,7 +94,7 @@ private:
     this->Device->Open("virtual"); // the mouse
     this->Style->SetDevice(this->Device);
     this->Style->SetDefaultRenderer(this->Renderer);
-    this->Style->TouchVolume(this->Volume); // what it shows, now and later
+    this->Style->TouchVolume(this->Volume); // touch what the volume shows, now and later
     this->Device->GetVolumeHaptics()->GetProperty()->ApplyPreset("CT contrast");
     this->Device->Start();
     this->Hand->SetDevice(this->Device);
@@ -102,13 +102,13 @@ private:
     this->Display->SetDevice(this->Device); // says what to do, and what is felt
     this->Renderer->AddViewProp(this->Display);
     this->Style->SetHeadUpDisplay(this->Display);
-    // The interactor of the widget has timers of Qt, with which the style follows the servo.
+    // The widget's interactor has timers of Qt; the style polls the servo with them.
     vtkRenderWindowInteractor* const interactor = this->View->interactor();
     interactor->SetInteractorStyle(this->Style);
-    // Lets go when the widget is hidden, minimised or closed.
+    // Ends the touch when the widget is hidden, minimised or closed.
     VolumeHaptics::WidgetWatch::Watch(this->View, this->Style);
 
-    // The key q, which ends VTK's own loop.
+    // Key q closes the window; VTK would end its own loop.
     this->Quit->SetClientData(this);
     this->Quit->SetCallback([](vtkObject*, unsigned long, void* window, void*)
       { static_cast<Window*>(window)->close(); });
@@ -123,13 +123,13 @@ private:
     QObject::connect(touch, &QAction::triggered,
       [this](bool on)
       {
-        // The pointer is on the button, so that the touch begins in the middle.
+        // The pointer is on the button, so the touch begins in the middle.
         vtkRenderWindowInteractor* const interactor = this->View->interactor();
         const int* const size = interactor->GetSize();
         interactor->SetEventInformation(size[0] / 2, size[1] / 2);
         this->Style->SetTouchMode(on);
       });
-    // The key t begins and ends the touch, too.
+    // Key t begins and ends the touch, too: show its state on the button.
     this->Follow->SetClientData(touch);
     this->Follow->SetCallback(
       [](vtkObject* style, unsigned long, void* action, void*)

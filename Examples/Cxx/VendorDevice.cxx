@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A template of a plug-in, through which all programs of VTK Volume Haptics reach a device that
-// needs its vendor's library:
+// A template of a plug-in. It gives all programs of VTK Volume Haptics a device that needs its
+// vendor's library:
 //
 //   cmake -S Examples/Cxx -B build -DVolumeHaptics_DIR=... && cmake --build build
 //   export VOLUMEHAPTICS_VENDOR_PATH=$PWD/build
@@ -10,8 +10,8 @@
 //   volumehaptics-device monitor vendor:example:0
 //
 // The "library" here is a stand-in with the shape that such libraries share, so that the example
-// runs as it is: put your vendor's calls in the place of VendorSdk's. VendorPlugin.h says what each
-// function has to do. Others may not write the plug-in or a folder above it, else it is not loaded.
+// runs as it is: replace VendorSdk's calls by your vendor's. VendorPlugin.h says what each
+// function has to do. The plug-in is not loaded if other users may write it or a folder above it.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include <cmath>
@@ -33,9 +33,9 @@ int CountDevices()
 }
 int Open(int number)
 {
-  return number == 0 ? 42 : -1; // a handle, below zero for an error
+  return number == 0 ? 42 : -1; // a handle; below zero: an error
 }
-int Read(int /*handle*/, Pose* pose) // below zero for an error, 0 if there is nothing new
+int Read(int /*handle*/, Pose* pose) // below zero: an error; 0: nothing new
 {
   static double time = 0.0;
   time += 0.001;
@@ -71,7 +71,7 @@ int Count()
 int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
   std::snprintf(name, nameSize, "A stylus of a vendor");
-  // The user's confirmations and calibrations are remembered under it.
+  // Confirmations and calibrations of the user are stored under this name.
   std::snprintf(serial, serialSize, "example-%d", number);
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
@@ -114,17 +114,17 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   const int result = VendorSdk::Read(device->Handle, &told);
   if (result < 0)
   {
-    // Cuts the force off until the user opens or homes it, and arms it again.
+    // Removes the force until the user opens or homes the device, and arms it again.
     device->Error = "does not answer. Look after its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
-  // Ours are metres, and axes that point right, up and towards the user.
+  // The sample has metres, and axes that point right, up and towards the user.
   const double* const p = told.Millimetres;
   pose->Position[0] = 1e-3 * p[0];
   pose->Position[1] = 1e-3 * p[2];
   pose->Position[2] = -1e-3 * p[1];
-  // Ours is w first; the other three change their axes as a position does. If the library can't
-  // tell, leave HasOrientation 0.
+  // The sample has w first; x, y and z change their axes as a position does. If the library
+  // measures no orientation, leave HasOrientation 0.
   const double* const q = told.Quaternion;
   pose->Orientation[0] = q[3];
   pose->Orientation[1] = q[0];
@@ -138,7 +138,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
 int Write(void* handle, const double force[3], const double[3])
 {
   auto* const device = static_cast<Device*>(handle);
-  // Back to the library's axes.
+  // Convert to the library's axes.
   const double newtons[3] = { force[0], -force[2], force[1] };
   if (VendorSdk::Write(device->Handle, newtons) < 0)
   {

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball that beats, and pushes a hand that rests: the servo plays the frames, and what is seen is what is felt."""
+"""A ball beats and pushes a resting hand: the servo plays the frames, and the eye sees what the hand feels."""
 import argparse
 import math
 
@@ -9,8 +9,8 @@ import numpy as np
 import pyvista as pv
 from volumehaptics.pyvista import add_haptics
 
-RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius and its change, and where the hand rests
-FRAMES = 24  # of a beat, which takes a second
+RADIUS, STROKE, REST = 20.0, 2.0, 19.0  # mm: the ball's mean radius, its change, and the height of the hand
+FRAMES = 24  # in a beat of one second
 STIFFNESS = 0.5  # N/mm
 
 parser = argparse.ArgumentParser(description=__doc__)
@@ -41,12 +41,12 @@ ball = plotter.add_volume(
     opacity_unit_distance=3, show_scalar_bar=False)
 ball.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, times, visibility=False)
-haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N: the ball holds all of it
+haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(0.0, 3.0)  # N: the surface holds all forces here
 haptics.head_up_display.AddTissue("the ball", 400, 1000)
 device = haptics.device
 plotter.view_vector((0.3, -1.0, 0.25), (0, 0, 1))
 plotter.camera.zoom(1.2)
-plotter.camera.SetWindowCenter(-0.16, 0.0)  # beside the figures
+plotter.camera.SetWindowCenter(-0.16, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
 
 device.PlaceVirtualTip(REST, 0.0, 0.0)
@@ -60,8 +60,8 @@ if chosen.movie:
     scene.film(chosen.movie, chosen.pictures, span=1.0, rate=max(1, chosen.pictures // 2))
 if chosen.picture:
     device.SetPlaybackSpeed(0.25)
-    scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # where the ball is largest
+    scene.watch(8.0, lambda: abs(device.GetDataTime() - 0.25) < 0.02)  # at the ball's largest radius
     scene.take(chosen.picture)
 elif not chosen.movie:
-    plotter.show()  # press t with the pointer on the ball; space holds
+    plotter.show()  # press t with the pointer on the ball; space pauses
 plotter.close()

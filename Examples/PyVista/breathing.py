@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scan that breathes: displacements tell how it moves, and what comes up pushes a hand that rests in the air above it.
+"""A scan that breathes: displacements describe its motion, and rising tissue pushes a hand that rests in the air above.
 
-The breath is that of Data/moving.py, by a formula: everything goes down by up to 12 mm, and back. The hand rests below
-a surface that air lies upon, such as the diaphragm's of a chest CT, where that surface is when all is breathed out.
+The breath is the formula of Data/moving.py: everything goes down by up to 12 mm, and back. The hand rests where a
+surface below air, such as the diaphragm of a chest CT, is after breathing out.
 """
 import argparse
 import pathlib
@@ -22,7 +22,7 @@ import moving  # noqa: E402
 SECONDS = 2.0  # from breathed out to breathed in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
 AIR, TISSUE = -600, -200  # HU
-DEEP = 4.0  # mm: by so much a surface pushes the hand, or by half of what it moves
+DEEP = 4.0  # mm: the surface pushes the hand by this, or by half of its own motion
 
 parser = argparse.ArgumentParser(description=__doc__)
 parser.add_argument("volume", nargs="?", help="a NIfTI file of a CT, or what PyVista reads (default: the phantom)")
@@ -44,7 +44,7 @@ def read(file):
     reader.Update()
     scan = pv.wrap(reader.GetOutput())
     hu = np.asarray(scan.active_scalars).reshape(scan.dimensions[::-1]) + reader.GetRescaleIntercept()
-    to_patient = reader.GetSFormMatrix() or reader.GetQFormMatrix()  # to the right, the front, and the top
+    to_patient = reader.GetSFormMatrix() or reader.GetQFormMatrix()  # right, front and top are positive
     signs = [to_patient.GetElement(axis, axis) if to_patient else 1.0 for axis in range(3)]
     return hu[::1 if signs[2] > 0 else -1, ::-1 if signs[1] > 0 else 1, ::-1 if signs[0] > 0 else 1], scan.spacing
 
@@ -57,7 +57,7 @@ breath = moving.Breath(values, origin, spacing)
 
 
 def frame(number):
-    """The scan at a frame, with the displacements to the next one."""
+    """The scan at a frame, with the displacements to the next frame."""
     image = pv.ImageData(dimensions=values.shape[::-1], spacing=spacing, origin=origin)
     hu, motion = breath.frame(number, 2 * FRAMES - 2)
     image["HU"], image["motion"] = hu.ravel(), motion.reshape(-1, 3)
@@ -66,7 +66,7 @@ def frame(number):
 
 
 def gaussian(volume):
-    """Smoothed, so that noise does not tell which way is up."""
+    """Smooths a volume, so that noise does not decide which way is up."""
     for axis in (0, 1, 2):
         for _ in range(4):
             volume = 0.5 * volume + 0.25 * (np.roll(volume, 1, axis) + np.roll(volume, -1, axis))
@@ -74,8 +74,8 @@ def gaussian(volume):
 
 
 def find_surface():
-    """Where tissue lies below air, level, and goes down most: its place, and by how much (mm)."""
-    # From each voxel that is tissue, with air in the four above it.
+    """The position of level tissue below air that goes down most, and how far it goes (mm)."""
+    # Voxels of tissue with air in the four voxels above.
     above = np.stack([values[1 + i:values.shape[0] - 3 + i] < AIR for i in range(4)]).all(axis=0)
     depth = breath.depth(np.broadcast_to(breath.axes[2][:, None, None], values.shape))
     across = gaussian(values.astype(np.float32))
@@ -103,7 +103,7 @@ body = plotter.add_volume(
 body.prop.interpolation_type = "linear"
 haptics = add_haptics(plotter, frames, np.linspace(0.0, SECONDS, FRAMES), visibility=False)
 haptics.filter.SetDisplacementArrayName("motion")
-# The lung has faint edges of its own, which would push on the way.
+# Edges inside the lung are faint, and would push the hand on its way.
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(AIR, 0.0)
 haptics.filter.GetProperty().GetSurfaceStrength().AddPoint(TISSUE, STRENGTH)
 for tissue, low, high in (("lung", -950, -600), ("fat", -150, -20), ("muscle or an organ", -20, 150), ("bone", 150, 3000)):
@@ -113,7 +113,7 @@ device.SetPlaybackToPingPong()
 device.SetDataTime(SECONDS)
 plotter.view_vector((0.25, -1.0, 0.15), (0, 0, 1))
 plotter.camera.zoom(1.5)
-plotter.camera.SetWindowCenter(-0.26, 0.0)  # beside the figures
+plotter.camera.SetWindowCenter(-0.26, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
 device.PlaceVirtualTip(*rest)
 device.Arm()
@@ -125,8 +125,8 @@ if chosen.movie:
     scene.film(chosen.movie, chosen.pictures, span=2.0 * SECONDS, rate=max(1, chosen.pictures // 3))
     device.SetPlaybackSpeed(1.0)
 if chosen.picture:
-    scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # breathed out
+    scene.watch(8.0, lambda: device.GetDataTime() < 0.02 * SECONDS)  # after breathing out
     scene.take(chosen.picture)
 elif not chosen.movie:
-    plotter.show()  # press t with the pointer on the surface; space holds
+    plotter.show()  # press t with the pointer on the surface; space pauses
 plotter.close()

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hand strokes the side of a head: the trail of the proxy has the colour of the force on the hand."""
+"""A hand strokes the side of a head: the trail of the proxy is coloured by the force on the hand."""
 import gallery
 import numpy as np
 from volumehaptics.pyvista import touch
 
 head, picture = gallery.options(__doc__)
 
-# From the forehead to the back of the head, in waves, 1 to 5 mm below the skin.
+# The path goes from the forehead to the back of the head, in waves, 1 to 5 mm below the skin.
 turn = np.linspace(0.35, 2.35, 90)
 wave = 0.42 + 0.16 * np.cos(4 * turn)
 tip = gallery.over_skin(

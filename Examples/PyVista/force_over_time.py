@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hand presses into a cheek and slides: what the force is made of, and which tissue is felt, over time."""
+"""A hand presses into a cheek and slides: the parts of the force, and the felt tissue, over time."""
 import gallery
 import numpy as np
 from volumehaptics.pyvista import touch
 
-# Upper limits (HU).
+# Upper limits of the tissues (HU).
 TISSUES = {"air": -500, "skin's edge": -150, "fat": -20, "muscle": 90, "cartilage": 300, "bone": 3000}
 
 head, picture = gallery.options(__doc__)

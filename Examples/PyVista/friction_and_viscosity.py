@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Friction holds a hand back that slides over a surface, viscosity one that moves inside."""
+"""Friction holds back a hand that slides over a surface; viscosity holds back a hand that moves inside."""
 import gallery
 import numpy as np
 import pyvista as pv
@@ -9,15 +9,15 @@ from volumehaptics.pyvista import touch
 
 picture = gallery.options(__doc__, volume=False)
 
-# A block that begins at z = 0 and goes down, and values that rise by 100 a millimetre.
+# A block below z = 0, with values that rise by 100 a millimetre.
 block = pv.ImageData(dimensions=(81, 41, 41), origin=(-40, -20, -20))
 block["depth"] = -100.0 * block.points[:, 2]
 
 
 def slide(depth, **functions):
-    """Down by a depth (mm) and 40 mm along, at 40 mm/s."""
+    """Goes down to a depth (mm), then 40 mm along, at 40 mm/s."""
     material = vtkHapticProperty()
-    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 there is nothing
+    material.GetSurfaceStrength().AddPoint(-1, 0.0)  # above z = 0 is nothing
     material.GetSurfaceStrength().AddPoint(1, functions.pop("strength"))
     for name, value in functions.items():
         getattr(material, f"Get{name}")().AddPoint(0, value)

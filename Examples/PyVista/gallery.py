@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the scripts of the gallery: options, paths over a head, the look of a picture, and showing it."""
+"""Shared by the scripts of the gallery: options, paths over a head, the look of a picture, and how to show it."""
 import argparse
 import time
 
@@ -11,11 +11,11 @@ from volumehaptics import examples
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-# Of -600 to 1000 HU: skin, then what is soft, then bone.
+# Opacities between -600 and 1000 HU: skin, soft tissue, bone.
 SKIN = LinearSegmentedColormap.from_list(
     "skin", ["#d8997a", "#edb08f", "#e5a083", "#e0977d", "#e6b9a0", "#f5ebd8", "#faf2e4", "#ffffff"])
 OPACITY = [0.0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 0.98]
-# Of -1000 to 1000 HU: the lung's surface, what is soft as a veil, and bone.
+# Opacities between -1000 and 1000 HU: the lung's surface, soft tissue as a veil, and bone.
 CHEST = LinearSegmentedColormap.from_list(
     "chest", ["#6a5560", "#c98f86", "#d8997a", "#e0977d", "#d9725f", "#f0dcc0", "#faf2e4", "#ffffff", "#ffffff"])
 CHEST_OPACITY = [0.0, 0.0, 0.07, 0.05, 0.03, 0.45, 0.8, 0.95, 0.98]
@@ -23,7 +23,7 @@ COLOURS = ["#1f6fb4", "#e0701a", "#2a9d4f", "#b13a7c", "#6b57b8"]
 
 
 def options(about, volume=True):
-    """The head, if a script takes one, and the file of the picture: None shows it in a window."""
+    """Reads the options: the head, if the script needs one, and the picture's file; None shows a window."""
     parser = argparse.ArgumentParser(description=about)
     if volume:
         parser.add_argument(
@@ -36,7 +36,7 @@ def options(about, volume=True):
 
 
 def over_skin(head, directions, depth, speed=80.0):
-    """The path of a tip (mm) below the skin, along which rays from the middle leave the head, at a speed (mm/s).
+    """A path (mm) below the skin, where rays from the middle leave the head, at a speed (mm/s).
 
     depth: below the skin (mm), for each direction; negative is in the air.
     """
@@ -49,14 +49,14 @@ def over_skin(head, directions, depth, speed=80.0):
 
 
 def at_speed(points, speed):
-    """A smooth way through points (mm) with the array Time (s), at a speed (mm/s)."""
+    """A smooth path through points (mm), with the array Time (s), at a speed (mm/s)."""
     way = pv.Spline(np.asarray(points, float), 20 * len(points))
     way["Time"] = way["arc_length"].astype(float) / speed
     return way
 
 
 def strength(trace):
-    """How long the force is in each tick (N)."""
+    """The magnitude of the force in each tick (N)."""
     return np.linalg.norm(trace["Force"], axis=1)
 
 
@@ -67,7 +67,7 @@ def make_plotter(picture, size=(1000, 750), shape=(1, 1)):
 
 
 def add_head(plotter, head, opacity=OPACITY):
-    """Shows the head. This is what plotter.add_volume() returns."""
+    """Shows the head. Returns what plotter.add_volume() returns."""
     skin = plotter.add_volume(
         head, clim=(-600, 1000), opacity=opacity, cmap=SKIN, shade=True, ambient=0.2, diffuse=0.85, specular=0.2,
         opacity_unit_distance=4, show_scalar_bar=False)
@@ -76,8 +76,8 @@ def add_head(plotter, head, opacity=OPACITY):
 
 
 def add_trail(plotter, trace, largest=None, bar=True, width=9):
-    """The way of the proxy, coloured by the force on the hand, up to the largest (N)."""
-    # If the hand is held, the proxy stands still for many ticks, which a tube does not need.
+    """The trail of the proxy, coloured by the force on the hand up to the largest one (N)."""
+    # Drop repeated points: a proxy that is held stands still for many ticks.
     steps = np.floor(np.append(0, np.cumsum(np.linalg.norm(np.diff(trace.points, axis=0), axis=1))) / 0.3)
     kept = np.append(True, np.diff(steps) > 0)
     trail = pv.MultipleLines(points=trace.points[kept])
@@ -94,7 +94,7 @@ def add_trail(plotter, trace, largest=None, bar=True, width=9):
 
 def add_title(plotter, text, colour="white"):
     title = plotter.add_text(text, position=(0.018, 0.945), viewport=True, font_size=11, color=colour, shadow=True)
-    if colour == "white":  # also where something bright is behind it
+    if colour == "white":  # readable before bright objects, too
         title.prop.background_color, title.prop.background_opacity = "#12151b", 0.75
 
 
@@ -102,7 +102,7 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
     """A chart of curves, {label: (x, y)} or {label: (x, y, colour)}, that fills the active subplot."""
     plotter.set_background("white", all_renderers=False)
     chart = pv.Chart2D(size=(0.97, 0.95), loc=(0.0, 0.02), x_label=x_label, y_label=y_label)
-    chart.title = title + "\n"  # or the box of the legend touches it
+    chart.title = title + "\n"  # keeps the title off the box of the legend
     chart.border_color = "white"
     for colour, (label, curve) in zip(COLOURS, curves.items()):
         chart.line(curve[0], curve[1], color=curve[2] if len(curve) > 2 else colour, width=2.5, label=label)
@@ -120,7 +120,7 @@ def add_chart(plotter, title, x_label, y_label, curves, legend=("left", "top")):
 
 
 class Movie:
-    """A movie of a plotter, by VTK's own writer (.ogv), of so many pictures a second."""
+    """A movie of a plotter by VTK's own writer (.ogv), at a rate (pictures a second)."""
 
     def __init__(self, plotter, file, rate):
         self.plotter = plotter
@@ -140,20 +140,20 @@ class Movie:
         self.writer.End()
 
     def add(self):
-        """What is seen now."""
+        """The picture that is seen now."""
         self.plotter.render()
         self.capture.Modified()
         self.writer.Write()
 
 
 class Scene:
-    """A plotter with haptics, in a program that looks after both while it waits."""
+    """A plotter with haptics, in a program that updates both while it waits."""
 
     def __init__(self, plotter, haptics, hidden):
         self.plotter, self.haptics, self.hidden = plotter, haptics, hidden
 
     def watch(self, seconds, see=lambda: False):
-        """For a time, as a program with a timer does it, or until `see` returns true."""
+        """Updates both for a time, as a program with a timer does, or until `see` returns true."""
         end = time.monotonic() + seconds
         while time.monotonic() < end and not self.haptics.closed:
             self.haptics.update()
@@ -168,24 +168,24 @@ class Scene:
         return max(forces)
 
     def film(self, file, pictures, span, rate):
-        """A movie of a span of data time, which a loop or a ping-pong takes, in evenly spaced pictures.
+        """A movie of one loop or ping-pong of the data time, in evenly spaced pictures.
 
         Time stands still while a picture is taken, however long that takes. Each picture comes a whole span and a bit
-        after the last one, so that the hand meets what moves anew: on a computer that is busy with a picture the servo
-        may stand still for so long that a contact ends.
+        after the last one, so that the hand meets the moving surface anew: while the computer draws a picture, the
+        servo may stand still for so long that a contact ends.
         """
         device = self.haptics.device
-        self.haptics.head_up_display.PlotVisibilityOff()  # against the time of the hand
+        self.haptics.head_up_display.PlotVisibilityOff()  # the plot's time is the hand's, not the data's
         step = span / pictures
-        device.SetPlaybackSpeed(step / 0.15)  # so slow (s) that looks in between are frequent
+        device.SetPlaybackSpeed(step / 0.15)  # slow enough (s) for frequent looks in between
         attention = device.GetAttentionTime()
-        device.SetAttentionTime(600.0)  # a picture takes seconds without a graphics card
+        device.SetAttentionTime(600.0)  # without a graphics card, a picture takes seconds
         last, gone = device.GetDataTime(), 0.0
 
         def has_come(place):
             nonlocal last, gone
             way = abs(device.GetDataTime() - last)
-            gone += min(way, span - way)  # also over the end of a loop
+            gone += min(way, span - way)  # counts across the end of a loop, too
             last = device.GetDataTime()
             return gone >= place
 
@@ -201,7 +201,7 @@ class Scene:
         self.haptics.head_up_display.PlotVisibilityOn()
 
     def take(self, picture):
-        """Holds the time, and writes the picture of it, without the hint on keys."""
+        """Stops the data time, and writes its picture without the hint on keys."""
         self.haptics.head_up_display.HintVisibilityOff()
         self.haptics.device.Hold()
         self.watch(0.3)
@@ -210,7 +210,7 @@ class Scene:
 
 
 def show(plotter, picture, direction=None, zoom=1.4):
-    """Looks from a direction, and shows the plotter, or writes the picture."""
+    """Sets the direction of sight, then shows the plotter or writes the picture."""
     if direction is not None:
         plotter.view_vector(direction, (0, 0, 1))
         plotter.camera.zoom(zoom)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A live servo in a plotter, whose hand a program leads: tip, proxy, forces, and figures over the scene."""
+"""A live servo in a plotter, with a hand that a program leads: tip, proxy, forces, and figures over the scene."""
 import time
 
 import gallery
@@ -20,7 +20,7 @@ for tissue, low, high in (("fat", -150, -20), ("muscle", -20, 90), ("bone", 300,
 plotter.view_vector((0.45, -1, 0.2), (0, 0, 1))
 plotter.camera.focal_point = way.points[-1] - (0, 0, 30)
 plotter.camera.zoom(1.6)
-plotter.camera.SetWindowCenter(-0.28, 0.0)  # beside them
+plotter.camera.SetWindowCenter(-0.28, 0.0)  # leave room for the figures
 plotter.show(interactive_update=True)
 
 haptics.device.PlaceVirtualTip(*way.points[0])
@@ -28,7 +28,7 @@ haptics.device.Arm()
 start, strongest, states = time.monotonic(), 0.0, vtkTable()
 while (now := time.monotonic() - start) < way["Time"][-1] and not haptics.closed:
     haptics.device.SetVirtualTip([np.interp(now, way["Time"], way.points[:, axis]) for axis in range(3)])
-    if picture:  # one frame, at the end: drawn by software, others would make the hand jerk
+    if picture:  # draw one frame at the end: software rendering of others would make the hand jerk
         haptics.device.UpdateState()
         haptics.device.DrainStates(states)
         haptics.head_up_display.AddStates(states)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A needle is pressed into a cheek: fat and muscle give way, each at a force of its own, and bone does not."""
+"""A needle is pressed into a cheek: fat and muscle each give way at a force of their own; bone does not."""
 import gallery
 import numpy as np
 from volumehaptics import vtkVolumeHapticsFilter
@@ -13,7 +13,7 @@ outwards = np.array([0.62, -0.62, -0.48])
 middle = np.asarray(head.center)
 skin = head.contour([-300.0]).ray_trace(middle + head.length * outwards, middle, first_point=True)[0]
 depth = np.linspace(-14, 26, 2001)  # mm
-# With the materials that lie behind the blurred edges, and surfaces at the middle of these.
+# Materials come from behind the blurred edges; surfaces are in the middle of the edges.
 trace = touch(
     head, skin - depth[:, None] * outwards, "CT contrast", contact_alignment=vtkVolumeHapticsFilter.EDGE,
     material_placement=vtkVolumeHapticsFilter.FAR_SIDE)
@@ -26,7 +26,7 @@ plotter.set_background("black", all_renderers=False)
 aside = np.cross((0, 0, 1), outwards)
 plotter.add_mesh(head.slice(aside, origin=skin), cmap="gray", clim=(-1000, 1500), show_scalar_bar=False, lighting=False)
 needle = trace.copy()
-needle.points = trace["Tip"] + 2.0 * aside  # before the slice
+needle.points = trace["Tip"] + 2.0 * aside  # the trail stands before the slice
 gallery.add_trail(plotter, needle)
 gallery.add_title(plotter, "The way of the needle's tip, and the force")
 plotter.view_vector(aside, (0, 0, 1))

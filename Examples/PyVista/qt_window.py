@@ -35,7 +35,7 @@ class Window(QtWidgets.QMainWindow):
         self.touch = bar.addAction("Touch")
         self.touch.setCheckable(True)
         self.touch.triggered.connect(self.set_touch)
-        # The key t begins and ends the touch, too.
+        # Key t begins and ends the touch, too: show its state on the button.
         style = self.haptics.style
         style.AddObserver("ModifiedEvent", lambda *_: self.touch.setChecked(bool(style.GetTouchMode())))
         felt = self.haptics.filter
@@ -51,7 +51,7 @@ class Window(QtWidgets.QMainWindow):
             bar.addWidget(box)
 
     def set_touch(self, on):
-        # The pointer is on the button, so that the touch begins in the middle.
+        # The pointer is on the button, so the touch begins in the middle.
         interactor = self.plotter.iren.interactor
         width, height = interactor.GetSize()
         interactor.SetEventInformation(width // 2, height // 2, 0, 0)

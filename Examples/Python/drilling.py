@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drill into the side of a skull: a burr goes over it layer by layer, and removes what its energy pays for.
+"""Drill into the side of a skull: a burr goes over it layer by layer, and removes as much as its energy can.
 
 python3 drilling.py [FILE] [--picture FILE]
 
-Without a file, the head is a phantom. FILE is a CT of a head in Hounsfield units (.mha, .mhd, .nii or .nii.gz). The hand
-comes from the side of the largest x, the left in LPS, and behind the middle of the head, whose back is at the largest
-y. Energies are examples.
+Without a file, the head is a phantom. FILE is a CT of a head in Hounsfield units (.mha, .mhd, .nii or .nii.gz). The
+hand comes from the side of the largest x (left in LPS), behind the middle of the head; the back of the head is at the
+largest y. Energies are examples.
 """
 import argparse
 
@@ -23,13 +23,13 @@ from volumehaptics import examples, vtkHapticBurr, vtkVolumeHapticsFilter
 from force_scene import make_actor, make_renderer, show
 
 BONE = 300.0  # HU
-RADIUS = 4.0  # mm, of the burr
-DEPTH = 9.0  # mm, of the hand in the bone at last
-PATCH = 8.0  # mm, half of the width of what the hand goes over
+RADIUS = 4.0  # mm: radius of the burr
+DEPTH = 9.0  # mm: final depth of the hand in the bone
+PATCH = 8.0  # mm: half of the width of the drilled square
 LAYER = 0.7  # mm
 SPEED = 30.0  # mm/s
 BEHIND = 16.0  # mm, from the middle of the head towards its back
-SPRING = 2.0  # mm that the hand is ahead of the burr: 1 N at 500 N/m
+SPRING = 2.0  # mm: lead of the hand over the burr: 1 N at 500 N/m
 
 
 def read(file):
@@ -68,7 +68,7 @@ def make_path(bone):
 
 
 def drill(head, bone):
-    """The filter after its run, with what is left of the head, and the trace."""
+    """The filter after its run, with the rest of the head, and the trace."""
     burr = vtkHapticBurr()
     burr.SetRadius(RADIUS)
     burr.SetSolidToAbove()
@@ -89,7 +89,7 @@ def drill(head, bone):
 
 
 def make_left(head, removal):
-    """The head without what was removed: V - (1 - rho) (V - air)."""
+    """The head without the removed bone: V - (1 - rho) (V - air)."""
     shares = vtkImageData()
     removal.MakeShares(shares)
     rho = vtk_to_numpy(shares.GetPointData().GetScalars()) / 255.0
@@ -103,7 +103,7 @@ def make_left(head, removal):
 
 
 def draw_bone(left):
-    """The surface of the bone, reddish where it was drilled."""
+    """The surface of the bone, reddish where the burr was."""
     surface, colours = vtkFlyingEdges3D(), vtkColorTransferFunction()
     surface.SetInputData(left)
     surface.SetValue(0, BONE)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Touches a CT with the mouse: explore.py VOLUME (.vti, .mha, .mhd, .nii, .nii.gz). Press t on it, m for
-the next method."""
+"""Touches a CT with the mouse: explore.py VOLUME (.vti, .mha, .mhd, .nii, .nii.gz). Press t with the pointer on it, and
+m for the next method."""
 import sys
 
 import vtkmodules.vtkInteractionStyle
@@ -36,8 +36,8 @@ def main(path):
     touch.SetInputConnection(reader.GetOutputPort())
     touch.GetProperty().ApplyPreset("CT contrast")
     touch.GetProperty().SetVisibilityFrom(look)  # hidden tissue is not felt
-    touch.SetIsoValue(-300)  # the skin, for the method that touches a surface
-    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, as sharp as skin is
+    touch.SetIsoValue(-300)  # the skin, for the method with an isosurface
+    touch.SetForceFieldGain(1 / 450)  # 1 N at 450 HU/mm, the sharpness of skin
     device.SetVolumeHaptics(touch)
     device.Open("virtual")
     device.Start()

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel fields along a path: a hand is drawn through one of five, and what holds it back is shown.
+"""Feel fields along a path: a hand moves through one of five fields, and the picture shows what holds it back.
 
 python3 felt_fields.py pipe      a swirling flow in a bent pipe, on an unstructured grid
-python3 felt_fields.py openfoam  a swirling flow in a straight pipe, which OpenFOAM computes the first time
+python3 felt_fields.py openfoam  a swirling flow in a straight pipe; OpenFOAM computes it the first time
 python3 felt_fields.py fibres    a diffusion phantom: a bundle that turns, crossed by a straight one
 python3 felt_fields.py charges   the equipotentials of point charges
-python3 felt_fields.py vessels   a tree of vessels, of which one is followed by its ridge
+python3 felt_fields.py vessels   a tree of vessels; the hand follows the ridge of one
 
 Add --picture FILE for a PNG instead of a window. ../openfoam/pipe_cyclic.sh computes the flow of OpenFOAM without
 feeling it; felt_fields.py openfoam CASE.foam feels it wherever it is.
@@ -53,7 +53,7 @@ def make_image(size, spacing=1.0):
 
 
 def make_path(places, speed=50.0):
-    """A path through the places (mm) at a speed (mm/s), a point in each tick of a millisecond."""
+    """A path through positions (mm) at a speed (mm/s), a point in each tick of a millisecond."""
     places = np.asarray(places, float)
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1))])
     ticks = np.arange(0.0, way[-1], 1e-3 * speed)
@@ -67,8 +67,8 @@ def make_path(places, speed=50.0):
 
 
 def pipe():
-    """Poiseuille's profile along a bend of 90 degrees, with a swirl around its middle."""
-    bend, radius, n = 40.0, 10.0, (49, 17, 25)  # mm; along the bend, out from the middle, around it
+    """Poiseuille's profile along a bend of 90 degrees, with a swirl around the pipe's axis."""
+    bend, radius, n = 40.0, 10.0, (49, 17, 25)  # mm: along the bend, outwards from the axis, around the axis
     angle, out, turn = (a.ravel(order="F") for a in np.meshgrid(
         np.linspace(0, np.pi / 2, n[0]), np.linspace(0, radius, n[1]), np.linspace(0, 2 * np.pi, n[2]), indexing="ij"))
     away = bend + out * np.cos(turn)
@@ -88,12 +88,12 @@ def pipe():
     append.Update()
     steps = np.linspace(0.1, np.pi / 2 - 0.1, 60)
     middle = np.stack([(bend + 4) * np.cos(steps), (bend + 4) * np.sin(steps), 3 * np.sin(6 * steps)], -1)
-    seeds = places[(angle == 0) & (out > 0)][::9]  # the cells at the middle have edges of no length
+    seeds = places[(angle == 0) & (out > 0)][::9]  # the cells at the axis have edges of length zero
     return append.GetOutput(), follow_flow(0.3), make_path(middle), stream_lines(append.GetOutput(), seeds)
 
 
 def follow_flow(speed):
-    """The mode that follows U, with all its strength from a speed on."""
+    """The mode that follows U, with full strength from a speed on."""
     mode = vtkHapticVectorFollowMode()
     mode.SetArrayName("U")
     mode.GetStrength().AddPoint(0.0, 0.0)
@@ -102,7 +102,7 @@ def follow_flow(speed):
 
 
 def compute_pipe():
-    """The case of OpenFOAM's tutorial pipeCyclic, in the folder for builds; it is computed if it isn't there."""
+    """The case of OpenFOAM's tutorial pipeCyclic, in the build folder; computes it if it is missing."""
     root = Path(__file__).resolve().parents[2]
     case = root / "build" / "pipe_cyclic"
     if not (case / "computed").exists():
@@ -115,7 +115,7 @@ def compute_pipe():
 
 
 def openfoam(case=None):
-    """OpenFOAM's tutorial pipeCyclic, a quarter of a pipe along x, turned to a whole one of 20 mm."""
+    """OpenFOAM's tutorial pipeCyclic, a quarter of a pipe along x, made a whole pipe of 20 mm."""
     case = case or compute_pipe()
     reader = vtkOpenFOAMReader()
     reader.SetFileName(case)
@@ -140,14 +140,14 @@ def openfoam(case=None):
     flow.GetPoints().SetData(numpy_to_vtk(places, deep=True))
     fastest = np.linalg.norm(vtk_to_numpy(flow.GetPointData().GetArray("U")), axis=1).max()
     length = np.linspace(4, 80, 40)
-    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # nearly as the flow turns
+    away, turn = 5 + 2 * np.sin(0.25 * length), -0.09 * length  # turns nearly like the flow
     middle = np.stack([length, away * np.cos(turn), away * np.sin(turn)], -1)
     seeds = places[(places[:, 0] < 1e-6) & (np.hypot(places[:, 1], places[:, 2]) < 9)]
     return flow, follow_flow(0.7 * fastest), make_path(middle), stream_lines(flow, seeds, 85)
 
 
 def stream_lines(flow, seeds, longest=150):
-    """Tubes along the lines of the flow U from some places."""
+    """Tubes along the lines of the flow U from some positions."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(seeds), deep=True))
     source = vtkPolyData()
@@ -159,7 +159,7 @@ def stream_lines(flow, seeds, longest=150):
 
 
 def fibres():
-    """Tensors of a bundle that turns by 90 degrees; where it crosses another one, they are flat."""
+    """Tensors of a bundle that turns by 90 degrees; where a second bundle crosses it, they are flat."""
     image, x = make_image((81, 61, 25))
     share = np.clip((x[:, 0] + 30) / 60, 0, 1)
     angle = 0.5 * np.pi * share
@@ -177,7 +177,7 @@ def fibres():
 
 
 def make_layer(image, rate=1):
-    """The samples in the middle along z, or each so many of them."""
+    """The samples in the middle along z, or every `rate`-th of them."""
     layer = vtkExtractVOI()
     layer.SetInputData(image)
     layer.SetVOI(0, image.GetDimensions()[0] - 1, 0, image.GetDimensions()[1] - 1, *[image.GetDimensions()[2] // 2] * 2)
@@ -186,7 +186,7 @@ def make_layer(image, rate=1):
 
 
 def ellipsoids(image, scale):
-    """Each sixth tensor of the layer in the middle, as an ellipsoid."""
+    """Every sixth tensor of the middle layer, as an ellipsoid."""
     layer = make_layer(image, 6)
     sphere = vtkSphereSource()
     glyphs = vtkTensorGlyph()
@@ -222,7 +222,7 @@ def charges():
 
 
 def vessels():
-    """Bright tubes that branch; the hand is held on the middle of the one that it follows."""
+    """Bright tubes that branch; the hand is held on the centre line of the tube that it follows."""
     image, x = make_image((81, 61, 31))
     value = np.zeros(len(x))
     ends = {"trunk": ((-38, -4, 0), (0, 0, 0), 4.0), "left": ((0, 0, 0), (32, 22, 6), 2.8),
@@ -284,12 +284,12 @@ def main():
     if surface:
         renderer.AddActor(make_actor(surface, opacity=0.4))
     if options.field == "openfoam":
-        renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # where the path is
+        renderer.ResetCamera(-5, 85, -12, 12, -12, 12)  # the box of the path
     else:
         renderer.ResetCamera(data.GetBounds())
     renderer.GetActiveCamera().Elevation(-35)
     renderer.GetActiveCamera().Zoom(1.3)
-    renderer.GetActiveCamera().SetWindowCenter(0.08, 0.0)  # beside the bar
+    renderer.GetActiveCamera().SetWindowCenter(0.08, 0.0)  # leave room for the bar
     renderer.ResetCameraClippingRange()
     show(renderer, options.picture)
 

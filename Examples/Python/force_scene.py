@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the demonstrations of felt fields share: lines coloured by the force, in a window or a picture."""
+"""Shared by the demonstrations of felt fields: lines coloured by the force, in a window or a picture."""
 from vtkmodules.vtkCommonColor import vtkNamedColors
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
@@ -18,7 +18,7 @@ GREY = (0.6, 0.66, 0.74)
 
 
 def make_colours():
-    """From no force to the strongest one."""
+    """Colours from zero to the strongest force."""
     colours = vtkColorTransferFunction()
     for share, name in ((0.0, "RoyalBlue"), (0.35, "MediumSeaGreen"), (0.65, "Gold"), (1.0, "OrangeRed")):
         colours.AddRGBPoint(share * STRONGEST, *vtkNamedColors().GetColor3d(name))
@@ -26,7 +26,7 @@ def make_colours():
 
 
 def connect(consumer, source):
-    """Data, or the output of a filter."""
+    """Returns data, or the output of a filter."""
     if hasattr(source, "GetOutputPort"):
         consumer.SetInputConnection(source.GetOutputPort())
     else:
@@ -57,7 +57,7 @@ def make_actor(source, radius=0.0, colours=None, opacity=1.0):
 
 
 def make_bar(colours):
-    """What force the colours stand for."""
+    """The scale that says which force a colour stands for."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(colours)
     bar.SetTitle("Force (N)")
@@ -95,7 +95,7 @@ def make_renderer(*actors):
 
 
 def show(renderers, picture=None, size=(1000, 700)):
-    """A renderer, or several, in a window, until it is closed; or in a PNG file."""
+    """Shows one or several renderers in a window until it is closed, or writes a PNG file."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(picture is not None)
     window.SetSize(size)

@@ -4,10 +4,10 @@
 
 python3 lumbar_puncture.py FOLDER [--picture FILE]
 
-FOLDER has a chest CT, cxr.nii.gz, and the labels of its organs, mask.nii.gz, by TotalSegmentator:
-`. Data/scans.sh; get_chest_ct FOLDER`. What the labels lack is added here: skin, fat and muscle by their Hounsfield
-units, the canal as a tube through the holes of the vertebrae, and the ligament behind it, 3 mm thick. The way in is the
-one between the vertebrae L1 and L2 that stays farthest from bone. Strengths and frictions are examples.
+FOLDER has a chest CT, cxr.nii.gz, and the labels of its organs, mask.nii.gz, by TotalSegmentator: `. Data/scans.sh;
+get_chest_ct FOLDER`. This script adds tissues without labels: skin, fat and muscle by their Hounsfield units, the canal
+as a tube through the holes of the vertebrae, and the ligament behind it, 3 mm thick. The needle takes the path between
+the vertebrae L1 and L2 that stays farthest from bone. Strengths and frictions are examples.
 """
 import argparse
 import pathlib
@@ -28,7 +28,7 @@ from force_scene import make_renderer, show
 from scan_scene import make_image, make_surface, read_scan
 
 L2, L1, T12 = 30, 31, 32
-# Label: name, colour, T (N) to puncture, R (N) to cut, tau (N per metre) along the shaft.
+# By label: name, colour, T (N) to puncture, R (N) to cut, tau (N per metre) along the shaft.
 TISSUES = {
     1: ("skin", (0.93, 0.73, 0.60), 1.2, 0.3, 20.0),
     2: ("fat", (0.98, 0.90, 0.55), 0.0, 0.1, 5.0),
@@ -43,7 +43,7 @@ SPEED = 8.0  # mm/s
 
 
 def crop(hu, organs):
-    """The part around the first lumbar vertebrae, from the back's skin on."""
+    """The region around the first lumbar vertebrae, from the skin of the back on."""
     z, _, x = np.nonzero((organs == L1) | (organs == L2))
     left = int(x.mean()) - 75
     part = np.s_[z.min():, 60:290, left:left + 150]
@@ -51,7 +51,7 @@ def crop(hu, organs):
 
 
 def refine(hu, organs, spacing):
-    """The same with slices as near to one another as pixels are: a surface is felt from two voxels on, and skin is thin."""
+    """Resamples to slices as close as pixels: a surface needs two voxels to be felt, and skin is thin."""
     parts = int(np.ceil(spacing[2] / spacing[0]))
     at = np.arange((len(hu) - 1) * parts + 1) / parts
     below = np.minimum(at.astype(int), len(hu) - 2)
@@ -65,7 +65,7 @@ def find_canal(organs, spacing):
     middles = {}
     for k, slab in enumerate(organs):
         bone = (slab >= L2) & (slab <= T12)
-        # A hole: bone on all four sides.
+        # The canal is a hole: bone on all four sides.
         hole = ~bone
         for axis in (0, 1):
             before = np.maximum.accumulate(bone, axis)
@@ -84,7 +84,7 @@ def classify(hu, organs, canal, spacing):
     labels = np.zeros(hu.shape, np.uint8)
     labels[hu > -250] = FAT
     labels[hu > -30] = MUSCLE
-    # The table that the patient lies on: what is behind the last air before the back.
+    # Leave out the patient's table: everything behind the last air before the back.
     back = np.array([[find_back(row) for row in slab.T] for slab in hu])  # [z, x]
     y = np.arange(hu.shape[1])[None, :, None]
     labels[y < back[:, None, :]] = 0
@@ -101,7 +101,7 @@ def classify(hu, organs, canal, spacing):
 
 
 def find_back(values):
-    """Where the body begins behind the air below it, in a column from the table to the front."""
+    """Where the body begins behind the air below it, on a line from the table to the front."""
     body = values > -250
     inside = len(body) - 1
     air = np.nonzero(~body[:inside])[0]
@@ -112,7 +112,7 @@ def find_back(values):
 
 
 def find_way(labels, canal, spacing):
-    """The entry on the skin and the target in the canal (mm) of the way that stays farthest from bone."""
+    """Entry on the skin and target in the canal (mm) of the path that stays farthest from bone."""
     bone = np.argwhere(labels == BONE)[:, ::-1] * spacing
     bone = bone[:: max(1, len(bone) // 6000)]
     best = (-1.0, None, None)
@@ -140,7 +140,7 @@ def find_way(labels, canal, spacing):
     return best
 
 
-CANAL_STEPS = 10  # mm from the middle of the canal, within which bone is always near
+CANAL_STEPS = 10  # mm from the canal's middle: bone is always near there
 
 
 def make_path(entry, target):
@@ -178,7 +178,7 @@ def feel(hu, labels, spacing, path):
 
 
 def tell(track, table):
-    """Prints what the needle has passed."""
+    """Prints which tissues the needle has passed."""
     labels, lengths = (vtk_to_numpy(track.GetCellData().GetArray(name)) for name in ("Label", "Length"))
     for label, length in zip(labels, lengths):
         print(f"{length:6.1f} mm  {table.GetLabelName(int(label)) or 'nothing'}")
@@ -187,7 +187,7 @@ def tell(track, table):
 
 
 def draw_needle(track, table):
-    """Its track in the colours of the tissues, and its shaft outside."""
+    """The needle's track in the colours of the tissues, and its shaft outside."""
     points = vtk_to_numpy(track.GetPoints().GetData())
     back = points[0] - 60.0 * (points[-1] - points[0]) / np.linalg.norm(points[-1] - points[0])
     labels = vtk_to_numpy(track.GetCellData().GetArray("Label"))
@@ -210,7 +210,7 @@ def draw_needle(track, table):
 
 
 def draw_slice(hu, spacing, index):
-    """The sagittal slice of the CT that the needle is in."""
+    """The sagittal slice of the CT through the needle."""
     mapper, slab = vtkImageSliceMapper(), vtkImageSlice()
     mapper.SetInputData(make_image(hu, spacing))
     mapper.SetOrientationToX()
@@ -222,7 +222,7 @@ def draw_slice(hu, spacing, index):
 
 
 def draw_chart(trace, table):
-    """The force along the needle over the depth of its tip, in and out, above the tissues in their colours."""
+    """The force along the needle against the depth of its tip, in and out, over the tissues in their colours."""
     depth, label = (vtk_to_numpy(trace.GetPointData().GetArray(name)) for name in ("Depth", "Label"))
     force = vtk_to_numpy(trace.GetPointData().GetArray("NormalForce"))
     deepest = int(np.argmax(depth))

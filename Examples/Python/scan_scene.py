@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the demonstrations on scans share: their files, images and surfaces."""
+"""Shared by the demonstrations on scans: files, images and surfaces."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -31,7 +31,7 @@ def make_image(samples, spacing):
 
 
 def make_surface(inside, spacing, colour, opacity=1.0, deviation=1.5):
-    """The smooth surface of a mask, which a Gaussian of a standard deviation (voxels) has blurred."""
+    """The smooth surface of a mask, blurred by a Gaussian of a standard deviation (voxels)."""
     soft, edges, smooth = vtkImageGaussianSmooth(), vtkFlyingEdges3D(), vtkWindowedSincPolyDataFilter()
     soft.SetInputData(make_image(inside.astype(np.float32), spacing))
     soft.SetStandardDeviation(deviation)

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel a head with a spoon: a tool with a shape goes around it, and turns in the hand as it lies on the skin.
+"""Feel a head with a spoon: a tool with a shape goes around the head, and turns in the hand to lie on the skin.
 
 python3 shaped_tool.py [--tool FILE.stl] [--picture FILE]
 
-The spoon is an ellipsoid; --tool takes any closed mesh (mm) in its place. The hand goes around the head and does not
-turn: the tool does, against a spring of 30 mN m for each radian, and lies on the skin as it can.
+The spoon is an ellipsoid; --tool takes any closed mesh (mm) in its place. The hand goes around the head without
+turning: the tool turns against a spring of 30 mN m per radian to lie on the skin.
 """
 import argparse
 
@@ -24,8 +24,8 @@ from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_rend
 
 SIZE = (14.0, 7.0, 2.5)  # mm, half of the spoon's length, width and thickness
 SKIN = -300.0  # HU
-TURNING = 0.03  # N m for each radian, between hand and tool
-SHOWN = 7  # of the spoon on its way
+TURNING = 0.03  # N m per radian, between hand and tool
+SHOWN = 7  # spoons that are drawn on the path
 
 
 def make_spoon():
@@ -49,7 +49,7 @@ def read(file):
 
 
 def find_skin(head, angles):
-    """Where rays from the middle of the head, in a plane from ear to ear, come out of it (mm), and their directions."""
+    """Where rays from the middle of the head, in a plane from ear to ear, leave it (mm), and their directions."""
     directions = np.stack([np.sin(angles), np.zeros_like(angles), np.cos(angles)], axis=-1)
     reaches = np.arange(60.0, 112.0, 0.25)  # within the volume
     points, data, probe = vtkPoints(), vtkPolyData(), vtkProbeFilter()
@@ -60,13 +60,13 @@ def find_skin(head, angles):
     probe.Update()
     inside = vtk_to_numpy(probe.GetOutput().GetPointData().GetScalars()).reshape(len(angles), -1) > SKIN
     last = inside.shape[1] - 1 - inside[:, ::-1].argmax(axis=1)
-    width = 200  # of a moving mean: a hand has no steps
+    width = 200  # window of the moving mean: a hand makes no steps
     smooth = np.convolve(np.pad(reaches[last], width, "edge"), np.full(2 * width + 1, 1.0 / (2 * width + 1)), "valid")
     return directions * smooth[:, None], directions
 
 
 def feel(head, mesh):
-    """The trace of a tool that a hand, which does not turn, leads around the head, 3 mm deep."""
+    """The trace of a tool that a hand leads around the head, 3 mm deep, without turning."""
     angles = np.linspace(-1.0, 1.0, 2500)
     skin, outward = find_skin(head, angles)
     path, points = vtkPolyData(), vtkPoints()

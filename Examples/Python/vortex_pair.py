@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feel a pair of vortices: a hand is drawn through the flow, and the cores hold it back.
+"""Feel a pair of vortices: a hand moves through the flow, and the cores hold it back.
 
 python3 vortex_pair.py [--picture FILE]
 """
@@ -36,7 +36,7 @@ def make_flow():
 
 
 def feel(flow):
-    """A hand is drawn through both cores along x; the trace of what it feels."""
+    """The trace of a hand that moves through both cores along x."""
     mode = vtkHapticVortexMode()
     mode.SetArrayName("velocity")
     mode.GetStrength().AddPoint(0.0, 0.0)  # against the vorticity

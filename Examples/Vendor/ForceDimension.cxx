@@ -4,11 +4,12 @@
 // The plug-in forcedimension: omega, delta, sigma and the Novint Falcon through Force Dimension's
 // SDK (libdrd, which has libdhd in it); other devices of the SDK with 8 N at most.
 //
-// The SDK's axes are x towards the user, y to the right and z up, in metres and newtons; ours are
-// its y, z and x. Not verified on a device. The SDK's watchdog and its velocity threshold stay as
-// they are: they brake a device whose program is gone, or that moves too fast.
+// The SDK's axes are x towards the user, y to the right and z up, in metres and newtons; this
+// library's x, y and z are the SDK's y, z and x. Not verified on a device. The SDK's watchdog and
+// its velocity threshold stay as they are: they brake a device whose program has ended, or that
+// moves too fast.
 //
-// A device that is not initialised moves by itself to find its zero, and only after Home().
+// A device that is not initialised moves by itself to find its zero. It does so only after Home().
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Orientation.h"
@@ -26,8 +27,8 @@ namespace
 struct Device
 {
   char Id = -1;
-  bool HadForce = false; // its force was seen to be switched on since it was homed
-  bool HasWrist = false; // it measures an orientation
+  bool HadForce = false; // force has been on since homing
+  bool HasWrist = false; // measures an orientation
   double MaximumTorque = 0.0;
   std::string Error;
 };
@@ -96,7 +97,7 @@ int Count()
 
 int Describe(int, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
-  // The SDK tells name and serial number of open devices only.
+  // The SDK reports name and serial number of open devices only.
   std::snprintf(name, nameSize, "Force Dimension device");
   std::snprintf(serial, serialSize, "%s", "");
   return VOLUME_HAPTICS_VENDOR_DONE;
@@ -124,7 +125,7 @@ void* Open(int number)
   device->MaximumTorque = LimitsOf(dhdGetSystemType(device->Id)).MaximumTorque;
   if (dhdHasActiveGripper(device->Id))
   {
-    dhdEmulateButton(DHD_ON, device->Id); // a closed gripper is the button 0
+    dhdEmulateButton(DHD_ON, device->Id); // button 0 is the closed gripper
   }
   if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
@@ -152,7 +153,7 @@ int GetSerial(void* handle, char* serial, size_t size)
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Below zero if the device's status says that it can't be used now.
+// Below zero if the device's status says that the device can't be used now.
 int CheckStatus(Device& device)
 {
   int status[DHD_MAX_STATUS] = {};
@@ -180,7 +181,7 @@ int CheckStatus(Device& device)
   }
   if (!hasForce)
   {
-    // Not ready: else its button could switch a force on that has not grown from zero.
+    // Not ready: else the device's button could switch on a force that has not grown from zero.
     device.Error = "has its force switched off. Press its force button, or Home().";
     return VOLUME_HAPTICS_VENDOR_WAITS;
   }
@@ -213,7 +214,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   pose->Position[2] = x;
   if (device.HasWrist)
   {
-    // Rows and columns in our order.
+    // Rows and columns in this library's order of axes.
     const int theirs[3] = { 1, 2, 0 };
     double ours[3][3];
     for (int row = 0; row < 3; ++row)
@@ -227,7 +228,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
     pose->HasOrientation = 1;
   }
   pose->Buttons = dhdGetButtonMask(device.Id);
-  // The time guard tells the last position again if it is asked too soon: no fault.
+  // If asked too soon, the time guard repeats the last position: no fault.
   return result == DHD_TIMEGUARD ? VOLUME_HAPTICS_VENDOR_DONE : VOLUME_HAPTICS_VENDOR_NEWS;
 }
 
@@ -258,7 +259,8 @@ int Home(void* handle)
       drdStop(false, device.Id);
       return VOLUME_HAPTICS_VENDOR_LOST;
     }
-    // The search goes on holding the device, and takes no force of ours, until it is stopped.
+    // The search for zero holds the device, and accepts no force of this library, until it is
+    // stopped.
     if (drdStop(true, device.Id) < 0)
     {
       device.Error = Explain("goes on moving by itself", LookAfterIt);

@@ -4,12 +4,12 @@
 // The plug-in openhaptics: Touch, Touch X and Phantom Premium of 3D Systems through OpenHaptics
 // (libHD).
 //
-// The library has a scheduler thread of its own, on which a callback reads the device and sets its
-// force, a thousand times a second. Poses and forces are handed over without locks; a force that is
-// not renewed for 50 ms becomes zero in the callback. libHD's axes are ours: right, up and towards
-// the user, in millimetres, newtons and millinewton metres. Not verified on a device.
+// A callback on the library's own scheduler thread reads the device and sets its force, a thousand
+// times a second. Poses and forces are handed over without locks; a force that is not renewed for
+// 50 ms becomes zero in the callback. libHD's axes are the same as this library's: right, up and
+// towards the user, in millimetres, newtons and millinewton metres. Not verified on a device.
 //
-// Devices have names, which the vendor's setup program gives them. vendor:openhaptics is "Default
+// The vendor's setup program names the devices. vendor:openhaptics is "Default
 // Device"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by commas, as
 // vendor:openhaptics:1 and so on. One of them can be open at a time.
 #include <Devices/Vendor/VendorPlugin.h>
@@ -31,7 +31,7 @@
 namespace
 {
 
-constexpr std::int64_t LongestForce = 50'000'000;    // ns without a new one
+constexpr std::int64_t LongestForce = 50'000'000;    // ns without a new force
 constexpr std::int64_t LongestSilence = 100'000'000; // ns, of the scheduler
 constexpr HDulong SchedulerRate = 1000;              // Hz
 
@@ -46,11 +46,11 @@ std::int64_t Now()
 struct Report
 {
   double Position[3] = {};   // mm
-  double Transform[16] = {}; // of the stylus, columns first
+  double Transform[16] = {}; // stylus to device, columns first
   int Buttons = 0;
   bool IsCalibrated = false;
-  unsigned Calibration = 0; // libHD's word for it, if it is not calibrated
-  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS: none
+  unsigned Calibration = 0; // libHD's name of the fault, if the device is not calibrated
+  unsigned Error = 0;       // libHD's number of a fault; HD_SUCCESS if there is none
   std::int64_t Time = 0;
 };
 
@@ -69,8 +69,8 @@ struct Device
   double MaximumTorque = 0.0;
   Latest<Report> Reports;
   Latest<Order> Orders;
-  std::atomic<bool> Forgives{ false }; // the user wants it to be tried again after a fault
-  // The callback's.
+  std::atomic<bool> Forgives{ false }; // the user asks for another try after a fault
+  // Members of the callback.
   bool IsCalibrated = false;
   unsigned Error = HD_SUCCESS;
   std::int64_t Opened = 0;
@@ -109,14 +109,14 @@ int Count()
 
 int Describe(int number, char* name, size_t nameSize, char* serial, size_t serialSize)
 {
-  // libHD does not tell which devices are plugged in; it tells models of open devices only.
+  // libHD does not report which devices are plugged in, and models of open devices only.
   std::snprintf(name, nameSize, "OpenHaptics \"%s\"", Names()[static_cast<size_t>(number)].c_str());
   std::snprintf(serial, serialSize, "%s", "");
   return VOLUME_HAPTICS_VENDOR_DONE;
 }
 
-// Finds out whether the device knows its zero. A device that wants an update gets it, once: the
-// position jumps with it.
+// Reports whether the device knows its zero. A device that wants an update gets one; its position
+// jumps with it.
 void Calibrate(Device& device, Report& report)
 {
   const HDenum state = hdCheckCalibration();
@@ -165,7 +165,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
     hdSetDoublev(HD_CURRENT_TORQUE, torque);
   }
   hdEndFrame(device.Handle);
-  // libHD keeps a stack of them; the first one is kept here until the user tries again.
+  // libHD keeps a stack of faults; the first one is stored here until the user tries again.
   for (HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error); error = hdGetError())
   {
     device.Error = device.Error == HD_SUCCESS ? error.errorCode : device.Error;
@@ -176,7 +176,7 @@ HDCallbackCode HDCALLBACK OnTick(void* data)
   return HD_CALLBACK_CONTINUE;
 }
 
-// Until the callback has run, or stands still.
+// Waits until the callback has run, or until it stands still.
 void WaitForTick(Device& device)
 {
   for (const std::int64_t end = Now() + LongestSilence; !device.Reports.Update() && Now() < end;)
@@ -185,7 +185,7 @@ void WaitForTick(Device& device)
   }
 }
 
-// Empties libHD's stack. Not while the callback runs, which has to see them.
+// Empties libHD's stack of faults. Not while the callback runs, which has to see them.
 void ForgetFaults()
 {
   while (HD_DEVICE_ERROR(hdGetError()))
@@ -208,7 +208,7 @@ void* Open(int number)
     return nullptr;
   }
   const std::string name = Names()[static_cast<size_t>(number)];
-  ForgetFaults(); // of a try before
+  ForgetFaults(); // faults of an earlier try
   const HHD handle = hdInitDevice(number == 0 ? HD_DEFAULT_DEVICE : name.c_str());
   const HDErrorInfo error = hdGetError();
   if (HD_DEVICE_ERROR(error))
@@ -225,9 +225,9 @@ void* Open(int number)
   hdMakeCurrentDevice(handle);
   HDint outputs = 0;
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
-  // N m; as the data sheet of the Phantom Premium 6DOF has it for its weakest axis.
+  // N m, from the data sheet of the Phantom Premium 6DOF for its weakest axis.
   device->MaximumTorque = outputs == 6 ? 0.17 : 0.0;
-  ForgetFaults(); // a device that does not know the question gives no torque
+  ForgetFaults(); // a device that does not know the parameter gives no torque
   hdEnable(HD_FORCE_OUTPUT);
   hdSetSchedulerRate(SchedulerRate);
   device->Callback = hdScheduleAsynchronous(&OnTick, device, HD_MAX_SCHEDULER_PRIORITY);
@@ -332,7 +332,7 @@ int Home(void* handle)
 {
   auto& device = *static_cast<Device*>(handle);
   device.Forgives.store(true, std::memory_order_release);
-  // Until the callback has told of its new try: the report before may have begun earlier.
+  // Wait until the callback reports the new try: its report before may have begun earlier.
   WaitForTick(device);
   WaitForTick(device);
   return VOLUME_HAPTICS_VENDOR_DONE;
@@ -346,7 +346,7 @@ const char* LastError(void* device)
 void Close(void* handle)
 {
   auto* const device = static_cast<Device*>(handle);
-  // The last order was zero; a frame that began before it may have missed it.
+  // The last order was zero; a frame that began before the order may have missed it.
   WaitForTick(*device);
   WaitForTick(*device);
   hdStopScheduler();

@@ -9,10 +9,11 @@ In one call, of images and polydata or of NumPy arrays:
     import volumehaptics
     trace = volumehaptics.touch(volume, tip, preset="CT contrast", kernel_radius=3)
 
-touch() is what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
-volumehaptics.arrays.arrays() makes NumPy arrays of what comes back. identify() tells which materials a hand could tell
-apart; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any
-VTK program touchable. volumehaptics.pyvista does all this with PyVista's data and plotters. volumehaptics.examples has a head to try them on, and
+touch() computes what a hand feels, image() and path() make VTK's data of NumPy arrays without a copy, and
+volumehaptics.arrays.arrays() makes NumPy arrays of a trace. identify() computes which materials a hand could tell
+apart; open_large() opens volumes that are larger than memory. add_haptics() makes the volumes in the window of any VTK
+program touchable. volumehaptics.pyvista does all this with PyVista's data and plotters. volumehaptics.examples has a
+head to try them on, and
 
     python -m volumehaptics --demo
 
@@ -25,8 +26,8 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING
 
-# The classes below take and give objects of these modules: an object of a class whose module was never imported comes
-# back as an object of a superclass.
+# Import the modules whose objects the classes below take and return: an object of a class whose module was never
+# imported comes back as an object of a superclass.
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
@@ -43,7 +44,8 @@ if _HAS_RENDERING:
 _vtk = vtkmodules.vtkCommonCore.vtkVersion
 _FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKBuildVersion()}"
 if _FOUND != _COMPILED_WITH:
-    # Else the loader names a library that it misses, or objects of another layout crash later, with force on.
+    # Check VTK's version first: else the loader names a library that it misses, or objects of another layout crash
+    # later, with force on.
     raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is what there is. "
                       f"Cure: pip install vtk=={_COMPILED_WITH}, or a volumehaptics that was built for VTK {_FOUND}")
 
@@ -60,11 +62,11 @@ if TYPE_CHECKING:
 
 __all__ = [*sorted(name for name in vars(vtkVolumeHaptics) if name.startswith("vtk")), "touch"]
 
-# On demand: what needs NumPy, which the classes and touch() do not; and PyVista, if asked for by name alone.
+# Imported on demand: names that need NumPy, unlike the classes and touch(); and PyVista, if asked for by name alone.
 _MODULES = ("arrays", "examples")
 _FUNCTIONS = {"add_haptics": "._hosts", "identify": "._identify", "image": ".arrays", "open_large": "._large", "path": ".arrays"}
 
-if not TYPE_CHECKING:  # a type checker would take every misspelt name for one of these
+if not TYPE_CHECKING:  # with __getattr__, a type checker would accept every misspelt name
 
     def __getattr__(name: str):
         if name in ("add_haptics", "pyvista") and not _HAS_RENDERING:

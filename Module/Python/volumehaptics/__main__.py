@@ -26,7 +26,7 @@ CURE = f"""python -m volumehaptics: there is no {PROGRAM}, neither in the packag
 
 
 def find_explorer() -> str | None:
-    """The package's own program, as wheels have it, else that beside the package's prefix, else that on PATH."""
+    """The package's own program, which wheels have; else the one beside the package's prefix; else the one on PATH."""
     package = Path(__file__).resolve().parent
     for program in (package / "bin" / PROGRAM, (package / "../../../../bin").resolve() / PROGRAM):
         if os.access(program, os.X_OK) and program.is_file():
@@ -35,7 +35,7 @@ def find_explorer() -> str | None:
 
 
 def without_display(command: list[str]) -> list[str]:
-    """The command if no window can be opened: it writes pictures, on a screen of its own if possible."""
+    """The command for a computer without a display: it writes pictures, on a virtual screen if possible."""
     if not any(word == "--pictures" or word.startswith("--pictures=") for word in command):
         command = [*command, "--pictures", "explore-pictures"]
     own_screen = shutil.which("xvfb-run")
@@ -43,7 +43,7 @@ def without_display(command: list[str]) -> list[str]:
 
 
 def replace_process(command: list[str]) -> int:
-    """Runs the command instead of this process, if the system can do that."""
+    """Replaces this process by the command, if the system can do that."""
     sys.stdout.flush()
     sys.stderr.flush()
     if os.name == "posix":
@@ -52,7 +52,7 @@ def replace_process(command: list[str]) -> int:
 
 
 def web(arguments: list[str]) -> int:
-    """In a browser. It does not need the explorer."""
+    """Shows the volume in a browser, without the explorer."""
     try:
         import pyvista  # noqa: F401
 
@@ -88,12 +88,12 @@ def main(arguments: list[str]) -> int:
 
 
 def device() -> int:
-    """The program volumehaptics-device of a wheel, which brings it along."""
+    """Runs the program volumehaptics-device that a wheel contains."""
     return replace_process([str(Path(__file__).resolve().parent / "bin" / "volumehaptics-device"), *sys.argv[1:]])
 
 
 def explore() -> int:
-    """The program volumehaptics-explore of a wheel, likewise."""
+    """Runs the program volumehaptics-explore that a wheel contains."""
     return main(sys.argv[1:])
 
 

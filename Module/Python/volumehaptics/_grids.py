@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data sets that are no images: grids, and composite data sets of them. The filter resamples them where they are felt."""
+"""Data sets that are no images: grids, and composite data sets of grids. The filter resamples them where they are
+felt."""
 
 from __future__ import annotations
 
@@ -9,18 +10,18 @@ from typing import Any
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkResampleToImage
 
-# Points along the longest edge of an overview, which is for strengths and bounds alone.
+# Points along the longest edge of an overview; only strengths and bounds come from it.
 POINTS = 64
 
 
 def is_grid(volume: Any) -> bool:
-    """Whether it has cells in space, and is no image."""
+    """Whether data have cells in space, and are no image."""
     return isinstance(volume, (vtkDataSet, vtkCompositeDataSet)) and not isinstance(volume, (vtkImageData, vtkPolyData))
 
 
 def unwrap(volume: Any) -> Any:
-    """The data set of VTK in what other libraries have: vedo, tvtk (Mayavi); a volume of nibabel (MNE, nilearn) as an image
-    where its affine says, in right-anterior-superior. All else as it is."""
+    """VTK's data set in an object of another library: vedo, tvtk (Mayavi), nibabel (MNE, nilearn); a volume of nibabel
+    becomes an image where its affine says, in right-anterior-superior. Other objects are returned as they are."""
     for inner in (getattr(volume, name, None) for name in ("_vtk_obj", "dataset")):
         if isinstance(inner, (vtkDataSet, vtkCompositeDataSet)):
             return inner
@@ -50,7 +51,7 @@ def _leaves(grid: vtkDataSet | vtkCompositeDataSet) -> list[vtkDataSet]:
 
 
 def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
-    """A coarse image of the whole, with its point and cell arrays as point arrays."""
+    """A coarse image of the whole grid, with its point and cell arrays as point arrays."""
     all_bounds = [leaf.GetBounds() for leaf in _leaves(grid)]
     bounds = [(min if i % 2 == 0 else max)(one[i] for one in all_bounds) for i in range(6)] if all_bounds else [0.0] * 6
     edges = [bounds[i + 1] - bounds[i] for i in (0, 2, 4)]
@@ -69,7 +70,7 @@ def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
 
 
 def suggest_mode(image: vtkImageData) -> str | None:
-    """The preset of modes for vectors or else tensors; None for scalars, whose surfaces are felt."""
+    """The preset of modes for vectors, else for tensors; None for scalars, whose surfaces are felt."""
     points = image.GetPointData()
     sizes = {points.GetArray(i).GetNumberOfComponents() for i in range(points.GetNumberOfArrays()) if points.GetArray(i)}
     if 3 in sizes:

@@ -25,17 +25,18 @@ from .vtkVolumeHaptics import (
     vtkVolumeHapticsFilter,
 )
 
-# What programs call the things that lead to a window: VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
+# Attributes that lead to a window: of VTK's Qt, Tk and wx widgets, vedo, FURY, Mayavi.
 _NAMES = ("interactor", "iren", "_Iren", "render_window", "window", "scene", "renderer")
-_DEPTH = 4  # of these, such as figure.scene.interactor
+_DEPTH = 4  # attributes in a row, such as figure.scene.interactor
 
 
 class Haptics:
-    """What add_haptics() has added to a window, until close() is called, the window ends, or this object goes.
+    """The objects that add_haptics() has added to a window, until close() is called, the window ends, or this object is
+    deleted.
 
     widget: the vtkHapticWidget that observes the window's interactor.
     device: the vtkHapticDevice in the hand, whose servo runs once there is a volume.
-    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
+    filter: the vtkVolumeHapticsFilter that says what is felt. Changes are felt at once.
     style: the vtkInteractorStyleHaptic of the widget, for keys, measurements, slices and events.
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
@@ -55,17 +56,18 @@ class Haptics:
         self.closed = False
 
     def update(self) -> bool:
-        """One step of the window's timer, for programs whose loop has none. True: there is something new to draw."""
+        """Does one step of the window's timer, for programs whose loop has none. True: there is something new to
+        draw."""
         return not self.closed and self.style.UpdateHaptics()
 
     def close(self) -> None:
-        """Ends all force, stops the device, and gives the window back as it was. May be called twice."""
+        """Ends all force, stops the device, and restores the window. May be called twice."""
         if self.closed:
             return
         self.closed = True
         if self._leave_widget is not None:
             if not self._leave_widget():
-                # Its timer is gone with it, which VTK's widget would stop.
+                # The timer is gone with the widget; VTK's widget would still stop it.
                 interactor = self.widget.GetInteractor()
                 if interactor is not None:
                     interactor.RemoveObservers("DestroyTimerEvent")
@@ -85,12 +87,12 @@ class Haptics:
         self.close()
 
     def _choose_device(self, wanted: str | vtkHapticDevice | None) -> None:
-        """One of the user's own stays open when this is closed."""
+        """Chooses the device; the user's own device stays open when this is closed."""
         if isinstance(wanted, vtkHapticDevice):
             with Errors(wanted) as errors:
-                if not wanted.IsOpen() and not wanted.Start():  # which says so
+                if not wanted.IsOpen() and not wanted.Start():  # Start() reports the error
                     raise ValueError("; ".join(errors))
-            wanted.Stop()  # it may be armed, on another volume
+            wanted.Stop()  # the device may be armed, on another volume
             self.widget.SetDevice(wanted)
             self.device, self._owns_device = wanted, False
         elif wanted is not None:
@@ -99,7 +101,7 @@ class Haptics:
                     raise RuntimeError("; ".join(errors))
 
     def _watch_widget(self, target: Any) -> None:
-        """Ends the touch when the view is no longer seen, if it is one of Qt."""
+        """Ends the touch when the view is no longer seen, if the view is one of Qt."""
         itself = weakref.ref(self)
 
         def let_go() -> None:
@@ -111,13 +113,13 @@ class Haptics:
 
 
 def _plain_vtk(wrapped: Any) -> Any:
-    """The object of VTK in one of tvtk's (Mayavi), whose other objects have None of that name."""
+    """VTK's object inside a tvtk object (Mayavi); tvtk's other objects have None there."""
     inner = getattr(wrapped, "_vtk_obj", None)
     return wrapped if inner is None else inner
 
 
 def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInteractor | None:
-    """The interactor of what a program calls its window, by what it has."""
+    """The interactor of a program's window object, by its attributes."""
     target = _trame.window_of(target) if _trame.is_view(target) else _plain_vtk(target)
     if isinstance(target, vtkRenderWindowInteractor):
         return target
@@ -133,7 +135,7 @@ def _find_interactor(target: Any, depth: int = _DEPTH) -> vtkRenderWindowInterac
 
 
 def _find_volume(volume: Any) -> vtkVolume:
-    """The volume that a program shows, by what it has."""
+    """The volume inside a program's object, by its attributes."""
     for one in (volume, getattr(volume, "actor", None)):  # vedo
         if isinstance(_plain_vtk(one), vtkVolume):
             return _plain_vtk(one)
@@ -146,7 +148,7 @@ def _describe(thing: Any) -> str:
 
 
 def _find_plotter(target: Any) -> Any:
-    """A plotter of PyVista, or that of what has one (a figure of MNE); None for what is none."""
+    """PyVista's plotter: the object itself, or the plotter of a figure of MNE; None for other objects."""
     for one in (target, getattr(target, "plotter", None)):
         if hasattr(one, "iren") and any(kind.__module__.split(".")[0] == "pyvista" for kind in type(one).__mro__):
             return one
@@ -154,7 +156,7 @@ def _find_plotter(target: Any) -> Any:
 
 
 def _image_of(interactor: vtkRenderWindowInteractor, volume: vtkVolume | None) -> vtkImageData | None:
-    """What a volume shows, or the first one of a window."""
+    """The image that a volume shows, or the first image of a window."""
     shown = [volume] if volume is not None else []
     renderers = interactor.GetRenderWindow().GetRenderers()
     for renderer in map(renderers.GetItemAsObject, range(renderers.GetNumberOfItems())):
@@ -169,19 +171,19 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
 
     target: the window: a vtkRenderWindowInteractor, vtkRenderWindow or vtkRenderer; a widget of VTK for Qt, Tk or wx; a
         VtkRemoteView of trame; a plotter of PyVista or vedo, a show manager of FURY, a scene or figure of Mayavi, a
-        figure of MNE; or anything else that leads to a window by an attribute that one of these has. In trame, a button
-        of yours calls widget.TouchModeOn(), because no keys arrive; the touch ends when a browser leaves.
-    volume: what is touched, a vtkVolume or what has one. Default: what the window shows under the pointer.
+        figure of MNE; or any other object with one of their attributes. In trame, call widget.TouchModeOn() from a
+        button, because no keys arrive; the touch ends when a browser leaves.
+    volume: the touched vtkVolume, or an object that has one. Default: the volume under the pointer.
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": what the volume's own edges suggest, or a file ".json": both as in touch().
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is open
         and stays so.
     settings: of vtkVolumeHapticsFilter, in snake_case, as for touch().
 
-    The key t with the pointer on a volume begins the touch, Escape ends it: see vtkHapticWidget. Keep what comes back:
-    the touch ends with it.
+    The key t with the pointer on a volume begins the touch, Escape ends it: see vtkHapticWidget. Keep the returned
+    object: the touch ends when it is deleted.
 
-    TypeError: target leads to no window, or volume is none. ValueError: the window has no interactor, or settings can't
+    TypeError: target has no window, or volume is no volume. ValueError: the window has no interactor, or settings can't
     be felt; the text says why, and what helps. RuntimeError: the device does not open.
     """
     plotter = _find_plotter(target)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An ideal hand, which tells materials apart as well as human senses allow."""
+"""An ideal hand that tells materials apart as well as human senses allow."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ __all__ = ["identify"]
 _STRATEGIES = ("force", "depth")
 _MATERIAL = ("stiffness", "friction", "viscosity", "surface_strength")
 _TICK = 0.05  # mm
-_ABOVE = 6.0  # mm, from which the hand comes to an edge
+_ABOVE = 6.0  # mm: height of the hand above an edge at the start
 _DEEPEST = 10.0  # mm
 _STROKE = 10.0  # mm
-_STRONGEST = 4.0  # N, that the hand presses with
-_STEADY = 0.4  # of the stroke, after which it is judged
-_FLOORS = {"mm": 0.5, "N": 0.05}  # below them the senses do not follow Weber's law: assumed
+_STRONGEST = 4.0  # N: the strongest press
+_STEADY = 0.4  # fraction of the stroke after which the cues count
+_FLOORS = {"mm": 0.5, "N": 0.05}  # below these, the senses do not obey Weber's law: assumed
 _DRAWS = 100_000
 
 
@@ -36,12 +36,12 @@ _DRAWS = 100_000
 class Identification:
     """How well an ideal hand tells materials apart.
 
-    names: of the materials, in the order of all that follows.
-    cue_names: what the hand goes by, with units.
-    cues: of shape (materials, cues), what it measures: the mean, if a material was touched more than once.
+    names: of the materials, in the order of all other members.
+    cue_names: what the hand measures, with units.
+    cues: of shape (materials, cues), the measured values: the mean, if a material was touched more than once.
     distance: d' of each pair, in units of the noise of the senses.
     confusion: confusion[i, j] is the probability that material i is named j.
-    correct: the expected number of materials that are named right, the sum of the diagonal.
+    correct: the expected number of correctly named materials: the sum of the diagonal.
     """
 
     names: tuple[str, ...]
@@ -69,7 +69,7 @@ def _function(value: float) -> vtkPiecewiseFunction:
 
 
 def _constant(name: str, material: Mapping[str, float]) -> vtkHapticProperty:
-    """The same material wherever the hand is."""
+    """A property that feels the same everywhere."""
     feel = vtkHapticProperty()
     feel.SetDistinctness(_function(1.0))
     for key, value in material.items():
@@ -100,7 +100,7 @@ def _slab(values: tuple[float, float] | None, margin: int) -> Any:
 
 
 def _way(start: float, depth: float, stroke: float) -> np.ndarray:
-    """Down to a depth, then aside."""
+    """A path down to a depth, then aside."""
     down = np.arange(start, depth + 0.5 * _TICK, _TICK)
     aside = np.arange(_TICK, stroke + 0.5 * _TICK, _TICK)
     points = np.zeros((len(down) + len(aside), 3))
@@ -134,7 +134,7 @@ def _of_trace(name: str, trace: vtkPolyData) -> list:
 
 
 def _confusion(places: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """d' of each pair and the probabilities of names, of perceived cues at some places of each material."""
+    """d' of each pair and the probabilities of names, from perceived cues at some positions on each material."""
     mean = np.array([one.mean(axis=0) for one in places])
     variance = 1.0 + np.array([one.var(axis=0) for one in places])
     random = np.random.default_rng(11)
@@ -155,7 +155,7 @@ def _positive(name: str, value: float) -> None:
 
 
 def _is_values(material: Any) -> bool:
-    """A scalar value inside, or a pair outside and inside."""
+    """A scalar value inside, or a pair: outside and inside."""
     pair = material if isinstance(material, tuple) else (material,)
     return len(pair) in (1, 2) and all(isinstance(one, numbers.Real) for one in pair)
 
@@ -171,26 +171,25 @@ def identify(
     outside: float = -1000.0,
     **settings: Any,
 ) -> Identification:
-    """Which of some materials a hand could tell apart, before anyone has touched them.
+    """Computes which materials a hand could tell apart, before anyone has touched them.
 
     An ideal hand presses on each material, strokes it, and presses until it yields. It knows how each of them feels,
     and errs only because human senses are coarse: it confuses cues that differ by about a Weber fraction.
 
-    materials: by name, each one of these, which may be mixed:
-        a mapping with stiffness (N/m), friction, viscosity (N) and surface_strength (N); what it leaves out has the
-            default of vtkHapticProperty;
+    materials: by name; each is one of these, and kinds may be mixed: a mapping with stiffness (N/m), friction,
+        viscosity (N) and surface_strength (N); missing ones have the default of vtkHapticProperty;
         a scalar value (such as HU), or a tuple of two, outside and inside: a slab of this value, felt with the preset
             or the property;
         a trace of touch(), or a list of them: strokes over data at constant depth, for strategy "depth".
     preset: the feel of scalar values, as in touch().
-    strategy: "force", the hand strokes with a constant force and notes how deep that takes it (10 mm at most);
-        "depth", it strokes at a constant depth and notes the force. Either way it notes the force against the stroke
-        and the force at which the material yields (4 N at most).
+    strategy: "force", the hand strokes with a constant force and measures its depth (10 mm at most); "depth", it
+        strokes at a constant depth and measures the force. Either way it measures the force against the stroke and the
+        force at which the material yields (4 N at most).
     force: of strategy "force" (N).
     depth: of strategy "depth" (mm).
-    weber: the Weber fraction: a difference of a cue by this share is as large as the noise of the senses, d' = 1.
-    outside: the scalar value outside of slabs that are given by one value.
-    settings: what vtkVolumeHapticsFilter can be set to, as in touch(), for slabs.
+    weber: the Weber fraction: a difference of a cue by this fraction is as large as the noise of the senses, d' = 1.
+    outside: the scalar value outside slabs that are given by one value.
+    settings: settings of vtkVolumeHapticsFilter for slabs, as in touch().
 
     Of two materials that are d' apart the hand names the right one with probability Phi(d'/2), Phi being the normal
     distribution function. Documentation/evaluation.md has the model and the thresholds of the literature.

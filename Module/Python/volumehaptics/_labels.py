@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Labels and their materials, as touch() and add_haptics() take them."""
+"""Labels and their materials for touch() and add_haptics()."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _one_of(known: Iterable[str], wrong: str) -> str:
 
 
 def _labels_of(table: vtkHapticLabelTable, key: int | str) -> list[int]:
-    """The labels that a key of materials means: itself, or all with this name."""
+    """The labels that a key of materials stands for: one number, or all labels of a name."""
     if isinstance(key, numbers.Integral) and not isinstance(key, bool):
         if not -2**31 <= key < 2**31:
             raise ValueError(f"label {key} is out of range: labels are from {-2**31} to {2**31 - 1}")
@@ -85,11 +85,11 @@ def _fill(table: vtkHapticLabelTable, materials: Mapping[int | str, Mapping[str,
 
 
 def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None:
-    """Adds the materials to a table."""
+    """Adds materials to a table."""
     if materials is None:
         return
     if isinstance(materials, vtkHapticLabelTable):
-        # Field data have all of a table, and merge.
+        # Field data hold whole tables; merge them.
         carrier = vtkImageData()
         materials.WriteFieldData(carrier.GetFieldData())
         table.ReadFieldData(carrier.GetFieldData())
@@ -106,20 +106,20 @@ def _make_table(table: vtkHapticLabelTable, materials: Materials | None) -> None
 
 
 def _copy(image: vtkImageData) -> vtkImageData:
-    """Without what a reader's output says of where it comes from; the samples are shared."""
+    """The image without the reader's record of its origin; it shares the samples."""
     copy = vtkImageData()
     copy.ShallowCopy(image)
     return copy
 
 
 def _count_unpacked(file: str, offset: int = 0) -> int:
-    """How many bytes zlib or gzip packed from an offset of a file on to its end; -1 if they are cut off or damaged."""
+    """The number of bytes that zlib or gzip packed from an offset of a file to its end; -1 if cut off or damaged."""
     count = 0
     with open(file, "rb") as packed:
         packed.seek(offset)
         rest = packed.read(1 << 18)
         while rest:
-            stream = zlib.decompressobj(zlib.MAX_WBITS | 32)  # zlib's header or gzip's
+            stream = zlib.decompressobj(zlib.MAX_WBITS | 32)  # header of zlib or gzip
             try:
                 while rest and not stream.eof:
                     count += len(stream.decompress(rest, 1 << 20))
@@ -129,14 +129,14 @@ def _count_unpacked(file: str, offset: int = 0) -> int:
                 return -1
             if not stream.eof:
                 return -1
-            if not rest.startswith(b"\x1f\x8b"):  # gzip files may follow each other
+            if not rest.startswith(b"\x1f\x8b"):  # a gzip file may have several members
                 break
     return count if count else -1
 
 
 def _count_held(file: str) -> int:
-    """How many bytes of samples a file has, at most; -1 if it is cut off or damaged: VTK's readers take whatever was in
-    memory for what is missing."""
+    """The most bytes of samples that a file can hold; -1 if it is cut off or damaged: VTK's readers fill missing
+    samples with whatever was in memory."""
     name = file.lower()
     if name.endswith(".nii.gz"):
         return _count_unpacked(file)
@@ -153,14 +153,14 @@ def _count_held(file: str) -> int:
             text.seek(max(0, size - 1024))
             if b"</VTKFile>" not in text.read():
                 return -1
-        return 10000 * size  # zeros become at most 1032 times smaller by deflate, and 7000 times by LZMA
+        return 10000 * size  # deflate packs zeros 1032 times smaller at most, LZMA 7000 times
     return size if name.endswith(".nii") else 1032 * size
 
 
 def _run(reader: Any, file: str) -> vtkImageData:
-    """What a reader of VTK's gives. ValueError: an error, or a header that promises more than the file holds.
+    """The output of a VTK reader. ValueError: an error, or a header that promises more than the file holds.
 
-    Some readers go on after an error, and read all samples into memory for one voxel; all of them take memory first."""
+    Some readers continue after an error, and read all samples into memory for one voxel; all of them allocate first."""
     from ._touch import Errors
 
     held = _count_held(file)
@@ -201,7 +201,7 @@ def _read_nifti(file: str) -> tuple[vtkImageData, bool]:
 
 
 def _read_header(file: str) -> tuple[dict[str, str], int]:
-    """The fields of a MetaImage, and where samples behind them begin."""
+    """The fields of a MetaImage's header, and the offset of the samples behind it."""
     fields: dict[str, str] = {}
     with open(file, "rb") as header:
         for line in iter(lambda: header.readline(10000), b""):
@@ -244,12 +244,12 @@ def _read_vti(file: str) -> tuple[vtkImageData, bool]:
 
 _READERS = {".nrrd": _read_nrrd, ".seg": _read_nrrd, ".nii": _read_nifti, ".nii.gz": _read_nifti,
             ".mha": _read_meta_image, ".mhd": _read_meta_image, ".vti": _read_vti}
-# That vtkMetaImageReader knows, and whose size does not depend on the system.
+# Types that vtkMetaImageReader knows, and whose size does not depend on the system.
 _META_TYPES = ("MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE")
 
 
 def _read(volume: vtkImageData, file: str) -> vtkImageData:
-    """A label image, where it lies in the volume's world, with its table in its field data."""
+    """A label image where it lies in the volume's world, with its table in its field data."""
     from ._touch import Errors
 
     if not os.path.isfile(file):
@@ -261,15 +261,15 @@ def _read(volume: vtkImageData, file: str) -> vtkImageData:
     image, is_placed = read(file)
     if not image.GetFieldData().HasArray("Label"):
         table = vtkHapticLabelTable()
-        with Errors(table):  # without names there are numbers
+        with Errors(table):  # labels without names keep their numbers
             table.ReadFile(file)
         table.WriteFieldData(image.GetFieldData())
     return _find_place(image, is_placed, volume, file)
 
 
 def _find_place(image: vtkImageData, is_placed: bool, volume: vtkImageData, file: str) -> vtkImageData:
-    """The labels of a file in the world of a volume, which may be left-posterior-superior, as that of ITK and the
-    explorer, or right-anterior-superior, as nibabel's. ValueError: it can't be told where they lie."""
+    """The labels of a file, placed in the world of a volume: left-posterior-superior as in ITK and the explorer, or
+    right-anterior-superior as in nibabel. ValueError: the position can't be determined."""
     if image.GetDimensions() == volume.GetDimensions() and (
             not is_placed or any(_has_voxels_of(one, volume) for one in (image, _turn(image)))):
         return _lay(image, volume)
@@ -289,7 +289,7 @@ def _tell(image: vtkImageData) -> str:
 
 
 def _is_bare(volume: vtkImageData) -> bool:
-    """Whether it seems to come from a reader or an array without a place."""
+    """Whether an image seems to come from a reader, or from an array without a position."""
     return _matrix(volume)[:2] == [[1, 0, 0], [0, 1, 0]] and tuple(volume.GetOrigin()) == (0, 0, 0)
 
 
@@ -299,7 +299,7 @@ def _matrix(image: vtkImageData) -> list[list[float]]:
 
 
 def _set_frame(image: vtkImageData, axes: list[list[float]], origin: Iterable[float]) -> None:
-    """Columns of any length are the directions of the index axes."""
+    """Sets the axes of an image: columns of any length are the directions of the index axes."""
     lengths = [math.hypot(*column) for column in zip(*axes)]
     if min(lengths) > 0:
         image.SetDirectionMatrix([x / length for row in axes for x, length in zip(row, lengths)])
@@ -307,7 +307,7 @@ def _set_frame(image: vtkImageData, axes: list[list[float]], origin: Iterable[fl
 
 
 def _turn(image: vtkImageData) -> vtkImageData:
-    """From left-posterior-superior to right-anterior-superior, or back."""
+    """Converts left-posterior-superior to right-anterior-superior, or back."""
     turned = _copy(image)
     x, y, z = image.GetOrigin()
     axes = _matrix(image)
@@ -316,7 +316,7 @@ def _turn(image: vtkImageData) -> vtkImageData:
 
 
 def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
-    """From the indices of an image to those of a volume."""
+    """The matrix from the indices of an image to the indices of a volume."""
     to_voxels = vtkMatrix4x4()
     vtkMatrix4x4.Invert(volume.GetIndexToPhysicalMatrix(), to_voxels)
     vtkMatrix4x4.Multiply4x4(to_voxels, image.GetIndexToPhysicalMatrix(), to_voxels)
@@ -324,7 +324,7 @@ def _to_voxels(image: vtkImageData, volume: vtkImageData) -> vtkMatrix4x4:
 
 
 def _ends(image: vtkImageData, volume: vtkImageData) -> list[tuple[float, ...]]:
-    """The first voxel of an image, and the last one along each axis, as indices of a volume."""
+    """An image's first voxel, and the last voxel along each axis, as indices of a volume."""
     matrix, extent = _to_voxels(image, volume), image.GetExtent()
     ends = [[extent[2 * axis + (axis == end)] for axis in range(3)] for end in (-1, 0, 1, 2)]
     return [matrix.MultiplyPoint((*index, 1.0))[:3] for index in ends]
@@ -334,12 +334,12 @@ _TOLERANCE = 0.05  # voxels
 
 
 def _has_voxels_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether they are the same ones, in the same order; both have as many along each axis."""
+    """Whether voxels coincide, in the same order; both images have as many along each axis."""
     return all(math.dist(a, b) < _TOLERANCE for a, b in zip(_ends(image, volume), _ends(volume, volume)))
 
 
 def _has_grid_of(image: vtkImageData, volume: vtkImageData) -> bool:
-    """Whether its voxels are some of the volume's, or would be beyond its border; the axes may be others."""
+    """Whether an image's voxels are voxels of the volume, or would be beyond its border; axes may differ."""
     matrix = _to_voxels(image, volume)
     steps = [matrix.GetElement(row, column) for row in range(3) for column in range(3)]
     return all(abs(abs(step) - 0.5) > 0.4 and abs(step) < 1.1 for step in steps) and all(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Volumes that are larger than memory: anything that gives the samples of a box."""
+"""Volumes larger than memory: any object that gives the samples of a box."""
 
 from __future__ import annotations
 
@@ -56,15 +56,15 @@ _TYPES = {
     "float64": VTK_DOUBLE,
 }
 
-# A call of such a function waits for Python's lock, whatever thread it is made by; and a call of the library's function
-# lets other threads of Python run meanwhile.
+# A call of a ctypes function waits for Python's lock on whatever thread; a call of the library's function lets other
+# Python threads run meanwhile.
 _Read = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.c_void_p, ctypes.POINTER(ctypes.c_int), ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int)
 _Release = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
 
 
 class _Array(NamedTuple):
-    """An array that C++ may read, and what reads it."""
+    """An array that C++ may read, and the function that reads it."""
 
     array: Any
     dtype: np.dtype
@@ -72,7 +72,7 @@ class _Array(NamedTuple):
 
 
 class _Source(vtkHapticRegionSource):
-    """A source that lives as long as anything holds an output port of it, of which VTK's own one knows nothing."""
+    """A source that lives as long as any of its output ports is held; VTK's ports do not hold their source."""
 
     def GetOutputPort(self, *index: int) -> Any:
         port = super().GetOutputPort(*index)
@@ -91,7 +91,7 @@ _MOST_COARSE = 2**22  # voxels of a coarse level
 
 
 def _expect_in_file(part: np.ndarray) -> None:
-    """An error if the file that a part is mapped from ends before it: reading it would end the program (SIGBUS)."""
+    """Raises an error if a mapped file ends before a part: reading the part would end the program (SIGBUS)."""
     mapped = part
     while isinstance(mapped.base, np.ndarray):
         mapped = mapped.base
@@ -106,7 +106,7 @@ def _expect_in_file(part: np.ndarray) -> None:
 
 
 def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
-    """Puts a box of an array into memory."""
+    """Reads a box of an array into memory."""
     x0, x1, y0, y1, z0, z1 = extent[:6]
     shape = (z1 - z0 + 1, y1 - y0 + 1, x1 - x0 + 1)
     part = np.asarray(array[z0 : z1 + 1, y0 : y1 + 1, x0 : x1 + 1])
@@ -122,7 +122,7 @@ def _read(number: int, extent: Any, samples: int, why: int, room: int) -> int:
     try:
         one = _arrays[number]
         _fill(one.array, one.dtype, extent, samples)
-    except BaseException as error:  # anything else would be lost in C++
+    except BaseException as error:  # C++ would lose any other exception
         text = f"{type(error).__name__}: {error}".encode()[: room - 1] + b"\0"
         ctypes.memmove(why, text, len(text))
         return 0
@@ -142,7 +142,7 @@ def _set_reader(source: vtkHapticRegionSource, read: Any, number: int) -> None:
 
 
 def _let_read(_source: vtkHapticRegionSource, _event: str) -> None:
-    """Lets the thread that reads have Python's lock, which VTK's own loop of events keeps all the time."""
+    """Releases Python's lock for the reading thread, because VTK's event loop holds the lock all the time."""
     time.sleep(sys.getswitchinterval())
 
 
@@ -151,7 +151,7 @@ _process = os.getpid()
 
 @atexit.register
 def _end_reading() -> None:
-    """No thread may call Python when that is gone."""
+    """Stops reading before Python ends: no thread may call Python then."""
     if os.getpid() != _process:
         return  # the threads belong to the parent
     for one in list(_arrays.values()):
@@ -163,7 +163,7 @@ def _end_reading() -> None:
 
 
 class _Volume:
-    """The volume [z, y, x] in an array with further axes before these."""
+    """The volume [z, y, x] of an array with further axes before these."""
 
     def __init__(self, array: Any, before: tuple[int, ...]) -> None:
         self._array, self._before = array, before
@@ -174,7 +174,7 @@ class _Volume:
 
 
 def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float], list[float]]:
-    """Those of OME-Zarr's coordinate transformations, along all axes."""
+    """Spacing and origin of OME-Zarr's coordinate transformations, along all axes."""
     scale, translation = [1.0] * axes, [0.0] * axes
     for one in transformations:
         if one.get("type") == "scale" and "scale" in one:
@@ -189,7 +189,7 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
 
 
 class _Level(NamedTuple):
-    """A volume, and spacing and origin along x, y and z, if they are known."""
+    """A volume, with spacing and origin along x, y and z if they are known."""
 
     array: Any
     spacing: Sequence[float] | None = None
@@ -227,7 +227,7 @@ def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
         except (KeyError, ValueError):
             if not levels:
                 raise
-            break  # of coarser levels, those that can be opened are good enough
+            break  # missing coarser levels are no error
     return levels
 
 
@@ -246,12 +246,12 @@ def _open_path(path: str, level: int) -> list[_Level]:
 
 
 def _choose_coarse(levels: list[_Level]) -> _Level | None:
-    """The finest of the coarser levels that is small enough to be kept in memory, if there is one."""
+    """The finest coarser level that is small enough to stay in memory, if there is one."""
     return next((one for one in levels[1:] if np.prod(one.array.shape, dtype=float) <= _MOST_COARSE), None)
 
 
 def _beside(coarse: Any, fine: _Level) -> _Level:
-    """A coarse array over the same box as a volume whose spacing and origin are known."""
+    """A coarse image over the box of a volume whose spacing and origin are known."""
     ratio = [f / c for f, c in zip(fine.array.shape[::-1], coarse.shape[::-1])]
     spacing = [s * r for s, r in zip(fine.spacing, ratio)]
     return _Level(coarse, spacing, [o + 0.5 * (c - s) for o, c, s in zip(fine.origin, spacing, fine.spacing)])
@@ -282,7 +282,7 @@ def _find_coarse(coarse: Any, levels: list[_Level], fine: _Level) -> vtkImageDat
 
 
 def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHapticRegionSource:
-    """A file that C++ reads itself, on threads that need no lock of Python."""
+    """A file that C++ reads itself, on threads that need no Python lock."""
     source = _Source()
     with Errors(source) as errors:
         if not source.OpenFile(path):
@@ -295,7 +295,7 @@ def _open_in_cpp(path: str, spacing: Any, origin: Any, coarse: Any) -> vtkHaptic
         coarse = coarse or None
         if coarse is not None and not isinstance(coarse, vtkImageData):
             raise TypeError(f"the coarse level of {path} is a vtkImageData, or False, not {type(coarse).__name__}")
-        source.SetCoarseImage(coarse)  # that of the file lies elsewhere
+        source.SetCoarseImage(coarse)  # the file's own coarse image lies elsewhere
     return source
 
 
@@ -306,19 +306,19 @@ def open_large(
     level: int = 0,
     coarse: Any = None,
 ) -> vtkHapticRegionSource:
-    """A volume that is too large for memory, and is read where the hand needs it.
+    """Opens a volume that is too large for memory; it is read where the hand needs it.
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
         OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr,
-        .nrrd) without compression. Of an OME-Zarr image with times or channels, it is the first of each.
+        .nrrd) without compression. An OME-Zarr image with times or channels gives the first of each.
     spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in its own
         units, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
         the file; else 0.
     level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.
     coarse: a smaller array of the same box, which is read at once and stays in memory, or a vtkImageData in the same
-        world. Live it stands in, with half of its force, where samples are late, and it is what a window shows. Default:
+        world. Live, it replaces late samples, with half of its force; windows show it. Default:
         of an OME-Zarr image, its finest coarser level of at most 2^22 voxels; else nothing. False: nothing.
 
     The result is a vtkHapticRegionSource. touch() takes it instead of a volume, and feels what it would feel with the
@@ -328,7 +328,7 @@ def open_large(
     filter or of the source.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, or no voxels; a spacing or an
-    origin that is not three numbers; a level that there is not; a file that can't be read. ImportError: a path
+    origin that is not three numbers; a level that does not exist; a file that can't be read. ImportError: a path
     that needs zarr.
 
     >>> import numpy as np

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several paths as lines of one polydata, and their trace as several."""
+"""Several paths as lines of one polydata, and their joint trace as several traces."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
 def _lines(ends: np.ndarray) -> vtkCellArray:
-    """Polylines of consecutive points, of which these are the ends."""
-    # Copies: vtkCellArray may take the memory and leave the object behind that keeps NumPy's alive.
+    """Polylines of consecutive points, by the indices where they end."""
+    # Copies the offsets: vtkCellArray may take the memory without the object that keeps NumPy's array alive.
     offsets = numpy_to_vtkIdTypeArray(np.array(ends, np.int64), deep=True)
     points = numpy_to_vtkIdTypeArray(np.arange(ends[-1], dtype=np.int64), deep=True)
     lines = vtkCellArray()
@@ -21,7 +21,7 @@ def _lines(ends: np.ndarray) -> vtkCellArray:
 
 
 def _is_plain(path: vtkPolyData) -> bool:
-    """Whether it is one path through its points in their order, and can be a line of several."""
+    """Whether a polydata is one path through its points in their order, so that it can be one line of several."""
     data = path.GetPointData()
     if path.GetNumberOfPoints() == 0 or data.HasArray("DeviceTip") or data.HasArray("Orientation"):
         return False
@@ -34,7 +34,7 @@ def _is_plain(path: vtkPolyData) -> bool:
 
 
 def groups(paths: list[vtkPolyData]) -> list[list[int]]:
-    """The numbers of the paths that can be felt together: all have times, or none."""
+    """The indices of paths that can be felt together: all have times, or none has."""
     timed: list[int] = []
     untimed: list[int] = []
     others: list[list[int]] = []
@@ -47,7 +47,7 @@ def groups(paths: list[vtkPolyData]) -> list[list[int]]:
         elif times.GetNumberOfComponents() == 1 and times.GetNumberOfTuples() == path.GetNumberOfPoints():
             timed.append(i)
         else:
-            others.append([i])  # the filter tells what is wrong
+            others.append([i])  # let the filter report the error
     return [*(group for group in (timed, untimed) if group), *others]
 
 
@@ -68,14 +68,14 @@ def together(paths: list[vtkPolyData]) -> vtkPolyData:
 
 
 def _slice(array: vtkDataArray, begin: int, end: int) -> vtkDataArray:
-    """Some tuples of an array, which share its memory."""
+    """Some tuples of an array; they share its memory."""
     part = numpy_to_vtk(vtk_to_numpy(array)[begin:end], array_type=array.GetDataType())
     part.SetName(array.GetName())
     return part
 
 
 def apart(trace: vtkPolyData) -> list[vtkPolyData]:
-    """A trace for each line of a trace, as each path alone would give it; they share its memory."""
+    """A trace for each line of a joint trace, equal to the trace of each path alone; all share its memory."""
     ends = vtk_to_numpy(trace.GetLines().GetOffsetsArray())
     data = trace.GetPointData()
     arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]

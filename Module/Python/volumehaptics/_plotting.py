@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a pyvista.Plotter touchable. It asks PyVista for nothing but its plotter's public attributes."""
+"""Makes a pyvista.Plotter touchable, through the plotter's public attributes alone."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ from .vtkVolumeHaptics import (
 if TYPE_CHECKING:
     import pyvista as pv
 
-# Each touchable plotter keeps its parts; they do not keep the plotter.
+# A touchable plotter holds its parts; they do not hold the plotter.
 _touchable: weakref.WeakKeyDictionary[pv.Plotter, Haptics] = weakref.WeakKeyDictionary()
 
-SIZE = 0.007  # of the proxy, as a share of the volume's diagonal
-ARROW = 0.05  # of a newton, likewise
+SIZE = 0.007  # radius of the proxy, as a fraction of the volume's diagonal
+ARROW = 0.05  # length of an arrow for 1 N, as the same fraction
 
 
 class Haptics(HostHaptics):
@@ -46,16 +46,16 @@ class Haptics(HostHaptics):
 
     widget: the vtkHapticWidget, which observes the plotter's mouse and keys beside the plotter's own style.
     device: the vtkHapticDevice in the hand, whose servo runs.
-    filter: the vtkVolumeHapticsFilter that says what is felt. What is changed in it is felt at once.
+    filter: the vtkVolumeHapticsFilter that says what is felt. Changes are felt at once.
     style: the vtkInteractorStyleHaptic of the widget, for keys, slices and events. It is not the plotter's style.
     representation: the vtkHapticRepresentation, the hand in the scene.
     head_up_display: the vtkHapticHeadUpDisplay, figures and a plot over the scene.
     frames: the vtkHapticFrameSource of a volume that moves; None without one.
     slices: the vtkHapticSliceView beside the scene; None without slices=True.
-    measurements: the vtkHapticMeasurements that keys fill with what is measured by touch.
+    measurements: the vtkHapticMeasurements that are taken by touch and keys.
     measured: the vtkHapticMeasurementRepresentation, which shows them in the scene.
 
-    PyVista's enable_*_style() and a chart that takes the mouse end nothing.
+    PyVista's enable_*_style() and charts that use the mouse do not end the touch.
     """
 
     def __init__(self, plotter: pv.Plotter, renderer: pv.Renderer | None = None) -> None:
@@ -67,13 +67,13 @@ class Haptics(HostHaptics):
         self._plotter = weakref.ref(plotter)
         self._renderer = weakref.ref(renderer or plotter.renderer)
         self._in_scene: list[Any] = []
-        self._missing = 0  # of these, when they were last looked at
-        self._feels_hidden = False  # what is invisible, too
+        self._missing = 0  # props that were missing at the last look
+        self._feels_hidden = False  # feels invisible props, too
         self._outline: vtkActor | None = None
         self._picture: vtkHapticRegionPicture | None = None
 
     def close(self) -> None:
-        """Stops the servo, closes the device, and gives the plotter back as it was. May be called twice."""
+        """Stops the servo, closes the device, and restores the plotter. May be called twice."""
         if self.closed:
             return
         super().close()
@@ -93,7 +93,7 @@ class Haptics(HostHaptics):
 
     def _attach(self, plotter: pv.Plotter, touched: list[vtkVolume]) -> None:
         renderer = self._renderer()
-        self.measured.UseBoundsOff()  # cameras and axes frame the volume, whatever is measured
+        self.measured.UseBoundsOff()  # cameras and axes frame the volume, not the measurements
         self.measured.SetMeasurements(self.measurements)
         self.measured.SetHeadUpDisplay(self.head_up_display)
         self.head_up_display.SetMeasurements(self.measurements)
@@ -105,13 +105,13 @@ class Haptics(HostHaptics):
             self.widget.On()
         if errors:
             raise ValueError("; ".join(errors))
-        self.widget.AddObserver("ErrorEvent", _warn)  # later: what t can't touch
+        self.widget.AddObserver("ErrorEvent", _warn)  # a later warning: the volume can't be touched with t
         self._in_scene = [prop for prop in (self.representation, *touched) if self._is_in_scene(prop)]
         self._watch(plotter)
         _touchable[plotter] = self
 
     def _frame(self, large: vtkHapticRegionSource) -> None:
-        """Shows the samples that are in memory, in a frame."""
+        """Shows the region in memory finely, and its outline."""
         outline, mapper, self._outline = vtkOutlineFilter(), vtkPolyDataMapper(), vtkActor()
         outline.SetInputConnection(large.GetOutputPort())
         mapper.SetInputConnection(outline.GetOutputPort())
@@ -129,7 +129,7 @@ class Haptics(HostHaptics):
             self._picture.SetRenderer(self._renderer())
 
     def _show_slices(self, plotter: pv.Plotter, image: vtkImageData | None) -> None:
-        """Beside the scene, through the tip: of an image, or of what is felt."""
+        """Slices through the tip, beside the scene: of an image, or of the felt data."""
         self.slices = vtkHapticSliceView()
         self.slices.SetDevice(self.device)
         self.slices.SetHeadUpDisplay(self.head_up_display)
@@ -152,7 +152,7 @@ class Haptics(HostHaptics):
                    for prop in self._in_scene)
 
     def _refuse(self) -> None:
-        """Lets nobody touch what is not in the scene, or invisible."""
+        """Prevents touch of a volume that is invisible or not in the scene."""
         if self._count_missing() and (self.style.GetTouchMode() or self.device.IsArmOrdered()):
             self.style.FadeOut()
             warnings.warn("what is touched was taken out of the plotter or made invisible, so that it is not felt. Cure: "
@@ -160,7 +160,7 @@ class Haptics(HostHaptics):
                           "with what is shown now", stacklevel=2)
 
     def _watch(self, plotter: pv.Plotter) -> None:
-        """Closes with the plotter. Its own hooks are taken by show(), so that the objects below it are watched."""
+        """Closes with the plotter. show() replaces the plotter's own hooks, so this watches objects below it."""
         itself = weakref.ref(self)
 
         def close(*_: object) -> None:
@@ -188,13 +188,13 @@ class Haptics(HostHaptics):
         self.style.AddObserver("ModifiedEvent", look)
         self.style.AddObserver(vtkInteractorStyleHaptic.ArmedEvent, look)
         self.style.AddObserver(vtkInteractorStyleHaptic.StatesEvent, look)
-        interactor.close = close_first  # others may hold the interactor of VTK, which then outlives the plotter
+        interactor.close = close_first  # other owners may keep VTK's interactor alive after the plotter
         interactor.interactor.AddObserver("DeleteEvent", close)
         weakref.finalize(plotter, close)
         self._watch_widget(plotter)
 
     def _check_volumes(self) -> list[str]:
-        """Says how volumes are felt differently from how they are shown, and warns of later differences."""
+        """Warns if volumes are shown differently from how they are felt, now or later."""
         with Errors(self.style, event="WarningEvent") as found:
             self.style.CheckShownVolumes()
         self.style.AddObserver("WarningEvent", _warn)
@@ -215,7 +215,7 @@ def _close_all() -> None:
 
 
 def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
-    """The subplot that shows an actor: the active one, if it does; that for anything else."""
+    """The subplot that shows an actor, preferably the active one; for other objects the active one."""
     if not isinstance(volume, vtkVolume):
         return plotter.renderer
     for renderer in (plotter.renderer, *plotter.renderers):
@@ -227,7 +227,7 @@ def _renderer_of(plotter: pv.Plotter, volume: Any) -> pv.Renderer:
 
 
 def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
-    """The plotter's volume, or the first one; if there is to be one alone, that."""
+    """The plotter's volume, or its first one; with is_alone, its only one."""
     volumes = {name: actor for name, actor in plotter.actors.items() if isinstance(actor, vtkVolume)}
     if not volumes:
         raise ValueError("the plotter has no volume. Cure: add_haptics(plotter, plotter.add_volume(image))")
@@ -239,7 +239,7 @@ def _find_volume(plotter: pv.Plotter, is_alone: bool) -> vtkVolume:
 
 
 def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume | vtkHapticRegionSource:
-    """What shows a volume that is larger than memory; itself if nothing does."""
+    """The actor that shows a volume larger than memory; the volume itself if none does."""
     shown = [actor for actor in plotter.actors.values() if isinstance(actor, vtkVolume)]
     if not shown and large.GetCoarseImage() is not None:
         import pyvista
@@ -249,7 +249,7 @@ def _show_coarse(plotter: pv.Plotter, large: vtkHapticRegionSource) -> vtkVolume
 
 
 def _image_of(volume: Any) -> vtkImageData:
-    """The image to be touched, of an actor or as it is."""
+    """The image to be touched: an actor's, or the given one."""
     image = volume
     if isinstance(volume, vtkVolume):
         image = volume.GetMapper().GetInputDataObject(0, 0) if volume.GetMapper() else None
@@ -267,7 +267,7 @@ def _geometry(image: vtkImageData) -> tuple[Any, ...]:
 
 
 def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapticFrameSource:
-    """Images, a frame each, as the time steps of one volume."""
+    """Images, one per frame, as the time steps of one volume."""
     if len(frames) < 2:
         raise ValueError("a volume that moves has two frames at least. Cure: give one image alone, not in a list")
     for frame in frames:
@@ -287,7 +287,7 @@ def _frames_of(frames: Sequence[Any], times: Sequence[float] | None) -> vtkHapti
 
 
 def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageData:
-    """The actor that shows the first frame, or an image of its geometry; without one, the frame."""
+    """The actor that shows the first frame, or an image of its geometry; if there is none, the frame."""
     def shows(actor: Any) -> bool:
         mapper = actor.GetMapper() if isinstance(actor, vtkVolume) else None
         shown = mapper.GetInputDataObject(0, 0) if mapper else None
@@ -296,7 +296,7 @@ def _actor_of(plotter: pv.Plotter, first: vtkImageData) -> vtkVolume | vtkImageD
     actors = [actor for actor in plotter.actors.values() if shows(actor)]
     if len(actors) != 1:
         return first
-    # PyVista may have given its mapper a copy, which the style would not know as what is felt.
+    # PyVista may have given the mapper a copy, which the style would not recognise as the felt image.
     actors[0].GetMapper().SetInputDataObject(0, first)
     return actors[0]
 
@@ -315,33 +315,33 @@ def add_haptics(
     slices: bool = False,
     **settings: Any,
 ) -> Haptics:
-    """Makes a volume in a plotter one to be touched: press t with the pointer on it.
+    """Makes a volume in a plotter touchable: press t with the pointer on it.
 
     plotter: a pyvista.Plotter with a window of its own, not shown yet or already. The subplot that shows the given
         actor is the one that is touched; for an image, grid or frames the active one, which also shows measurements.
-    volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may
-        show it, such as an isosurface. Default: the volume under the pointer, whichever the plotter shows when t is
-        pressed; with mode, labels, visibility or "propose" its only one. Or a list of images of one geometry,
-        the frames of a volume that moves: it plays in a loop at once, and an actor of the first of them shows what
-        is felt; see vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory,
-        of open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
+    volume: what plotter.add_volume() returned, or a pyvista.ImageData with point data, in which case anything may show
+        it, such as an isosurface. Default: the volume under the pointer, whichever the plotter shows when t is pressed;
+        with mode, labels, visibility or "propose" its only one. Or a list of images of one geometry, the frames of a
+        volume that moves: it plays in a loop at once, and an actor of the first frame shows what is felt; see
+        vtkHapticDevice.Play() and the keys of vtkInteractorStyleHaptic. Or one that is larger than memory, of
+        open_large(): the plotter shows its coarse level, if it has one and the plotter has no volume, and the region
         that is in memory finely, in a frame. Or a rectilinear, structured or unstructured grid, or a MultiBlock of
         these: its arrays are felt, resampled around the hand, whatever shows it.
-    times: of frames, in seconds, or in other units with time_units_per_second=...; they may stand in the place of
-        preset: add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
+    times: of frames, in seconds, or in other units with time_units_per_second=...; times may take the place of preset:
+        add_haptics(plotter, frames, times). Default: 0, 1, 2 ...
     preset: what the tissues feel like, such as "CT contrast": see vtkHapticProperty. Default: 500 N/m everywhere.
         "propose": what the volume's own edges suggest, as in touch(). Or a file ".json", also as there.
     device: "virtual", the mouse (default), "falcon" and so on: see vtkHapticDevice; or a vtkHapticDevice that is
         open and stays so.
-    visibility: what is not seen is not felt: as the given actor's opacity says, or that of volume, if it is one
-        (True, default), which is then also felt where its position, orientation and scale put it, without what its
+    visibility: True (default): what is not seen is not felt, by the opacity of the given actor, or of volume if it is
+        an actor. A given actor is felt where its position, orientation and scale put it, without the parts that its
         mapper crops and clips, such as by plotter.add_volume_clip_plane(); see vtkInteractorStyleHaptic.TouchVolume().
-        An actor that is made invisible, or that another one of its name replaces, is not felt any more.
+        An actor is not felt any more when it becomes invisible, or when an actor of the same name replaces it.
         False: what is hidden is felt, too.
-    mode: a way to feel vectors, tensors or vessels, such as "Find a vortex", as for volumehaptics.touch(): a grid
-        of vectors has "Follow the flow" if nothing else is said.
-    labels, materials: a segmentation and what its labels feel like, as for volumehaptics.touch(). The table is
-        haptics.filter.GetLabelTable(); what is changed in it is felt at once.
+    mode: a way to feel vectors, tensors or vessels, such as "Find a vortex", as for volumehaptics.touch(). Default for
+        a grid of vectors: "Follow the flow".
+    labels, materials: a segmentation and the feel of its labels, as for volumehaptics.touch(). The table is
+        haptics.filter.GetLabelTable(); changes are felt at once.
     slices: True shows three slices through the tip in a column beside the scene: see vtkHapticSliceView, and
         vtkInteractorStyleHaptic for their mouse. All subplots get narrower. The key s hides and shows them.
     settings: of vtkVolumeHapticsFilter, in snake_case: iso_value=-300, kernel_radius=3, property=...,
@@ -398,7 +398,7 @@ def add_haptics(
                          "feels one. Cure: property=p, where p.SetComponent(0) of a vtkHapticProperty says which")
     haptics = Haptics(plotter, _renderer_of(plotter, volume))
     haptics._feels_hidden = visibility is not True
-    # What the widget finds in the window; what else is felt, is what the filter has.
+    # The widget finds volumes in the window; other data come from the filter.
     is_found = isinstance(volume, vtkVolume) and visibility is True and large is None and frames is None
     look = volume if visibility is True else visibility
     try:
@@ -418,7 +418,7 @@ def add_haptics(
             haptics.representation.SetRadius(SIZE * length)
             haptics.representation.SetForceScale(1.0 / float(f"{ARROW * length:.1g}"))  # a round number is shown
         haptics._attach(plotter, [volume] if isinstance(volume, vtkVolume) and not takes_any else [])
-        if is_found and haptics.style.GetTouchedVolume() is None:  # hidden; or it can't be touched
+        if is_found and haptics.style.GetTouchedVolume() is None:  # the volume is hidden, or can't be touched
             with Errors(haptics.style) as errors:
                 haptics.style.TouchVolume(volume)
             if errors:
@@ -433,7 +433,7 @@ def add_haptics(
             haptics.device.SetPlaybackToLoop()
             haptics.device.Play()
     except BaseException:
-        haptics.close()  # now: the exception keeps it, in an interactive session until the next one
+        haptics.close()  # an interactive session would keep the exception, and so the plotter
         raise
     return haptics
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lets the hand go when a widget of Qt is hidden, minimised or closed, which VTK tells nobody."""
+"""Ends the touch when a widget of Qt is hidden, minimised or closed; VTK sends no event for this."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
-# Each of these has the same classes.
+# All of these packages have the same classes.
 _BINDINGS = ("PySide6", "PyQt6", "PyQt5", "PySide2")
 
 
 def _binding_of(widget: Any) -> str | None:
-    """The Qt for Python that a widget is of; None for what is no widget."""
+    """The Qt package of a widget; None for other objects."""
     for kind in type(widget).__mro__:
         binding = kind.__module__.split(".")[0]
         if kind.__name__ == "QWidget" and binding in _BINDINGS:
@@ -23,9 +23,10 @@ def _binding_of(widget: Any) -> str | None:
 
 
 def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] | None:
-    """Calls let_go whenever the widget, or the window that it is in, is no longer seen. Of what is no widget: None.
+    """Calls let_go whenever the widget or its window is no longer seen. None for other objects.
 
-    Returns what ends the watch, which keeps the watch, and not the widget, alive, and is False if Qt has deleted the widget.
+    Returns a function that ends the watch. It keeps the watch alive, but not the widget, and returns False if Qt has
+    deleted the widget.
     """
     binding = _binding_of(widget)
     if binding is None:
@@ -35,7 +36,7 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] 
     hide, show, state, moved = kinds.Hide, kinds.Show, kinds.WindowStateChange, kinds.ParentChange
 
     class Watch(core.QObject):
-        """Of the widget and of its window: only the window itself gets an event when it is minimised."""
+        """Watches the widget and its window: only the window itself gets an event when it is minimised."""
 
         def __init__(self) -> None:
             super().__init__()
@@ -77,7 +78,7 @@ def watch_widget(widget: Any, let_go: Callable[[], None]) -> Callable[[], bool] 
 
 
 def _try(function: Callable[[Any], None], argument: Any) -> bool:
-    """Of an object that Qt may have deleted already: then it is False."""
+    """Calls a function of an object; False if Qt has already deleted the object."""
     try:
         function(argument)
     except RuntimeError:

@@ -31,7 +31,7 @@ def _read(path: str) -> vtkPolyData:
     with Errors(reader) as errors:
         reader.SetFileName(path)
         reader.UpdateInformation()
-        if not errors:  # else some readers go on
+        if not errors:  # some readers would continue after an error
             reader.Update()
     mesh = reader.GetOutput()
     if errors or mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
@@ -40,7 +40,7 @@ def _read(path: str) -> vtkPolyData:
 
 
 def make_tool(tool: Any) -> Any:
-    """A tool of the shape of a mesh, or of the mesh in a file; anything else is left as it is."""
+    """A tool with the shape of a mesh or of a mesh file; other values are returned as they are."""
     if isinstance(tool, (str, os.PathLike)):
         tool = _read(os.fspath(tool))
     if not isinstance(tool, vtkPolyData):

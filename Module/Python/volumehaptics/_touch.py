@@ -26,15 +26,15 @@ if TYPE_CHECKING:
 
 
 def plain(text: str) -> str:
-    """A message of VTK without the source file and line, which do not help the caller."""
+    """A message of VTK without source file and line, which do not help the caller."""
     return re.sub(r"^(ERROR|Warning): In .*, line \d+\n.*?\(\w+\): ", "", text).strip()
 
 
 class Errors(list):
-    """The errors of objects in a with statement, instead of on the console: errors, or with an event, warnings.
+    """Collects errors (or, with an event, warnings) of objects in a with statement, instead of printing them.
 
-    Who is watched and who watches keep each other, and a volume with them, until Python looks for garbage: not longer
-    than the statement.
+    Observer and object reference each other, and keep a volume alive, until Python's garbage collection; so the
+    observers are removed at the end of the statement.
     """
 
     def __init__(self, *watched: Any, event: str = "ErrorEvent") -> None:
@@ -56,7 +56,7 @@ class Errors(list):
 
 
 def _settings() -> list[str]:
-    """The settings that can be read back, in snake_case."""
+    """The names of settings that can be read back, in snake_case."""
     names = dir(vtkVolumeHapticsFilter)
     return [
         re.sub(r"(?<!^)(?=[A-Z])", "_", name[3:]).lower()
@@ -66,7 +66,7 @@ def _settings() -> list[str]:
 
 
 def _unknown(name: str) -> str:
-    """A hint for the caller who gives a setting that does not exist."""
+    """A hint for a setting that does not exist."""
     plain = name.replace("_", "").lower()
     known = _settings()
     close = [one for one in known if one.replace("_", "") == plain]
@@ -82,7 +82,7 @@ def _in_camel_case(name: str) -> str:
 
 
 def _by_name(name: str, value: Any) -> str:
-    """The number that may be meant if a word was given for a number."""
+    """The enumeration value that may be meant if a word was given for a number."""
     if not isinstance(value, str):
         return ""
     if hasattr(vtkVolumeHapticsFilter, f"Set{_in_camel_case(name)}ByName"):
@@ -94,8 +94,8 @@ def _by_name(name: str, value: Any) -> str:
 
 
 def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) -> bool:
-    """False: the filter knows no such value, and may have said why. Numbers out of range, of which it would take the
-    nearest, are a ValueError."""
+    """False: the filter does not know the value; its error may say why. A number out of range is a ValueError, where
+    the filter would clamp."""
     setter = getattr(haptics, f"Set{_in_camel_case(name)}", None)
     if setter is None or name != name.lower():
         raise TypeError(f"{caller}() has no setting {name!r}; {_unknown(name)}")
@@ -122,7 +122,7 @@ def configure(
     errors: Errors,
     caller: str,
 ) -> None:
-    """The settings, then the preset; what of them is not known is an error, which errors may explain."""
+    """Applies the settings, then the preset. An unknown one is an error; `errors` may explain it."""
     for name, value in settings.items():
         if not _set(haptics, name, value, caller):
             raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
@@ -146,7 +146,7 @@ def choose_mode(
     settings: dict[str, Any],
     errors: Errors,
 ) -> None:
-    """The modes of that name, or those that suit a grid of vectors or tensors if it is not said how it feels."""
+    """Applies the modes of a preset's name; without a name, modes that suit a grid of vectors or tensors."""
     said = preset is not None or any(name in settings for name in ("property", "method", "method_by_name"))
     if mode is None and is_grid(volume) and not said:
         mode = suggest_mode(image)
@@ -155,7 +155,7 @@ def choose_mode(
 
 
 def frame_of(source: vtkHapticRegionSource) -> vtkImageData:
-    """The extent and the place of a large volume, without its samples."""
+    """The extent and the position of a large volume, without its samples."""
     frame = vtkImageData()
     frame.SetExtent(source.GetWholeExtent())
     frame.SetOrigin(source.GetOrigin())
@@ -173,7 +173,7 @@ def _misses(volume: vtkImageData, tip: vtkPolyData, trace: vtkPolyData) -> bool:
 
 
 def _warn(text: str) -> None:
-    """The line that is shown is the caller's."""
+    """Warns with the caller's line."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
         level, frame = level + 1, frame.f_back
@@ -181,7 +181,7 @@ def _warn(text: str) -> None:
 
 
 def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vtkPolyData]) -> None:
-    """A way that misses the volume is felt as nothing, which is right, and seldom what was meant."""
+    """Warns about a path that misses the volume: it gives zero force, and is seldom intended."""
     out = [i for i, (tip, trace) in enumerate(zip(tips, traces)) if _misses(volume, tip, trace)]
     if out:
         bounds = tips[out[0]].GetBounds(), volume.GetBounds()
@@ -192,7 +192,7 @@ def _warn_outside(volume: vtkImageData, tips: list[vtkPolyData], traces: list[vt
 
 @functools.lru_cache(maxsize=1)
 def _library() -> ctypes.CDLL:
-    """Calls of its functions let other threads of Python run; calls of VTK's wrappers do not, before VTK 9.4."""
+    """A library whose calls let other Python threads run; calls of VTK's wrappers do not, before VTK 9.4."""
     library = ctypes.CDLL(vtkVolumeHaptics.__file__)
     library.vtkVolumeHapticsFilterUpdate.argtypes = [ctypes.c_void_p]
     library.vtkVolumeHapticsFilterUpdate.restype = None
@@ -200,12 +200,12 @@ def _library() -> ctypes.CDLL:
 
 
 def _update(haptics: vtkVolumeHapticsFilter) -> None:
-    """Update() while other threads of Python run."""
+    """Calls Update() while other Python threads run."""
     _library().vtkVolumeHapticsFilterUpdate(int(haptics.__this__.split("_")[1], 16))
 
 
 def _are_several(tip: Any) -> bool:
-    """Whether these are paths, not the points of one."""
+    """Whether an argument is several paths, not the points of one."""
     if not isinstance(tip, (list, tuple)) or not tip:
         return False
     first = tip[0]
@@ -223,16 +223,16 @@ def _path(tip: vtkPolyData | np.ndarray | Sequence) -> vtkPolyData:
 
 
 class _Feeling:
-    """A filter that feels one path after another, and its errors as exceptions."""
+    """A filter that computes one path after another, with its errors as exceptions."""
 
     def __init__(self, haptics: vtkVolumeHapticsFilter, errors: Errors, failures: Errors) -> None:
         self._haptics, self._errors, self._failures = haptics, errors, failures
 
     def feel(self, path: vtkPolyData | None) -> vtkPolyData:
-        """The trace, which the next one does not change."""
+        """The trace; the next path does not change it."""
         self._haptics.SetPathData(path)
         _update(self._haptics)
-        # The executive only repeats that the filter failed.
+        # The executive's own error only repeats that the filter failed.
         if self._errors:
             raise ValueError("; ".join(self._errors))
         if self._failures:
@@ -242,7 +242,7 @@ class _Feeling:
         return trace
 
     def feel_all(self, paths: list[vtkPolyData]) -> list[vtkPolyData]:
-        """The trace of each, of as many at once as there are cores; errors tell the number of the path."""
+        """The trace of each path, as many at once as there are cores; errors have the number of the path."""
         from . import _paths
 
         try:
@@ -256,7 +256,7 @@ class _Feeling:
             return [traces[i] for i in range(len(paths))]
         except ValueError:
             self._forget()
-        self.feel(None)  # what is wrong without a path is not the path's fault
+        self.feel(None)  # raises errors that no path causes
         for i, path in enumerate(paths):
             try:
                 self.feel(path)
@@ -305,10 +305,10 @@ def touch(
     materials: Materials | None = None,
     **settings: Any,
 ) -> vtkPolyData | list[vtkPolyData]:
-    """The forces on a hand whose stylus goes through a volume.
+    """Computes the forces on a hand whose stylus moves through a volume.
 
     volume: a vtkImageData (pyvista.ImageData is one), or a NumPy array [z, y, x], voxels of 1 world unit from
-        (0, 0, 0) on: see image() for others. It is not copied. Or one that is larger than memory: see open_large().
+        (0, 0, 0) on: see image() for others. It is not copied. Or a volume larger than memory: see open_large().
         Or a rectilinear, structured or unstructured grid, or a composite data set of these, as vtkOpenFOAMReader
         has it: its point and cell arrays are felt, resampled along the path. Or a volume
         of vedo, of tvtk (Mayavi) or of nibabel (MNE, nilearn).
@@ -335,7 +335,7 @@ def touch(
     settings: what vtkVolumeHapticsFilter can be set to, in snake_case: kernel_radius=3 (voxels) is
         SetKernelRadius(3), method_by_name="force-field" SetMethodByName("force-field"), and property=... is a
         vtkHapticProperty of one's own. tool=vtkHapticNeedle() puts a needle into the hand, and
-        tool="drill.stl", or a vtkPolyData, that closed surface, in world units: see vtkHapticPointShell;
+        tool="drill.stl", or a vtkPolyData, a tool of that closed surface, in world units: see vtkHapticPointShell;
         tool=vtkHapticBurr() removes tissue. A tuple is several arguments. trace_arrays=["Force", "Contact"] are the
         only arrays that the trace gets, which takes less time and memory.
 
@@ -345,9 +345,9 @@ def touch(
 
     Other threads of Python run meanwhile.
 
-    TypeError: a setting that there is not, or data of another kind. ValueError: data, a preset or a value that
-    can't be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the way of
-    the tip is outside of the volume.
+    TypeError: a setting that does not exist, or data of another kind. ValueError: data, a preset or a value that can't
+    be touched; the text says why, and what helps. RuntimeError: the pipeline failed. UserWarning: the path of the tip
+    is outside the volume.
 
     >>> from volumehaptics import examples, touch
     >>> trace = touch(examples.phantom(), examples.stroke(), preset="CT contrast", kernel_radius=3)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives the hand in a view of trame, whose server has no timers of VTK, and lets it go when a browser leaves."""
+"""Drives the hand in a view of trame, whose server has no VTK timers, and ends the touch when a browser leaves."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import time
 import weakref
 from typing import Any
 
-PICTURES = 20.0  # a second at most, to the browser
+PICTURES = 20.0  # a second at most, sent to the browser
 
 
 def is_view(target: Any) -> bool:
-    """Whether it is a view of trame, such as VtkRemoteView, by what it has."""
+    """Whether an object is a view of trame, such as VtkRemoteView, by its attributes."""
     server = getattr(target, "server", None)
     return hasattr(server, "add_protocol_to_configure") and callable(getattr(target, "update", None))
 
@@ -25,7 +25,8 @@ def window_of(view: Any) -> Any:
 
 
 def drive(view: Any, haptics: Any) -> None:
-    """Updates the haptics and the browser's picture from when the server is ready. No keys arrive: none are told."""
+    """Updates the haptics and the browser's picture once the server is ready. No keys arrive, so the hint names
+    none."""
     style, server = haptics.style, view.server
     actions = style.GetKeyActions()
     for action in map(actions.GetValue, range(actions.GetNumberOfValues())):
@@ -41,7 +42,7 @@ def drive(view: Any, haptics: Any) -> None:
                 view.update()
                 drawn = time.monotonic()
             pause = 1.0 / haptics.style.GetDisplayRate()
-            del haptics  # it ends with its owner
+            del haptics  # the task ends with its owner
             await asyncio.sleep(pause)
 
     tasks = []  # asyncio keeps weak references only
@@ -50,7 +51,7 @@ def drive(view: Any, haptics: Any) -> None:
         tasks.append(asyncio.get_running_loop().create_task(run()))
 
     class Door(importlib.import_module("wslink.websocket").LinkProtocol):  # type: ignore[misc]
-        """Hears that a browser is closed, or that its heart beats no more."""
+        """Detects that a browser is closed, or that its heartbeat has stopped."""
 
         def onClose(self, _client: str) -> None:  # noqa: N802 (wslink's name)
             haptics = itself()
