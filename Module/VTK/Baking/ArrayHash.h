@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The hash of an array, made in the background.
+ * Computes the hash of an array in the background.
  */
 #ifndef ArrayHash_h
 #define ArrayHash_h
@@ -20,11 +20,14 @@ namespace VolumeHaptics
 class ArrayHash
 {
 public:
-  /** The hash of an array, empty without one; made here and now if it is not known. */
+  /**
+   * Returns the hash of an array, empty without one; computes it in this call if it is not known.
+   */
   std::string Get(const TouchedArray& array);
   /**
-   * The same, made in the background. Calls `goesOn` with the share that is done some times
-   * a second until it is known; if that returns false, it ends the work and returns an empty text.
+   * Returns the hash of an array, computed in the background. Until it is known, calls `goesOn`
+   * several times a second with the fraction that is done; if that returns false, ends the work and
+   * returns an empty text.
    */
   std::string Await(const TouchedArray& array, const std::function<bool(double)>& goesOn);
 

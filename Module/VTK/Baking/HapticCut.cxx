@@ -85,7 +85,7 @@ void HideByCells(vtkImageData* image, vtkUnsignedCharArray* cells, vtkUnsignedCh
   }
 }
 
-/** The points of an image that are blanked, or have blanked cells only around them. */
+/** Finds the points of an image that are blanked, or have only blanked cells around them. */
 HiddenVoxels FindBlanked(vtkImageData* image, const int extent[6])
 {
   HiddenVoxels hidden;
@@ -169,7 +169,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
     {
       const double low = this->RegionPlanes[2 * axis];
       const double high = this->RegionPlanes[2 * axis + 1];
-      // False for NaN, too.
+      // The condition is also false for NaN.
       if (!(low <= high))
       {
         std::ostringstream message;
@@ -180,7 +180,7 @@ std::shared_ptr<const CutAway> HapticCut::Make(
         error = message.str();
         return nullptr;
       }
-      // As the mappers do, along the axes of the data.
+      // Crops along the axes of the data, as the mappers do.
       const double first = extent[2 * axis];
       const auto toIndex = [&](double x)
       { return (x - image->GetOrigin()[axis]) / image->GetSpacing()[axis] - first; };

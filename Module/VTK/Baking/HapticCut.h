@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What an application cuts away of a volume, as a volume mapper of VTK does.
+ * What an application cuts away from a volume, as VTK's volume mappers do.
  */
 #ifndef HapticCut_h
 #define HapticCut_h
@@ -23,21 +23,21 @@ class CutAway;
 
 struct HapticCut
 {
-  vtkSmartPointer<vtkPlaneCollection> Planes; ///< null: none
+  vtkSmartPointer<vtkPlaneCollection> Planes; ///< null if there are none
   bool Cropping = false;
   double RegionPlanes[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
-  int RegionFlags = 0x0002000; ///< the region in the middle
+  int RegionFlags = 0x0002000; ///< shows the region in the middle
   bool HasSolidFaces = false;
 
   void Print(ostream& os, vtkIndent indent) const;
 
-  /** Includes the planes, which an application may move. */
+  /** Includes the change time of the planes, which an application may move. */
   vtkMTimeType GetMTime() const;
 
   /**
-   * The cut for a model of an image, of which points and cells may be blanked. Null if nothing is
-   * cut away; or if something is wrong with it, which `error` then tells, with the cure.
-   * @param extent that of index 0 of the model, and of its last one
+   * Makes the cut for a model of an image, whose points and cells may be blanked. Null if nothing
+   * is cut away, or after a fault, which `error` then reports with the cure.
+   * @param extent extent of the model: that of its index 0 and of its last index
    */
   std::shared_ptr<const CutAway> Make(vtkImageData* image, const int extent[6],
     const Affine3& indexToWorld, std::string& error) const;

@@ -25,13 +25,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** By which an estimator widens edges (samples). */
+/** Width by which an estimator blurs edges (samples). */
 double FindBlur(const GradientKernel& kernel)
 {
   switch (kernel.Estimator)
   {
     case GradientEstimator::CentralDifference:
-      return kernel.Radius / std::sqrt(3.0); // a box of two radii
+      return kernel.Radius / std::sqrt(3.0); // standard deviation of a box two radii wide
     case GradientEstimator::Gaussian:
       return GradientKernel::ScalePerRadius * kernel.Radius;
     case GradientEstimator::CubicBSpline:
@@ -40,7 +40,7 @@ double FindBlur(const GradientKernel& kernel)
   return 1.0 / std::sqrt(3.0);
 }
 
-/** In a form that Core reads: tuple after tuple. */
+/** Copies displacements in a layout that Core reads: tuple after tuple. */
 vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
 {
   const auto copy = CopyArray(array, array->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkDataArray> CopyDisplacements(vtkDataArray* array)
   return copy;
 }
 
-/** The first number of displacements that is not finite; -1 if there is none. */
+/** Finds the first displacement that is not finite; -1 if there is none. */
 template <typename T>
 vtkIdType FindNotFiniteOf(const T* numbers, vtkIdType count)
 {
@@ -64,7 +64,7 @@ vtkIdType FindNotFinite(vtkDataArray* array)
     : FindNotFiniteOf(static_cast<const double*>(numbers), array->GetNumberOfValues());
 }
 
-/** @param isKept its source writes no other step to the memory of the array */
+/** @param isKept whether the source writes no other time step to the array's memory */
 HapticFrame CopyFrame(vtkImageData* image, vtkDataArray* array, double time,
   const std::string& displacements, bool isKept)
 {
@@ -117,7 +117,8 @@ FrameSeries MakeSeries(const std::vector<double>& steps)
 bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  // Not CONTINUE_EXECUTING: if a source fails, VTK's executive then repeats the request for ever.
+  // Not CONTINUE_EXECUTING: with it, VTK's executive repeats the request for ever if a source
+  // fails.
   const int port = filter->GetInputConnection(0, 0)->GetIndex();
   auto* const source = Pipeline::SafeDownCast(filter->GetInputExecutive(0, 0));
   source->GetOutputInformation(port)->Set(Pipeline::UPDATE_TIME_STEP(), step);

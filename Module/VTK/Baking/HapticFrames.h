@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The time steps of a volume that moves.
+ * Reads the time steps of a volume that moves.
  */
 #ifndef HapticFrames_h
 #define HapticFrames_h
@@ -29,72 +29,77 @@ struct BakedVolume;
 /** The volume at a time step. */
 struct HapticFrame
 {
-  double Time;                         ///< in the source's units
-  vtkSmartPointer<vtkImageData> Image; ///< its geometry and field data
-  vtkSmartPointer<vtkDataArray> Array; ///< null if there is none at this time
-  /** vtkFloatArray or vtkDoubleArray of its points; null if there is none at this time. */
+  double Time;                         ///< time of the step (the source's units)
+  vtkSmartPointer<vtkImageData> Image; ///< geometry and field data
+  vtkSmartPointer<vtkDataArray> Array; ///< null if the source has no array at this time
+  /**
+   * Displacements of the points, a vtkFloatArray or vtkDoubleArray; null if there are none at this
+   * time.
+   */
   vtkSmartPointer<vtkDataArray> Displacements;
-  int Component = 0; ///< of Array
-  /** Its isosurface on the way to the next frame; null if the builder of models is to make it. */
+  int Component = 0; ///< component of Array that is touched
+  /** Isosurface on its way to the next frame; null if the model builder has to make it. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
 
-/** Some frames of a series; none if the volume does not move. */
+/** Some frames of a series; empty if the volume does not move. */
 struct HapticFrames
 {
   std::vector<HapticFrame> Frames;
   FrameSeries Series;
 };
 
-/** The time steps of an input, ascending; empty if it has less than two. */
+/** Reads the time steps of an input, ascending; empty if there are fewer than two. */
 std::vector<double> ReadTimeSteps(vtkInformation* input);
 
-/** The series of time steps, two at least. */
+/** Makes the series of at least two time steps. */
 FrameSeries MakeSeries(const std::vector<double>& steps);
 
-/** The point array of an image that is touched; null if there is none. */
+/** Returns the point array of an image that is touched; null if there is none. */
 using TouchedArrayOf = std::function<vtkDataArray*(vtkImageData*)>;
 
-/** The arrays of a time step that are read. */
+/** Says which arrays of a time step are read. */
 struct FrameReading
 {
   TouchedArrayOf GetArray;
-  int Component;             ///< of that array
-  std::string Displacements; ///< the name of their array; empty if there are none
+  int Component;             ///< component of the touched array
+  std::string Displacements; ///< name of the displacements' array; empty if there are none
 };
 
 /**
  * Requests a time step from the source of a filter's input port 0, and copies the array that is
- * touched: a source may write each step to the same memory, but a vtkHapticFrameSource does not.
- * False if the source fails.
+ * touched, because a source may write each step to the same memory. The array of a
+ * vtkHapticFrameSource is not copied. False if the source fails.
  */
 bool ReadFrame(vtkAlgorithm* filter, double step, const FrameReading& reading, HapticFrame& frame);
 
 /**
- * Requests the time steps from the first one to that at or after `last` from the source of a
+ * Requests the time steps from the first one up to the one at or after `last` from the source of a
  * filter's input port 0, and copies the array that is touched: a source may write each step to the
  * same memory. The source stays at the first step. Empty if the source fails.
  */
 std::vector<HapticFrame> CollectFrames(
   vtkAlgorithm* filter, const std::vector<double>& steps, double last, const FrameReading& reading);
 
-/** The components of an array as frames, `spacing` apart from data time 0 on. Nothing is copied. */
+/**
+ * Returns an array's components as frames at data times 0, `spacing`, and so on. Copies nothing.
+ */
 std::vector<HapticFrame> MakeComponentFrames(
   vtkImageData* image, vtkDataArray* array, double spacing);
 
 /**
- * Gives a frame of a model the displacements of a time step. False, with the reason and the cure in
- * `error`, if they are missing or no displacements of the frame's points.
- * @param name of the array
+ * Sets the displacements of a model's frame from a time step. False, with the reason and the cure
+ * in `error`, if they are missing or do not fit the frame's points.
+ * @param name name of the array
  */
 bool ReadDisplacements(
   const HapticFrame& step, const std::string& name, VolumeFrame& frame, std::string& error);
 
 /**
- * Warns of frames whose edges move by more than twice their width until the next frame, in a text
- * that names the cures; empty if there are none.
- * @param pairs the frames to look at, by their numbers; each takes some milliseconds
- * @param noise of the samples, their standard deviation
+ * Warns of frames whose edges move by more than twice their width until the next frame. The text
+ * names the cures; it is empty if there are no such frames.
+ * @param pairs numbers of the frames to examine; each takes some milliseconds
+ * @param noise standard deviation of the samples' noise
  */
 std::string DescribeFastMotion(
   const BakedVolume& volume, const std::vector<std::size_t>& pairs, double noise);

@@ -29,18 +29,18 @@ namespace
 
 constexpr const char* LabelImage = "label image on input port 3";
 
-/** Whether this is a whole number of at most 2^53: doubles have all of them. False for NaN. */
+/** Whether a value is a whole number of at most 2^53, which a double represents. False for NaN. */
 template <typename T>
 bool IsWhole(T value)
 {
   constexpr T most = T(9007199254740992.0);
-  // Numbers from this on have no fraction; added to smaller ones, it rounds them.
+  // Numbers of this size or more have no fraction; adding it to smaller numbers rounds them.
   constexpr T unit = T(1) / std::numeric_limits<T>::epsilon();
   const T size = std::abs(value);
   return size <= most && (size >= unit || (size + unit) - unit == size);
 }
 
-/** The first sample of a run that is no whole number; -1 if there is none. */
+/** Finds the first sample of a run that is not a whole number; -1 if there is none. */
 template <typename T>
 std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first, std::int64_t end)
 {
@@ -51,7 +51,7 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
     int fractions = 0;
     for (std::int64_t i = from; i < to; ++i)
     {
-      fractions += IsWhole(data[i * stride]) ? 0 : 1; // without a branch
+      fractions += IsWhole(data[i * stride]) ? 0 : 1; // adds without a branch
     }
     for (std::int64_t i = from; i < to && fractions > 0; ++i)
     {
@@ -65,8 +65,8 @@ std::int64_t FindFraction(const T* data, std::int64_t stride, std::int64_t first
 }
 
 /**
- * A sample that is no whole number; -1 if there is none. Of a large image, some runs of samples are
- * looked at; wherever else it has fractions, they are cut off.
+ * Finds a sample that is not a whole number; -1 if there is none. Only some runs of samples of a
+ * large image are examined; fractions elsewhere are cut off.
  */
 std::int64_t FindFraction(const VolumeView& view)
 {
@@ -167,7 +167,7 @@ bool ReadLabels(vtkImageData* image, vtkDataArray* labels, BakedLabels& baked, s
   return true;
 }
 
-/** Also lists the forbidden labels. */
+/** Makes the table of labels, and lists the forbidden labels. */
 LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
 {
   std::vector<LabelledMaterial> entries;
@@ -188,7 +188,7 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
     entry.Material.HasSpecificEnergy = entry.Material.SpecificEnergy >= 0.0;
     entry.Material.IsFelt = table->GetFelt(label);
     entry.Material.IsForbidden = table->GetForbidden(label);
-    // A name or a colour alone is no entry.
+    // An entry with only a name or a colour counts as none.
     if (table->HasMaterial(label) || !entry.Material.IsFelt || entry.Material.IsForbidden)
     {
       entries.push_back(entry);
@@ -201,12 +201,12 @@ LabelTable BakeTable(vtkHapticLabelTable* table, std::vector<int>& forbidden)
   return LabelTable(entries);
 }
 
-/** Voxels: their distances are measured within some ten milliseconds. */
+/** Largest number of voxels whose distances are measured at once: takes about ten milliseconds. */
 constexpr vtkIdType MostMeasuredAtOnce = 1 << 20;
-/** Fine voxels: the same. */
+/** Largest number of fine voxels that are made at once: takes about ten milliseconds. */
 constexpr double MostRefinedAtOnce = 1 << 20;
 
-/** False, with an error, if the stand-off reaches too many voxels. */
+/** Makes the forbidden zone. False, with an error, if the stand-off reaches too many voxels. */
 bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
 {
   try
@@ -227,7 +227,7 @@ bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
   return true;
 }
 
-/** Before there is a finer grid. */
+/** Copies what does not depend on the finer grid. */
 void CopyImage(const BakedLabels& from, BakedLabels& to)
 {
   to.View = from.Fine ? from.Image : from.View;
@@ -241,7 +241,7 @@ Vector3 SpacingOf(const BakedLabels& labels)
   return { Norm(columns.Row[0]), Norm(columns.Row[1]), Norm(columns.Row[2]) };
 }
 
-/** A loop on all processors; an exception ends it. */
+/** Runs a loop on all processors; an exception ends it. */
 void LoopOnAll(std::int64_t count, const std::function<void(std::int64_t)>& body)
 {
   std::atomic<bool> isEnded{ false };
@@ -349,7 +349,7 @@ bool HapticLabels::PrepareFine(vtkImageData* image, vtkDataArray* labels, bool i
   this->Refining.Follow(key,
     [read, spacing, before](WorkMonitor& monitor) -> std::optional<Fine>
     {
-      // One after another: other threads might not have the low priority of this one.
+      // Runs the loop on this thread: other threads might not have its low priority.
       const auto loop = [&monitor](std::int64_t count, const FineLabels::Body& body)
       {
         for (std::int64_t i = 0; i < count && !monitor.IsCancelled(); ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a label image and a vtkHapticLabelTable to the core's BakedLabels.
+ * Bakes a label image and a vtkHapticLabelTable into the core's BakedLabels.
  */
 #ifndef HapticLabels_h
 #define HapticLabels_h
@@ -28,40 +28,41 @@ namespace VolumeHaptics
 {
 
 /**
- * The labels that were baked last; baked again only after a change. If only materials have changed,
- * what takes long is kept: the checks of the image, and the distances to forbidden labels.
+ * Keeps the labels that were baked last, and bakes them again only after a change. If only
+ * materials have changed, the slow results are kept: the checks of the image, and the distances to
+ * forbidden labels.
  */
 class HapticLabels
 {
 public:
   /**
-   * Bakes labels that keep the array alive. The table may be null: then no label has a material. If
-   * the labels can't be used, returns null, and `error` names the input and the cure.
-   * @param isFine whether they get a finer grid if they have thick slices: for walls
+   * Bakes labels, which keep the array alive. The table may be null: then no label has a material.
+   * If the labels can't be used, returns null, and `error` names the input and the cure.
+   * @param isFine whether labels with thick slices get a finer grid, as walls need it
    */
   std::shared_ptr<const BakedLabels> Get(vtkImageData* image, vtkDataArray* labels,
     vtkHapticLabelTable* table, bool isFine, std::string& error);
 
   /**
-   * The same of scalars that are labels themselves, with the materials that the property gives
-   * them. Null, without an error, if they can't be labels, such as fractions.
+   * Bakes scalars that are labels themselves, with the materials that the property gives them.
+   * Null, without an error, if the scalars can't be labels, for example fractions.
    */
   std::shared_ptr<const BakedLabels> GetOfScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property, bool isFine);
 
-  /** What the user should know of the labels that were baked last; empty when it was taken. */
+  /** Returns a warning about the labels that were baked last; empty once it was taken. */
   std::string TakeWarning() { return std::exchange(this->Warning, std::string()); }
 
   /**
-   * What is made in the background before Get() is quick, in words: the distances to forbidden
-   * labels, and the finer grid of thick slices. Null if nothing is.
+   * Prepares a quick Get() in the background. Returns in words what is under way: the distances to
+   * forbidden labels, or the finer grid of thick slices. Null if nothing is.
    */
   const char* Prepare(
     vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table, bool isFine);
-  /** The same before GetOfScalars() with a finer grid. */
+  /** Prepares a quick GetOfScalars() with a finer grid, as Prepare() does. */
   const char* PrepareScalars(
     vtkImageData* image, vtkDataArray* scalars, vtkHapticProperty* property);
-  /** Ends what Prepare() began. */
+  /** Ends the work that Prepare() began. */
   void EndPreparing();
 
 private:
@@ -77,10 +78,10 @@ private:
   /** Null if there are too many voxels or labels. */
   using Fine = std::shared_ptr<const FineLabels>;
 
-  /** Gives labels with thick slices a finer grid, of which only what has changed is made anew. */
+  /** Gives labels with thick slices a finer grid; computes only the parts that have changed. */
   void Refine(const ImageKey& key, const BakedLabels* last, BakedLabels& made);
   ///@{
-  /** Parts of Prepare(): false while something is made. */
+  /** Steps of Prepare(): false while a result is being computed. */
   bool PrepareZone(vtkImageData* image, vtkDataArray* labels, vtkHapticLabelTable* table);
   bool PrepareFine(vtkImageData* image, vtkDataArray* labels, bool isFine);
   ///@}
@@ -92,7 +93,7 @@ private:
   bool BakedFine = false;
   std::string Warning;
   std::weak_ptr<const BakedLabels> Baked;           ///< valid while a model uses it
-  vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< of GetOfScalars
+  vtkSmartPointer<vtkHapticLabelTable> ScalarTable; ///< table of GetOfScalars()
   ImageKey ScalarKey{};                             ///< array and property of ScalarTable
   KeyedWork<std::tuple<ImageKey, ZoneKey>, Zone> Measuring;
   KeyedWork<ImageKey, Fine> Refining;

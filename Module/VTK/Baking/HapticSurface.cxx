@@ -33,20 +33,20 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Boxes have single precision. */
+/** Farthest allowed coordinate: bounding boxes have single precision. */
 constexpr double FarthestPoint = 1e30;
 ///@{
-/** Measured on a desktop computer of 2023, with the tree. */
+/** Measured on a desktop computer of 2023; includes building the tree. */
 constexpr double SecondsPerSample = 5e-9;
 constexpr double SecondsPerTriangle = 800e-9;
 ///@}
-/** Longer (s) than any mesh takes. */
+/** A time longer than any meshing takes (s). */
 constexpr double Forever = 1e9;
 
-/** The motions of points in the world; empty for a mesh that stands still. */
+/** Computes the motions of points in the world; empty for a mesh that stands still. */
 using MotionsOf = std::function<std::vector<Vector3>(const std::vector<Vector3>&)>;
 
-/** Triangles and points of a surface of triangles; points by one map, normals by another. */
+/** Makes a mesh of a triangulated surface; maps points and normals by different maps. */
 std::shared_ptr<const SurfaceMesh> MakeMesh(vtkPolyData* surface, const Affine3& map,
   const Matrix3& mapNormals, const MotionsOf& findMotions = {})
 {
@@ -103,7 +103,7 @@ std::shared_ptr<const SurfaceMesh> MeshSurface(
   }
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
-    // The array's own range would be noted in the array, which another thread may read.
+    // Asking the array for its range would store the range in it, while another thread may read it.
     vtkDataArray* const ids = cells->GetConnectivityArray();
     const vtkIdType count = cells->GetNumberOfConnectivityIds();
     double least = 0.0;
@@ -156,7 +156,7 @@ struct IsoInput
     , Value(iso.Value)
     , IndexToWorld(indexToWorld)
   {
-    // The samples keep their place in the whole volume: the mesh is then the same, to the bit.
+    // The samples keep their place in the whole volume, so that the mesh is the same to the bit.
     for (int a = 0; a < 3; ++a)
     {
       this->Extent[2 * a] = iso.First[a];
@@ -178,8 +178,8 @@ struct IsoInput
 };
 
 /**
- * The same points, cells and normals, with cursors of its own: all that a worker needs. The points
- * themselves are shared, since other ones around their array would modify that.
+ * Copies a surface for a worker: the same points, cells and normals with their own cursors. The
+ * point object itself is shared, because wrapping its array in a second one would modify the array.
  */
 vtkSmartPointer<vtkPolyData> ShareSurface(vtkPolyData* surface)
 {
@@ -197,7 +197,10 @@ bool MayBeShared(vtkPolyData* surface)
     (!normals || normals->HasStandardMemoryLayout());
 }
 
-/** Whether the range is that of all scalars; else, in a large volume, of its noise's samples. */
+/**
+ * Computes the scalar range. Returns whether all scalars count; in a large volume, only the noise
+ * samples do.
+ */
 bool FindScalarRange(const IsoSurface& iso, double range[2])
 {
   VolumeView view;
@@ -212,7 +215,7 @@ bool FindScalarRange(const IsoSurface& iso, double range[2])
   return false;
 }
 
-/** The mesh of an isosurface, if it can be touched. */
+/** Returns the mesh of an isosurface if it can be touched; else null, with an error. */
 std::shared_ptr<const SurfaceMesh> CheckMesh(
   const std::shared_ptr<const SurfaceMesh>& mesh, const IsoSurface& iso, std::string& error)
 {
@@ -236,12 +239,12 @@ std::shared_ptr<const SurfaceMesh> CheckMesh(
   return mesh;
 }
 
-/** The approximate number of triangles of an isosurface: two in each voxel that it passes. */
+/** Estimates the number of triangles of an isosurface: two in each voxel that it passes. */
 double EstimateTriangles(const IsoSurface& iso)
 {
-  constexpr int looks = 20000; // some milliseconds
-  // Steps that fill space evenly, whatever the structure of the image: the powers of 1 / 1.2207...,
-  // the root of x^4 = x + 1.
+  constexpr int looks = 20000; // takes some milliseconds
+  // These steps fill space evenly, whatever the image's structure: powers of 1 / 1.2207..., where
+  // 1.2207... is the root of x^4 = x + 1.
   constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
   const int* const n = iso.Image->GetDimensions();
   const vtkIdType rows[3] = { 1, n[0], vtkIdType{ n[0] } * n[1] };
@@ -249,7 +252,7 @@ double EstimateTriangles(const IsoSurface& iso)
     iso.Scalars->GetNumberOfTuples() < iso.Image->GetNumberOfPoints() ||
     iso.Component >= iso.Scalars->GetNumberOfComponents())
   {
-    return 0.0; // for the error
+    return 0.0; // the real meshing reports the error
   }
   int passed = 0;
   double at[3] = { 0.0, 0.0, 0.0 };
@@ -295,11 +298,11 @@ double EstimateMeshTime(const IsoSurface& iso)
 namespace
 {
 
-/** An isosurface and, if asked for, how it moves. */
+/** Meshes an isosurface and, if asked for, computes how it moves. */
 std::shared_ptr<const SurfaceMesh> MeshMovingSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld, const MotionsOf& findMotions)
 {
-  // Computed in index steps: the geometry of the whole image gives the places in the world.
+  // Meshed in index steps: the geometry of the whole image maps the points to the world.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   samples->GetPointData()->SetScalars(scalars);
@@ -334,9 +337,9 @@ std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const Vol
     extent[2 * a] = static_cast<int>(frame.View.First[a]);
     extent[2 * a + 1] = static_cast<int>(frame.View.Last(a));
   }
-  // See ShareArray of the model's builder.
+  // See ShareArray() of the model's builder.
   auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
-  // How the material gets from the last frame of a series back to the first one is not known.
+  // The way of the material from the last frame of a series back to the first is unknown.
   const DisplacementView known = frame.Time < next.Time ? frame.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
     [&](const std::vector<Vector3>& points) {
@@ -381,10 +384,10 @@ bool HapticSurface::Prepare(
   {
     return !this->Meshing.IsUnderWay();
   }
-  // Of a large image, not even some samples are looked at for the estimate.
+  // Even the few samples for the estimate are not read if the image is large.
   const double reading =
     surface ? 0.0 : SecondsPerSample * static_cast<double>(iso.Image->GetNumberOfPoints());
-  // Arrays of another layout make a copy of their values for their readers, one for all threads.
+  // Arrays of other layouts copy their values for readers, into one copy for all threads.
   const bool isShared =
     surface ? MayBeShared(surface) : iso.Scalars->HasStandardMemoryLayout() != 0;
   if (this->IsMadeOf(key) || !isShared ||

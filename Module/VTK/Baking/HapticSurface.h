@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The triangles that SURFACE_PROXY touches: those of an isosurface, or of a given surface.
+ * Makes the triangles that SURFACE_PROXY touches, from an isosurface or from a given surface.
  */
 #ifndef HapticSurface_h
 #define HapticSurface_h
@@ -31,44 +31,44 @@ struct IsoSurface
   int Component;
   double Value;
   /**
-   * Index of the image's first sample, as indexToWorld counts; not 0 for a region of a larger
-   * volume.
+   * Index of the image's first sample, in the count that indexToWorld uses; not 0 for a region of a
+   * larger volume.
    */
   int First[3] = { 0, 0, 0 };
   bool MayBeEmpty = false; ///< a region may contain no part of the surface
 };
 
 /**
- * Gives polygons and strips to another surface, with cursors of its own, so that a worker may go
- * through them. Their memory is shared.
+ * Shares the polygons and strips of a surface with a new one that has its own cursors, so that a
+ * worker may traverse them. Their memory is shared.
  */
 void ShareCells(vtkPolyData* from, vtkPolyData* to);
 
-/** What takes longer (s) is meshed in the background. */
+/** Meshing that takes longer than this (s) runs in the background. */
 inline constexpr double ShortMeshing = 40e-3;
 
-/** How long it takes to mesh an isosurface, approximately (s); looks at some of its samples. */
+/** Estimates how long it takes to mesh an isosurface (s); reads some of its samples. */
 double EstimateMeshTime(const IsoSurface& iso);
 
 /**
- * The triangles of an isosurface in samples of an extent, which counts as indexToWorld does; null
- * if there are none. Any thread may call it: the array has to be of VTK's standard memory layout.
+ * Meshes an isosurface in the samples of an extent, whose indices count as in indexToWorld; null if
+ * there are no triangles. Any thread may call it: the array must have VTK's standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshIsoSurface(vtkDataArray* scalars, const int extent[6],
   int component, double value, const Affine3& indexToWorld);
 
 /**
- * The triangles of the isosurface in a frame of a volume that moves, on their way to the next one;
- * none if it has no isosurface. The frames keep vtkDataArrays alive. Any thread may call it: the
- * arrays have to be of VTK's standard memory layout.
+ * Meshes the isosurface in a frame of a volume that moves, with its motion to the next frame; null
+ * if there is no isosurface. The frames keep vtkDataArrays alive. Any thread may call it: the
+ * arrays must have VTK's standard memory layout.
  */
 std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const VolumeFrame& next,
   int component, double value, const Affine3& indexToWorld);
 
 /**
- * The triangles of a surface in the world. Null if there are none, a point is not finite, or a cell
- * has a point that does not exist: `error` is then about the surface of that name; the cure is that
- * of a surface without triangles.
+ * Makes a mesh of a surface in the world. Null if it has no triangles, a point is not finite, or a
+ * cell has a point that does not exist; `error` then names the surface. `cure` is used if there are
+ * no triangles.
  */
 std::shared_ptr<const SurfaceMesh> MeshSurface(
   vtkPolyData* surface, const std::string& name, const std::string& cure, std::string& error);
@@ -81,29 +81,29 @@ public:
   using MeshPointer = std::shared_ptr<const SurfaceMesh>;
 
   /**
-   * The triangles of a surface in the world or, if it is null, of the isosurface
+   * Returns the triangles of a surface in the world or, if that is null, of the isosurface
    * (vtkFlyingEdges3D). Null, with the cure in `error`, if there are none or a point is not finite.
    */
   std::shared_ptr<const SurfaceMesh> Get(
     vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld, std::string& error);
 
   /**
-   * Whether Get() would be quick now. If not, the mesh is made in the background. One mesh is made
-   * at a time: the next one begins when the last one has ended.
+   * Returns whether Get() would be quick now. If not, makes the mesh in the background, one mesh at
+   * a time: the next one begins when the last one has ended.
    */
   bool Prepare(vtkPolyData* surface, const IsoSurface& iso, const Affine3& indexToWorld);
-  /** Ends what Prepare() began, without waiting for it. */
+  /** Ends the work that Prepare() began, without waiting for it. */
   void EndPreparing() { this->Meshing.Abandon(); }
-  /** Waits until nothing is made, or for some seconds; returns whether nothing is. */
+  /** Waits until no mesh is being made, at most this many seconds; returns whether none is. */
   bool WaitFor(double seconds) const { return this->Meshing.WaitFor(seconds); }
 
   /**
-   * A mesh that was made elsewhere, for Get() of this isosurface, which is that of a region. The
-   * last mesh is kept as well.
+   * Stores a mesh that was made elsewhere for Get() of this isosurface, which belongs to a region.
+   * The last mesh is kept as well.
    */
   void Give(const IsoSurface& iso, MeshPointer mesh);
 
-  /** How long Get() takes, approximately (s): 0 if the last mesh is still valid. */
+  /** Estimates how long Get() takes (s): 0 if the last mesh is still valid. */
   double EstimateTime(vtkPolyData* surface, const IsoSurface& iso) const;
 
 private:

@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The value of a function, or of one without points. */
+/** Returns the value of a function at a scalar, or the constant if the function has no points. */
 double FindScalarMaterial(vtkHapticProperty* property, const char* name, double label)
 {
   for (const PropertyFunction& rule : PropertyFunctions)
@@ -41,7 +41,7 @@ bool FillScalarLabels(
   double range[2];
   scalars->GetRange(range, 0);
   constexpr double most = VTK_INT_MAX;
-  // Also false for NaN.
+  // The condition is also false for NaN.
   const bool isSpanned = range[0] >= -most && range[1] <= most && range[0] <= range[1] &&
     range[1] - range[0] < MostScalarLabels;
   if (scalars->GetNumberOfComponents() != 1 || !isSpanned)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials of a segmentation that is touched itself: those that the functions of a property
- * give to the numbers of its labels.
+ * Materials of a segmentation that is touched itself: the functions of a property map its label
+ * numbers to materials.
  */
 #ifndef ScalarLabels_h
 #define ScalarLabels_h
@@ -15,13 +15,13 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** The largest span of labels that has a table. */
+/** Largest span of labels that gets a table. */
 constexpr int MostScalarLabels = 1 << 16;
 
 /**
- * Fills a table with a material for each whole number between the least and the largest sample, the
- * background included. False, with the table empty, if the samples can't be labels: several
- * components, values that are not finite, or that span more than MostScalarLabels.
+ * Fills a table with a material for each whole number between the least and the largest sample,
+ * including the background. False, with the table empty, if the samples can't be labels: several
+ * components, values that are not finite, or a span of more than MostScalarLabels.
  */
 bool FillScalarLabels(
   vtkDataArray* scalars, vtkHapticProperty* property, vtkHapticLabelTable* table);

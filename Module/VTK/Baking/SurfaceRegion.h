@@ -16,7 +16,7 @@ class SurfaceMesh;
 struct SurfaceRegion
 {
   vtkSmartPointer<vtkImageData> Image;
-  std::shared_ptr<const SurfaceMesh> Mesh; ///< null: there is no surface in it
+  std::shared_ptr<const SurfaceMesh> Mesh; ///< null if the region contains no surface
 };
 
 } // namespace VolumeHaptics

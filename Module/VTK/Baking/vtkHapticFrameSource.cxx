@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkHapticFrameSource);
 struct vtkHapticFrameSource::vtkInternals
 {
   using Map = std::map<double, vtkSmartPointer<vtkImageData>>;
-  Map Frames; ///< by their times
+  Map Frames; ///< sorted by time
 
   Map::iterator Find(int number)
   {
@@ -135,7 +135,7 @@ int vtkHapticFrameSource::RequestData(
   const auto& frames = this->Internals->Frames;
   if (frames.empty())
   {
-    return 0; // RequestInformation told, which VTK does not ask again
+    return 0; // RequestInformation() has reported this; VTK does not call it again
   }
   vtkInformation* const info = outputs->GetInformationObject(0);
   const bool asksTime = info->Has(Pipeline::UPDATE_TIME_STEP()) != 0;

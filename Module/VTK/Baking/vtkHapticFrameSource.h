@@ -4,8 +4,8 @@
  * @class   vtkHapticFrameSource
  * @brief   images in memory as the time steps of a volume that moves
  *
- * Gives a vtkVolumeHapticsFilter a volume that moves from images that are in memory, such as the
- * phases of a breath, each of which another reader has read:
+ * Makes a moving volume for a vtkVolumeHapticsFilter from images in memory, such as the phases of a
+ * breath, each read by a reader of its own:
  *
  *   source->AddFrame(exhaled, 0.0);
  *   source->AddFrame(inhaled, 2.0);
@@ -14,12 +14,12 @@
  *   device->Play();
  *
  * The output shares the arrays of the frame at the requested time (UPDATE_TIME_STEP), or of the
- * last one before it. Nothing is copied, not even if it is felt: do not change the arrays
- * meanwhile. All frames need the same extent, spacing, origin and direction; the filter tells if
- * one has others.
+ * last one before it. Nothing is copied, not even for the servo: do not change the arrays
+ * meanwhile. All frames need the same extent, spacing, origin and direction; the filter reports one
+ * that differs.
  *
- * A program that gets the frames one by one, as an animation shows them, gives the last two, and
- * has a device go on from one to the other (SetStreamed):
+ * A program that receives the frames one by one, for example to animate them, passes the last two;
+ * a device then moves from one to the other (SetStreamed):
  *
  *   source->StreamedOn();
  *   source->RemoveAllFrames();
@@ -45,15 +45,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Add an image at a time (finite, in any unit), which the source keeps by reference; in any
-   * order. An image at the time of another one replaces it. False, with an error, if there is no
-   * image or the time is not finite.
+   * Add an image at a time (finite, in any unit); the order of the calls does not matter. The
+   * source keeps a reference to the image. An image at the time of an earlier one replaces it.
+   * False, with an error, if there is no image or the time is not finite.
    */
   bool AddFrame(vtkImageData* image, double time);
   void RemoveAllFrames();
 
   ///@{
-  /** The frames in the order of their times; nullptr and 0 for a number that there is not. */
+  /**
+   * Get the frames in the order of their times; nullptr and 0 if there is no frame of this number.
+   */
   int GetNumberOfFrames();
   vtkImageData* GetFrame(int number);
   double GetFrameTime(int number);
@@ -74,7 +76,7 @@ public:
   vtkBooleanMacro(Streamed, bool);
   ///@}
 
-  /** Changes of the frames' images count. */
+  /** Includes the change times of the frames' images. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Memory for arrays whose size comes from data. If there is none, VTK's own arrays end the program,
- * but in builds of VTK with NDEBUG; Debian's ParaView has another one. These throw std::bad_alloc.
+ * Memory for arrays whose size comes from data. These functions throw std::bad_alloc where VTK's
+ * own arrays would end the program (in all builds of VTK but those with NDEBUG; Debian's ParaView
+ * contains a VTK of its own).
  */
 #ifndef ArrayMemory_h
 #define ArrayMemory_h
@@ -23,11 +24,11 @@
 namespace VolumeHaptics
 {
 
-/** Gives an array of a fixed type room for so many tuples, whose values are arbitrary. */
+/** Allocates this many tuples in an array of a fixed type; their values are arbitrary. */
 inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
 {
   const vtkIdType components = array->GetNumberOfComponents();
-  const vtkIdType size = array->GetDataTypeSize(); // 0 for bits
+  const vtkIdType size = array->GetDataTypeSize(); // the size of bit arrays
   if (tuples > std::numeric_limits<vtkIdType>::max() / 16 / components)
   {
     throw std::bad_alloc();
@@ -47,7 +48,7 @@ inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
   array->SetVoidArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
 }
 
-/** An array with a type of VTK's. */
+/** Creates an array of one of VTK's types. */
 inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdType tuples)
 {
   auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
@@ -58,8 +59,9 @@ inline vtkSmartPointer<vtkDataArray> NewArray(int type, int components, vtkIdTyp
 
 ///@{
 /**
- * A copy as VTK's DeepCopy() makes it, with tuple after tuple in memory: of the class of the array
- * if that keeps them so, or of a type.
+ * Copies an array as VTK's DeepCopy() does, but with the tuples one after another in memory. The
+ * copy has the class of the array if that class has this layout, or else the default class of the
+ * type.
  */
 inline vtkSmartPointer<vtkDataArray> CopyArray(
   vtkDataArray* from, vtkSmartPointer<vtkDataArray> copy)
@@ -82,12 +84,12 @@ inline vtkSmartPointer<vtkDataArray> CopyArray(vtkDataArray* from)
 ///@}
 
 /**
- * VTK's DeepCopy() of whole data, which is not begun unless there is memory for so many copies at
- * once: what is made of the copy next takes memory of VTK's own, too.
+ * Calls VTK's DeepCopy() on a data object only if there is memory for `copies` copies at once:
+ * whoever processes the copy next lets VTK allocate memory, too.
  */
 inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies = 1)
 {
-  const std::size_t bytes = copies * from->GetActualMemorySize() * 1024; // it counts in KiB
+  const std::size_t bytes = copies * from->GetActualMemorySize() * 1024; // a size in KiB
   void* const room = ::operator new(bytes, std::nothrow);
   ::operator delete(room);
   if (!room)
@@ -97,7 +99,7 @@ inline void CopyData(vtkDataObject* from, vtkDataObject* to, std::size_t copies 
   to->DeepCopy(from);
 }
 
-/** The scalars of an image, with the name that VTK's AllocateScalars() gives them. */
+/** Allocates the scalars of an image, with the name that VTK's AllocateScalars() gives them. */
 inline void AllocateScalars(vtkImageData* image, int type, int components)
 {
   const auto scalars = NewArray(type, components, image->GetNumberOfPoints());

@@ -17,11 +17,11 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Lets other threads run first. */
+/** Lowers the priority of the calling thread. */
 void LowerPriority() noexcept
 {
 #if defined(__linux__)
-  // The calling thread alone, other than POSIX has it.
+  // This lowers the calling thread only, unlike in POSIX.
   constexpr int nice = 10;
   (void)setpriority(PRIO_PROCESS, 0, nice);
 #endif
@@ -29,21 +29,24 @@ void LowerPriority() noexcept
 
 } // namespace
 
-/** What a thread has begun and no longer wants. */
+/** The runs that a thread has begun and no longer wants. */
 class BackgroundWork::Leavings
 {
 public:
-  /** Of the calling thread; null at its end, when static objects may still end their work. */
+  /**
+   * Returns the calling thread's leavings; null at the thread's end, when static objects may still
+   * end their work.
+   */
   static Leavings* OfThread()
   {
     thread_local Leavings leavings;
     return IsGone ? nullptr : &leavings;
   }
 
-  /** The end of a thread is the only place that waits for what it has begun. */
+  /** Waits for the runs that the ending thread has begun; nothing else waits for them. */
   ~Leavings()
   {
-    // What a task holds may end other work when it is released.
+    // Releasing a task may end other work that the task holds.
     while (!this->Runs.empty())
     {
       for (std::unique_ptr<Run>& run : std::exchange(this->Runs, {}))
@@ -60,7 +63,7 @@ public:
       }
       else
       {
-        spent.Thread.detach(); // there is none here
+        spent.Thread.detach(); // this process has no such thread
       }
     }
   }
@@ -70,7 +73,7 @@ public:
   {
     if (!run->IsOurs())
     {
-      (void)run.release(); // its thread belongs to the parent
+      (void)run.release(); // the thread belongs to the parent process
     }
     else if (run->Thread.joinable())
     {
@@ -80,7 +83,7 @@ public:
 
   void Take(std::unique_ptr<Run> run) { this->Runs.push_back(std::move(run)); }
 
-  /** Releases what tasks hold that have returned. */
+  /** Releases what returned tasks hold. */
   void Release()
   {
     const auto over = std::partition(this->Runs.begin(), this->Runs.end(),
@@ -98,7 +101,7 @@ public:
     }
   }
 
-  /** Threads that have nothing left to do but to end: another thread may wait for that. */
+  /** Returns the threads that only have to end, so that another thread can wait for their end. */
   std::vector<std::thread> TakeThreads()
   {
     std::vector<std::thread> threads;
@@ -110,7 +113,7 @@ public:
       }
       else
       {
-        spent.Thread.detach(); // there is none here
+        spent.Thread.detach(); // this process has no such thread
       }
     }
     this->Threads.clear();
@@ -125,7 +128,8 @@ private:
   };
   std::vector<std::unique_ptr<Run>> Runs;
   std::vector<Spent> Threads;
-  static thread_local bool IsGone; // without a destructor: it can be read until the thread ends
+  // Has no destructor, so that it can be read until the thread ends.
+  static thread_local bool IsGone;
 };
 
 thread_local bool BackgroundWork::Leavings::IsGone = false;
@@ -154,7 +158,7 @@ void BackgroundWork::Begin(Task task)
   this->End();
   auto run = std::make_unique<Run>();
   run->Work = std::move(task);
-  // Nothing in a forked process ends what its parent has begun.
+  // A forked process can't end the work that its parent has begun.
   run->Before = this->LastProcess == ServoClock::GetProcess() ? std::move(this->Last) : nullptr;
   this->Current = std::move(run);
   Run* const current = this->Current.get();
@@ -190,7 +194,7 @@ void BackgroundWork::End() noexcept
 {
   if (this->Current && !this->IsOurs())
   {
-    (void)this->Current.release(); // its thread belongs to the parent
+    (void)this->Current.release(); // the thread belongs to the parent process
     this->Last = nullptr;
   }
   if (this->Current)

@@ -2,28 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Work on a volume that a hand must not wait for, on a thread of its own.
+ * Runs long work on a volume on a thread of its own, so that the hand does not wait for it.
  *
- * The owner (the GUI thread) begins the work, looks at its progress, and takes its result whenever
- * it comes by; neither waits for the other. The work does its task in pieces of some milliseconds
- * and asks between them whether it is cancelled. A KeyedWork also knows which data its result is
- * of, and begins again if they have changed:
+ * The owner (the GUI thread) begins the work, polls its progress, and takes its result whenever it
+ * likes; neither thread waits for the other. The task works in pieces of some milliseconds and asks
+ * between them whether it is cancelled. A KeyedWork also remembers which data its result belongs
+ * to, and begins again if the data have changed:
  *
  *   KeyedWork<DataKey, std::string> hash;
  *   const std::string* known = hash.Follow({ array, array->GetMTime() }, // on each GUI tick
  *     [array](WorkMonitor& monitor) { return HashArray(array, dimensions, monitor); });
  *
- * The owner releases the objects that the task holds, such as a reference to an array; the worker
- * never does: the last reference of a VTK object must not be dropped by another thread. Of work
- * that is cancelled while it goes on, the owner's thread releases them the next time that it calls
- * a function of any work after the end of the task's piece, or when that thread ends. So a task
- * has to own all that it reads: it may outlive the object that began it. The task
- * reads values while the program may write them: the program announces that with Modified(), and
- * gets another result. The memory of the values must stay where it is for as long as the array
- * exists, as for the servo: see vtkHapticDevice.
+ * The owner's thread releases the objects that the task holds, such as a reference to an array; the
+ * worker never does, because another thread must not drop the last reference of a VTK object. If
+ * work is cancelled while it runs, the owner's thread releases its objects at the next call of any
+ * function of this file after the end of the task's piece, or when the owner's thread ends. So a
+ * task must own all that it reads: it may outlive the object that began it. The task may read
+ * values while the program writes them: the program then calls Modified() and gets a new result.
+ * The memory of the values must stay at its address for as long as the array exists, as for the
+ * servo: see vtkHapticDevice.
  *
  * The worker has a low priority, so that it delays neither the servo nor the picture. A forked
- * child has no worker; there, work that was under way never ends.
+ * child has no worker; work that was under way at the fork never ends in the child.
  */
 #ifndef BackgroundWork_h
 #define BackgroundWork_h
@@ -45,10 +45,10 @@ class WorkMonitor
 {
 public:
   ///@{
-  /** Called by the task. */
+  /** For the task: whether the owner has cancelled it. */
   bool IsCancelled() const noexcept { return this->Cancelled.load(std::memory_order_relaxed); }
   void SetProgress(double share) noexcept { this->Share.store(share, std::memory_order_relaxed); }
-  /** Tells the progress; false if the task is cancelled. */
+  /** For the task: reports its progress (0 to 1). Returns false if the task is cancelled. */
   bool GoesOn(double share) noexcept
   {
     this->SetProgress(share);
@@ -56,7 +56,7 @@ public:
   }
   ///@}
   ///@{
-  /** Called by the owner; the progress is 0 to 1. */
+  /** For the owner: cancels the task, and reads its progress (0 to 1). */
   void Cancel() noexcept { this->Cancelled.store(true, std::memory_order_relaxed); }
   double GetProgress() const noexcept { return this->Share.load(std::memory_order_relaxed); }
   ///@}
@@ -66,39 +66,41 @@ private:
   std::atomic<double> Share{ 0.0 };
 };
 
-/** A task on a thread of its own. All functions are for the owner. */
+/** A task on a thread of its own. Only the owner calls these functions. */
 class BackgroundWork
 {
 public:
   using Task = std::function<void(WorkMonitor&)>;
 
   BackgroundWork() = default;
-  /** Cancels the task, and does not wait for it. */
+  /** Cancels the task without waiting for it. */
   ~BackgroundWork() { this->End(); }
   BackgroundWork(const BackgroundWork&) = delete;
   BackgroundWork& operator=(const BackgroundWork&) = delete;
 
   /**
-   * Begins a task, instead of one that is under way, which is cancelled; the new one begins when
-   * that one's piece has ended. If the system gives no thread, the task is done at once, before
-   * this returns.
+   * Begins a task. A task that is under way is cancelled; the new task starts when the current
+   * piece of the old one has ended. If the system provides no thread, the task runs to its end
+   * within this call.
    */
   void Begin(Task task);
-  /** Cancels the task, does not wait for it, and releases what it holds if it has returned. */
+  /** Cancels the task without waiting for it, and releases what it holds if it has returned. */
   void End() noexcept;
 
-  /** Cancels the task, and does not wait: HasReturned() tells when its piece has ended. */
+  /**
+   * Cancels the task without waiting for it: HasReturned() becomes true at the end of its piece.
+   */
   void Cancel() noexcept;
 
   /** Whether a task was begun, and End() was not called since. */
   bool IsBegun() const { return this->Current != nullptr; }
-  /** Whether it was begun by this process, and not by one that this one was forked from. */
+  /** Whether this process began the task, rather than the process that it was forked from. */
   bool IsOurs() const { return this->Current && this->Current->IsOurs(); }
-  /** Whether the task has returned; what it wrote can be read. */
+  /** Whether the task has returned; its results can be read then. */
   bool HasReturned() const;
-  /** Waits until the task has returned, or for some seconds; returns whether it has. */
+  /** Waits until the task has returned, at most this many seconds; returns whether it has. */
   bool WaitFor(double seconds) const;
-  /** 0 to 1; 0 without a task. */
+  /** Progress of the task, 0 to 1; 0 without a task. */
   double GetProgress() const;
 
 private:
@@ -108,7 +110,8 @@ private:
     Task Work;
     WorkMonitor Monitor;
     const std::shared_ptr<Flag> HasReturned = std::make_shared<Flag>(false);
-    std::shared_ptr<const Flag> Before; ///< of the run that has to end first; or null
+    /** End of the run that has to end first; null if there is none. */
+    std::shared_ptr<const Flag> Before;
     std::thread Thread;
     const std::int64_t Process = ServoClock::GetProcess();
 
@@ -119,25 +122,25 @@ private:
   class Leavings;
 
   std::unique_ptr<Run> Current;
-  std::shared_ptr<const Flag> Last; ///< of the run that was ended last; or null
-  std::int64_t LastProcess = 0;     ///< that has begun it
+  std::shared_ptr<const Flag> Last; ///< end of the run that was ended last; null if there is none
+  std::int64_t LastProcess = 0;     ///< process that began that run
 };
 
 /**
- * A result that is made in the background of the data that a key names, such as an array and the
- * time of its last change.
+ * Computes a result in the background for the data that a key names, such as an array and the time
+ * of its last change.
  */
 template <typename Key, typename Result>
 class KeyedWork
 {
 public:
-  /** Returns nothing if it is cancelled. */
+  /** Computes a result; nothing if the work is cancelled. */
   using Maker = std::function<std::optional<Result>(WorkMonitor&)>;
 
   /**
-   * The result of a key; null until it is known. If the key is another one than before, the work is
-   * begun with `make`, and that of the old key is cancelled. If the work fails for lack of memory,
-   * the result stays null.
+   * Returns the result for a key; null until it is known. If the key has changed, cancels the work
+   * for the old key and begins new work with `make`. If the work fails for lack of memory, the
+   * result stays null.
    */
   const Result* Follow(const Key& key, const Maker& make)
   {
@@ -151,7 +154,7 @@ public:
     return this->Find(key);
   }
 
-  /** The same, but begins nothing. */
+  /** Returns the result for a key like Follow(), but begins no work. */
   const Result* Find(const Key& key)
   {
     if (this->Work.IsBegun() && this->Work.HasReturned())
@@ -161,10 +164,10 @@ public:
     return this->IsOf(key) && !this->Work.IsBegun() && *this->Made ? &**this->Made : nullptr;
   }
 
-  /** Whether the result that is made, or was made last, is of a key. */
+  /** Whether the result that is under way, or was computed last, belongs to a key. */
   bool IsOf(const Key& key) const { return this->Of && *this->Of == key; }
 
-  /** Cancels the work and forgets its result. */
+  /** Cancels the work and discards its result. */
   void Forget()
   {
     this->Work.End();
@@ -172,7 +175,7 @@ public:
     this->Made.reset();
   }
 
-  /** As Forget(), but keeps the work until it has returned, so that IsUnderWay() can tell. */
+  /** As Forget(), but keeps the work until it has returned, so that IsUnderWay() sees it. */
   void Abandon()
   {
     if (!this->IsUnderWay())
@@ -185,14 +188,16 @@ public:
   }
 
   /**
-   * Whether a result is being made, or work that was abandoned still ends. Not the work of a
-   * process that this one was forked from: it never ends here.
+   * Whether a result is being computed, or abandoned work has not ended yet. False for work of the
+   * process that this one was forked from: such work never ends here.
    */
   bool IsUnderWay() const
   {
     return this->Work.IsBegun() && this->Work.IsOurs() && !this->Work.HasReturned();
   }
-  /** Waits until no result is being made, or for some seconds; returns whether none is. */
+  /**
+   * Waits until no result is being computed, at most this many seconds; returns whether none is.
+   */
   bool WaitFor(double seconds) const
   {
     return !this->Work.IsBegun() || this->Work.WaitFor(seconds);
@@ -201,8 +206,8 @@ public:
 
 private:
   std::optional<Key> Of;
-  std::shared_ptr<std::optional<Result>> Made; // written by the task
-  BackgroundWork Work;                         // last: it ends first
+  std::shared_ptr<std::optional<Result>> Made; // the task writes it
+  BackgroundWork Work;                         // the last member, so that it is destroyed first
 };
 
 } // namespace VolumeHaptics

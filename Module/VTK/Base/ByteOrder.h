@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** Whether an order, with the most significant byte first or last, is not this computer's. */
+/** Whether a byte order (`isBig`: most significant byte first) differs from this computer's. */
 inline bool IsOtherByteOrder(bool isBig)
 {
   const std::uint16_t probe = 1;

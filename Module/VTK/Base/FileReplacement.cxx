@@ -19,14 +19,14 @@ namespace
 constexpr std::size_t BufferSize = 1 << 16;
 
 /**
- * Creates a file with a random name in the folder of another one. Returns its descriptor, or -1
- * with errno.
+ * Creates a file with a random name in the folder of `file`. Returns its descriptor, or -1 with
+ * errno.
  */
 int CreateBeside(const std::string& file, mode_t mode, std::string& name)
 {
   std::random_device random;
   int descriptor = -1;
-  constexpr int most = 100; // names; two of 64 bits are hardly ever equal
+  constexpr int most = 100; // attempts; two random names of 64 bits are hardly ever equal
   for (int i = 0; i < most && descriptor < 0 && (i == 0 || errno == EEXIST); ++i)
   {
     char text[40];
@@ -122,7 +122,7 @@ bool FileReplacement::Finish(std::string& error)
   if (this->Descriptor >= 0)
   {
     this->Flush();
-    // Only here the disk may turn out to be full.
+    // A full disk may be reported only here.
     if (this->Failure == 0)
     {
       this->Failure = SyncFile(this->Descriptor);
@@ -184,7 +184,7 @@ bool FileReplacement::Commit(std::string& error)
     {
       error = ExplainWriteError(this->Failure, this->Target) + " All of it is in " +
         Printable(this->Temporary) + ".";
-      this->IsThere = false; // the file stays
+      this->IsThere = false; // the destructor keeps the file
       return false;
     }
     this->Discard();

@@ -19,7 +19,8 @@ namespace
 constexpr std::size_t ChunkSize = 1 << 16;
 
 /**
- * Bytes of the UTF-8 character that begins here; 0 if there is none (RFC 3629, table in section 4).
+ * Size of the UTF-8 character that begins here (bytes); 0 if none begins (RFC 3629, table in
+ * section 4).
  */
 std::size_t CharacterSize(const unsigned char* text, std::size_t left)
 {
@@ -107,7 +108,7 @@ int SyncFolder(const std::string& file)
 std::string FollowLinks(const std::string& file)
 {
   std::string name = file;
-  constexpr int most = 40; // links that the system follows, too
+  constexpr int most = 40; // as many links as the system follows
   for (int i = 0; i < most; ++i)
   {
     const std::unique_ptr<char, void (*)(void*)> real(realpath(name.c_str(), nullptr), std::free);
@@ -142,7 +143,7 @@ bool TakePermissions(int descriptor, const struct stat& other)
   const bool isKept = fchown(descriptor, other.st_uid, other.st_gid) == 0 ||
     fchown(descriptor, static_cast<uid_t>(-1), other.st_gid) == 0 ||
     (fstat(descriptor, &status) == 0 && status.st_gid == other.st_gid);
-  // Bits that let a program run with its owner's rights must not pass to another owner.
+  // Set-user-ID and similar bits must not pass to another owner.
   (void)!fchmod(descriptor, isKept ? other.st_mode & 0777 : (other.st_mode & 0700) | 0600);
   return isKept;
 }
@@ -262,7 +263,7 @@ bool ReadSmallFile(const std::string& file, std::size_t most, std::string& text,
   }
   struct stat status;
   int failure = fstat(descriptor, &status) == 0 ? 0 : errno;
-  // It may have been replaced since.
+  // The file may have been replaced since.
   bool isGood = failure == 0 && S_ISREG(status.st_mode);
   char buffer[ChunkSize];
   while (isGood && text.size() <= most)

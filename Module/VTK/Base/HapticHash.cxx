@@ -13,7 +13,7 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * Measured on a desktop computer of 2023; for other layouts, the values are copied.
+ * Measured on a desktop computer of 2023; for other memory layouts, the values are copied first.
  */
 constexpr double SecondsPerByte = 1.6e-9;
 constexpr double SecondsPerValue = 30e-9;
@@ -54,7 +54,7 @@ std::string HashArray(vtkDataArray* array, const int dimensions[3], const HashPr
   }
   else
   {
-    // The same bytes as above, one block of tuples at a time.
+    // Hashes the same bytes as above, one block of tuples at a time.
     constexpr vtkIdType block = 4096;
     const auto tuples =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A hash of a volume, which tells a recording's volume from others.
+ * Hashes a volume, so that a recording can recognise its volume.
  */
 #ifndef HapticHash_h
 #define HapticHash_h
@@ -15,17 +15,19 @@ class vtkDataArray;
 namespace VolumeHaptics
 {
 
-/** Called between pieces of some milliseconds with the share that is done; false ends the work. */
+/**
+ * Called between pieces of some milliseconds with the fraction that is done; false ends the work.
+ */
 using HashProgress = std::function<bool(double)>;
 
 /**
- * MD5 of the values of an array, tuple by tuple in any memory layout, and of its shape; empty if
- * the work was ended. May be called by another thread than that of the array's owner.
+ * Computes the MD5 of an array's shape and of its values, tuple by tuple in any memory layout;
+ * empty if the work was ended. Any thread may call it, not only that of the array's owner.
  */
 std::string HashArray(
   vtkDataArray* array, const int dimensions[3], const HashProgress& progress = nullptr);
 
-/** How long that takes, approximately (s). */
+/** Estimates how long HashArray() takes (s). */
 double EstimateHashTime(vtkDataArray* array);
 
 } // namespace VolumeHaptics

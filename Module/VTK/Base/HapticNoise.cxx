@@ -22,28 +22,28 @@ namespace
 {
 
 /**
- * The array, the address of its values, their number along each axis, component, last change. No
- * two objects ever have the same time of change, so that an object that is gone, whose address
- * another has now, is not taken for that.
+ * The array, the address of its values, their number along each axis, component, last change. The
+ * time of change is unique to an object, so an object that has the address of a deleted one still
+ * gets another key.
  */
 using NoiseKey =
   std::tuple<const void*, const void*, std::array<std::int64_t, 3>, int, vtkMTimeType>;
 
-/** As many arrays as a program may touch in turn. */
+/** Number of arrays that are remembered. */
 constexpr std::size_t MostKnown = 16;
 
 NoiseKey MakeNoiseKey(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component)
 {
   const std::int64_t* const n = view.Dimensions;
-  // Programs that write into an array often call Modified() of the image only.
+  // Programs that write into an array often call only the image's Modified().
   return { scalars, view.Data, { n[0], n[1], n[2] }, component,
     std::max(image->GetMTime(), scalars->GetMTime()) };
 }
 
 /**
- * Makes the range of all samples that of those which are finite and stand for no missing value: the
- * same, without another look at the samples, unless an end of it may stand for one.
+ * Reduces the range of all samples to the finite samples that stand for no missing value. The
+ * samples are read again only if an end of the range may stand for a missing value.
  */
 void FindInside(vtkDataArray* scalars, int component, double range[2])
 {
@@ -65,7 +65,10 @@ void FindInside(vtkDataArray* scalars, int component, double range[2])
   }
 }
 
-/** What was found before for an array, or what `find` finds now. */
+/**
+ * Returns what was found before for an array; if there is nothing, calls `find` and stores its
+ * result.
+ */
 template <typename Found, typename Find>
 Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component,
   const Find& find)
@@ -85,7 +88,8 @@ Found Recall(vtkImageData* image, vtkDataArray* scalars, const VolumeView& view,
     return at->What;
   }
   const Found found = find();
-  // Arrays of other layouts note their range in themselves, which may move on their time of change.
+  // Arrays of other layouts store their range in themselves, which may advance their time of
+  // change.
   known[next] = { MakeNoiseKey(image, scalars, view, component), found };
   next = (next + 1) % MostKnown;
   return found;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The noise of a vtkDataArray (NoiseEstimate.h).
+ * Estimates the noise of a vtkDataArray (NoiseEstimate.h).
  */
 #ifndef HapticNoise_h
 #define HapticNoise_h
@@ -21,8 +21,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Adds the noise samples of one piece of a volume, and the range. The array has a tuple for every
- * index of `extent`; the indices count as those of `whole`.
+ * Adds the noise samples and the range of one piece of a volume. The array has a tuple for every
+ * index of `extent`; these indices count as those of `whole` do.
  */
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);
@@ -30,24 +30,27 @@ void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[
 /** Noise and range of a volume, estimated from its samples. */
 struct FoundNoise
 {
-  double Noise = 0.0; ///< its standard deviation (scalar units)
-  /** Of all values, or of the noise samples (HasRangeOfAll). The first is larger without any. */
+  double Noise = 0.0; ///< standard deviation of the noise (scalar units)
+  /**
+   * Range of all values, or of the noise samples (HasRangeOfAll). If there are no values, the first
+   * number is the larger one.
+   */
   double Range[2] = { 1.0, 0.0 };
 };
 
 /**
- * The noise of a component. Those of the latest arrays are remembered, for all filters of a thread,
- * until the image or the array is modified.
+ * Estimates the noise of a component. The results for the latest arrays are remembered, for all
+ * filters of a thread, until the image or the array is modified.
  */
 FoundNoise FindNoise(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
-/** Where its background ends, remembered as the noise is. */
+/** Finds where the background ends; remembers the result as FindNoise() does. */
 BackgroundLevel FindSolid(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 
 ///@{
-/** How its Hounsfield units are stored; with a view, remembered as the noise is. */
+/** Finds how Hounsfield units are stored; with a view, remembers the result as FindNoise() does. */
 StoredShift FindStoredShift(
   vtkImageData* image, vtkDataArray* scalars, const VolumeView& view, int component);
 VTKVOLUMEHAPTICS_EXPORT StoredShift FindStoredShift(

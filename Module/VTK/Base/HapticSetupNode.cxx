@@ -29,7 +29,7 @@ std::string Describe(const NumberRange& range)
   return text.str();
 }
 
-/** The text of a value in the file, on one line and shortened. */
+/** Prints a value of the file as text, on one line and shortened. */
 std::string Quote(const Json::Value& value)
 {
   Json::StreamWriterBuilder builder;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A list of settings that both writes and reads a setup.
+ * Writes and reads the settings of a setup with one list.
  */
 #ifndef HapticSetupNode_h
 #define HapticSetupNode_h
@@ -31,7 +31,7 @@ struct NumberRange
   double Maximum;
 };
 
-/** Every number but NaN and the infinities. */
+/** Allows every number but NaN and the infinities. */
 NumberRange AnyNumber();
 NumberRange NotNegative();
 
@@ -57,31 +57,42 @@ public:
     const std::function<void(int)>& set);
   void Flag(
     const char* key, const std::function<bool()>& get, const std::function<void(bool)>& set);
-  /** `check` returns the fault in a text, and the cure; empty if there is none. */
+  /**
+   * Reads or writes a text. `check` returns the fault of a text, with the cure; empty if it is
+   * valid.
+   */
   void Text(const char* key, const std::function<std::string()>& get,
     const std::function<void(const std::string&)>& set,
     const std::function<std::string(const std::string&)>& check = {});
-  /** A choice, by name; its value is the index of the name. Returns that read, or -1. */
+  /**
+   * Reads or writes a choice by name; its value is the index of the name. Returns the index read,
+   * or -1.
+   */
   int Choice(const char* key, const std::vector<const char*>& names,
     const std::function<int()>& get, const std::function<void(int)>& set);
-  /** A fixed number of numbers. Returns the numbers read, or nothing. */
+  /** Reads or writes a fixed number of numbers. Returns the numbers read, or nothing. */
   NumberRow Row(const char* key, std::size_t size, const std::function<NumberRow()>& get,
     const std::function<void(const NumberRow&)>& set);
-  /** Rows whose columns have these ranges, the first column in rising order. */
+  /**
+   * Reads or writes rows whose columns have these ranges, with the first column in ascending order.
+   */
   void Table(const char* key, const std::vector<NumberRange>& columns,
     const std::function<std::vector<NumberRow>()>& get,
     const std::function<void(const std::vector<NumberRow>&)>& set);
 
-  /** A condition on all that was read; the error names the key. */
+  /** Checks a condition on all values read; the error names the key. */
   void Require(const char* key, bool holds, const std::string& wanted);
-  /** A change that follows the values read so far; does nothing when writing. */
+  /** Adds a change to make after the values read so far; does nothing when writing. */
   void Then(std::function<void()> change);
 
-  /** An object in this one. If it is missing, reading finds nothing in it. */
+  /**
+   * Returns the node of an object in this one. If the object is missing, nothing can be read from
+   * it.
+   */
   SetupNode Child(const std::string& key);
 
 private:
-  /** The value of a key, if there is one to read. */
+  /** Returns the value of a key; null if there is none to read. */
   const Json::Value* Find(const char* key) const;
   void Fail(const std::string& path, const Json::Value& found, const std::string& wanted);
   bool ReadNumber(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Vectors and quaternions from arrays, and back.
+ * Reads vectors and quaternions from arrays, and writes them to arrays.
  */
 #ifndef HapticTuples_h
 #define HapticTuples_h
@@ -20,14 +20,14 @@ inline Vector3 FromArray(const double* v)
   return { v[0], v[1], v[2] };
 }
 
-/** Three components of a tuple, beginning with the component `first`. */
+/** Reads three components of a tuple, beginning with the component `first`. */
 inline Vector3 ReadVector(vtkDataArray* array, vtkIdType tuple, int first = 0)
 {
   return { array->GetComponent(tuple, first), array->GetComponent(tuple, first + 1),
     array->GetComponent(tuple, first + 2) };
 }
 
-/** The four components of a tuple: w, x, y, z. */
+/** Reads the four components of a tuple: w, x, y, z. */
 inline Quaternion ReadQuaternion(vtkDataArray* array, vtkIdType tuple)
 {
   return { array->GetComponent(tuple, 0), array->GetComponent(tuple, 1),

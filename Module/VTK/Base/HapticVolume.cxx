@@ -44,7 +44,9 @@ constexpr ScalarType ScalarTypeOf()
   }
 }
 
-/** Address of a component and the step between its tuples; false for other memory layouts. */
+/**
+ * Finds the address of a component and the step between its tuples; false for other memory layouts.
+ */
 template <typename T>
 bool LocateComponent(
   vtkDataArray* scalars, int component, VolumeView& view, vtkSmartPointer<vtkDataArray>& holder)
@@ -54,15 +56,14 @@ bool LocateComponent(
   holder = scalars;
   if (auto* const separate = SeparateComponents::FastDownCast(scalars))
   {
-    // The array may convert its memory to another layout whenever it is rendered. The holder shares
-    // the memory and keeps it for the servo.
+    // Rendering may convert the array's memory to another layout at any time. The holder shares the
+    // memory and keeps it for the servo.
     holder = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
     auto* const soa = SeparateComponents::FastDownCast(holder);
     const bool isSeparate = HasSeparateComponents(separate);
     if (isSeparate)
     {
-      // VTK 9.6 copies nothing to an array that does not yet keep its components in one memory
-      // block.
+      // VTK 9.6 copies nothing into an array whose components are not yet in one memory block.
       soa->SetNumberOfComponents(scalars->GetNumberOfComponents());
       soa->SetArray(0, nullptr, 0, false, true);
     }
@@ -84,7 +85,7 @@ bool LocateComponent(
   return true;
 }
 
-/** The first finite value among the corners of the volume; 0 if there is none. */
+/** Returns the first finite value among the corners of the volume; 0 if there is none. */
 double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView& view)
 {
   const std::int64_t* const n = view.Dimensions;
@@ -103,8 +104,8 @@ double FirstFiniteCorner(vtkDataArray* scalars, int component, const VolumeView&
 }
 
 /**
- * Views the scalars; the error's cure needs the kernel radius (voxels). `holder` has to live as
- * long as the view: it is the array, or another one that shares its memory.
+ * Views the scalars; the error's cure states the kernel radius (voxels). `holder` has to live as
+ * long as the view: it is the array, or an array that shares its memory.
  */
 bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, int kernelRadius,
   VolumeView& view, vtkSmartPointer<vtkDataArray>& holder, std::string& error)
@@ -172,7 +173,7 @@ bool MakeVolumeView(vtkImageData* image, vtkDataArray* scalars, int component, i
   return false;
 }
 
-/** Lets a view of a region count its indices as the whole does. */
+/** Makes a view of a region count its indices as the whole volume does. */
 void PlaceInWhole(vtkImageData* image, const WholeFacts& facts, VolumeView& view)
 {
   const int* const extent = image->GetExtent();

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int DeepestBrackets = 64; // the files of this library have eight
+constexpr int DeepestBrackets = 64; // the files of this library nest eight deep
 
 } // namespace
 
@@ -40,7 +40,7 @@ bool ParseJson(const std::string& text, Json::Value& root, std::string& error)
       std::to_string(DeepestBrackets) + " deep.";
     return false;
   }
-  catch (const std::exception& e) // no memory
+  catch (const std::exception& e) // out of memory
   {
     error = std::string("it is not JSON: ") + e.what();
     return false;
@@ -52,8 +52,8 @@ std::string WriteJson(const Json::Value& root)
 {
   Json::StreamWriterBuilder builder;
   builder["indentation"] = " ";
-  builder["commentStyle"] = "None"; // short lists on one line
-  builder["precision"] = 17;        // every double is restored exactly
+  builder["commentStyle"] = "None"; // writes short lists on one line
+  builder["precision"] = 17;        // enough digits to restore every double exactly
   return Json::writeString(builder, root) + "\n";
 }
 

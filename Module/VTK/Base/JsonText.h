@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * JSON to texts and back, in any locale.
+ * Converts JSON to text and back, in any locale.
  */
 #ifndef JsonText_h
 #define JsonText_h
@@ -15,14 +15,14 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with "it is not JSON" and where and why, if the text is not, or is nested more than 64
- * deep: jsoncpp reads, copies and frees by recursion, on threads whose stacks may be small. NaN and
- * Infinity are numbers here, so that an error can name their key. All JSON from outside goes
- * through this function; ReadSmallFile() limits its size.
+ * Parses a text. False, with "it is not JSON", the place and the reason, if the text is not JSON or
+ * is nested more than 64 deep: jsoncpp reads, copies and frees by recursion, on threads whose
+ * stacks may be small. NaN and Infinity are numbers here, so that an error can name their key. All
+ * JSON from outside goes through this function; ReadSmallFile() limits its size.
  */
 bool ParseJson(const std::string& text, Json::Value& root, std::string& error);
 
-/** With every double to the bit, and short lists on one line. */
+/** Writes JSON with every double exact to the bit, and short lists on one line. */
 std::string WriteJson(const Json::Value& root);
 
 } // namespace VolumeHaptics

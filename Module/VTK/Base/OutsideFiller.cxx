@@ -22,10 +22,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Above it (of the samples looked at), holes are told of. */
+/** Fraction of the examined samples above which holes are reported. */
 constexpr double MostHoles = 0.01;
 
-/** Whether a corner has what may be outside, or samples may be no numbers; else, none are read. */
+/** Whether samples at a corner may be outside, or samples may be NaN; if not, none are read. */
 bool MayHaveOutside(vtkImageData* image, vtkDataArray* scalars, int component)
 {
   const int type = scalars->GetDataType();
@@ -92,7 +92,7 @@ OutsideSamples FindOutside(vtkImageData* image, vtkDataArray* scalars, int compo
     return {};
   }
   WholeFacts whole;
-  std::string error; // a bake reports it
+  std::string error; // the bake reports this error
   if (!ReadWholeFacts(image, component, whole, error) || whole.IsThere ||
     !MayHaveOutside(image, scalars, component))
   {
@@ -108,7 +108,7 @@ void FillOutside(const OutsideSamples& outside, vtkDataArray* scalars, int compo
 {
   VolumeView view;
   vtkSmartPointer<vtkDataArray> holder;
-  const int row[3] = { 1, 1, 1 }; // of which only the strides matter
+  const int row[3] = { 1, 1, 1 }; // only the strides of the row matter
   if (outside.HasAny() && LocateSamples(scalars, component, row, view, holder) && view.Data)
   {
     Fill(outside, scalars->GetDataType(), const_cast<void*>(view.Data), view.Stride[0],
@@ -182,7 +182,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
   const Key key{ scalars, image, component, std::max(image->GetMTime(), scalars->GetMTime()) };
   if (this->Of != key)
   {
-    this->Filled = nullptr; // both do not need to be in memory
+    this->Filled = nullptr; // releases the old copy first, so that both are never in memory at once
     this->Of = {};
     this->Last = FindOutside(image, scalars, component);
     if (this->Last.HasAny())
@@ -197,7 +197,7 @@ vtkSmartPointer<vtkDataArray> OutsideFiller::Fill(
 
 std::string OutsideFiller::TakeNotice()
 {
-  // Frames of a volume that moves differ in their values only slightly.
+  // Time steps of a moving volume yield texts whose values differ only slightly.
   const std::string notice = std::exchange(this->Notice, {});
   const bool isNew = !notice.empty() && notice != this->Told;
   this->Told = notice.empty() ? this->Told : notice;

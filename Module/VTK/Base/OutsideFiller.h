@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Gives the samples of arrays that are outside (OutsideSamples.h) the value with which they are
- * felt.
+ * Fills the samples of arrays that are outside (OutsideSamples.h) with the value that is felt
+ * there.
  */
 #ifndef OutsideFiller_h
 #define OutsideFiller_h
@@ -25,39 +25,43 @@ namespace VolumeHaptics
 {
 
 /**
- * What is outside in a component of an image: of a region of a larger volume, what its field arrays
- * tell; nothing in what can't be touched.
+ * Finds what is outside in a component of an image. For a region of a larger volume, the image's
+ * field arrays say so; in data that can't be touched, nothing is outside.
  */
 VTKVOLUMEHAPTICS_EXPORT OutsideSamples FindOutside(
   vtkImageData* image, vtkDataArray* scalars, int component);
 
 ///@{
-/** Fills samples: those of a component, or so many of a scalar type one after another. */
+/** Fills the samples of a component, or `count` consecutive samples of a scalar type. */
 void FillOutside(const OutsideSamples& outside, vtkDataArray* scalars, int component);
 VTKVOLUMEHAPTICS_EXPORT void FillOutside(
   const OutsideSamples& outside, int scalarType, void* samples, std::int64_t count);
 ///@}
 
-/** A filled copy of an array, with all components; the array itself if nothing is outside. */
+/**
+ * Returns a filled copy of an array, with all components; the array itself if nothing is outside.
+ */
 VTKVOLUMEHAPTICS_EXPORT vtkSmartPointer<vtkDataArray> CopyFilled(
   const OutsideSamples& outside, vtkDataArray* scalars, int component);
 
-/** Tells what was taken for outside, or for holes, and the cure; empty if nothing was. */
+/** Describes what was treated as outside or as holes, with the cure; empty if nothing was. */
 VTKVOLUMEHAPTICS_EXPORT std::string DescribeOutside(
   const OutsideSamples& outside, vtkDataArray* scalars);
 
-/** Whether an array of so many components has scalars; vectors and tensors are read as they are. */
+/**
+ * Whether an array with this many components holds scalars; vectors and tensors are read unchanged.
+ */
 bool AreScalars(int components);
 
 /** Keeps the last filled copy, which all bakes of an array share. */
 class OutsideFiller
 {
 public:
-  /** The array, or the copy in which its samples outside are filled. */
+  /** Returns the array, or the copy in which its outside samples are filled. */
   vtkSmartPointer<vtkDataArray> Fill(vtkImageData* image, vtkDataArray* scalars, int component);
   /** What was outside in the last array. */
   const OutsideSamples& GetLast() const { return this->Last; }
-  /** DescribeOutside() of the last array, once; else an empty text. */
+  /** Returns DescribeOutside() of the last array the first time, then an empty text. */
   std::string TakeNotice();
 
 private:

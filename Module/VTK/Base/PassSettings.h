@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lists of settings in a setup, for writing and for reading alike.
+ * Writes and reads lists of settings in a setup.
  */
 #ifndef PassSettings_h
 #define PassSettings_h
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** One key for each setting of an owner, which has to live until the changes are made. */
+/** Passes one key for each setting of an owner, which must live until the changes are made. */
 template <typename Owner, std::size_t Size>
 void PassSettings(SetupNode& node, Owner* owner, const HapticSetting<Owner> (&settings)[Size])
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * JSON's numbers in any locale.
+ * Reads JSON's numbers in any locale.
  */
 #ifndef PlainNumbers_h
 #define PlainNumbers_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * jsoncpp reads numbers in the application's locale, in which 0.5 may be written 0,5. While this
- * lives, they are read as JSON has them. If the locale already does so, nothing changes.
+ * Reads numbers as JSON writes them while it lives. jsoncpp reads numbers in the application's
+ * locale, where 0.5 may be written 0,5. Changes nothing if the locale already reads them so.
  */
 class PlainNumbers
 {
@@ -25,7 +25,7 @@ public:
     this->Changed = numbers.decimal_point() != '.' || !numbers.grouping().empty();
     if (this->Changed)
     {
-      // Without a name, so that the locale of C stays unchanged.
+      // The locale has no name, so that the locale of C stays unchanged.
       std::locale::global(std::locale(this->Before, new std::numpunct<char>));
     }
   }

@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** What the file has, as far as it could be read; `failed` becomes true after an error. */
+/** Reads what it can of the file; `failed` becomes true after an error. */
 vtkSmartPointer<vtkPolyData> ReadXmlPolyData(const std::string& file, bool& failed);
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * JSON files that say what they hold and which version of it.
+ * JSON files that state their format and its version.
  */
 #ifndef SetupFile_h
 #define SetupFile_h
@@ -17,7 +17,7 @@ namespace VolumeHaptics
 struct SetupFileKind
 {
   const char* Format; ///< the value of the key "Format"
-  int Version;        ///< is written; this and earlier ones are read
+  int Version;        ///< version that is written; this and earlier ones are read
   const char* Noun;   ///< such as "setup"
   const char* Cure;   ///< where such files come from: "that vtkHapticSetup saved"
   const char* Again;  ///< what else helps: "save the setup again"
@@ -26,7 +26,7 @@ struct SetupFileKind
 /** Begins a file of a kind. */
 Json::Value NewSetupFile(const SetupFileKind& kind);
 
-/** False, with the fault and the cure, if a text is no file of the kind. */
+/** Parses a file. False, with the fault and the cure, if the text is no file of the kind. */
 bool ParseSetupFile(
   const std::string& text, const SetupFileKind& kind, Json::Value& root, std::string& error);
 

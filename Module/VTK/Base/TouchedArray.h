@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An array that a filter touches, with what tells whether it is still the same.
+ * An array that a filter touches, with the facts that show whether it has changed.
  */
 #ifndef TouchedArray_h
 #define TouchedArray_h
@@ -19,11 +19,11 @@ namespace VolumeHaptics
 
 struct TouchedArray
 {
-  vtkSmartPointer<vtkDataArray> Array; ///< null: there is none
-  std::array<int, 3> Dimensions{};     ///< of its image
+  vtkSmartPointer<vtkDataArray> Array; ///< null if there is none
+  std::array<int, 3> Dimensions{};     ///< dimensions of its image
   vtkMTimeType Time = 0;               ///< when image or array was last modified
 
-  /** Tells the array, as it is now, from all others: no two objects ever have the same time. */
+  /** Identifies this state of the array: no two objects ever have the same time of change. */
   using Key = std::tuple<const void*, std::array<int, 3>, vtkMTimeType>;
   Key GetKey() const { return { this->Array.Get(), this->Dimensions, this->Time }; }
 };

@@ -22,21 +22,27 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
-/** Threshold, Full and Quiet of a component; the first two are equal if it is not there. */
+/**
+ * Threshold, Full and Quiet of a component; the first two are equal if there is no background
+ * level.
+ */
 constexpr vtkIdType NumbersOfSolid = 3;
 
-/** The shift, the value of air, whether it is strange, and the range. */
+/** The shift, the value of air, whether that value is unusual, and the range. */
 constexpr int NumbersOfShift = 5;
 constexpr int NumbersOfOutside = 4;
 
-/** One number of an array, counted through its tuples. */
+/** Reads one number of an array, counted through its tuples. */
 double NumberOf(vtkDataArray* array, vtkIdType i)
 {
   const int components = array->GetNumberOfComponents();
   return array->GetComponent(i / components, static_cast<int>(i % components));
 }
 
-/** A numeric field array of at least `least` finite numbers; null, with an error, if it is not. */
+/**
+ * Finds a numeric field array of at least `least` finite numbers; null, with an error, if it is
+ * invalid.
+ */
 vtkDataArray* FindNumbers(
   vtkFieldData* fields, const char* name, vtkIdType least, std::string& error)
 {

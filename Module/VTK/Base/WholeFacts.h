@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The facts about a whole volume that an image carries if it is a region of the volume.
+ * Facts about a whole volume, which an image carries if it is a region of the volume.
  */
 #ifndef WholeFacts_h
 #define WholeFacts_h
@@ -36,14 +36,15 @@ struct WholeFactNames
 struct WholeFacts
 {
   bool IsThere = false; ///< whether the image carries one of these arrays, and so is a region
-  int Extent[6] = {};   ///< of the whole volume
-  double Noise = 0.0;   ///< scalar units, of the component
+  int Extent[6] = {};   ///< extent of the whole volume
+  double Noise = 0.0;   ///< standard deviation of the component's noise (scalar units)
   double BorderValue = 0.0;
-  BackgroundLevel Solid;  ///< not there if the image does not carry it
-  StoredShift Shift;      ///< 0 if the image does not carry it
-  double Time = 0.0;      ///< changes when the whole changes
-  double Share = 1.0;     ///< of the force; below 1 if the samples stand in for those of the whole
-  OutsideSamples Outside; ///< which samples are yet to be filled, and how many are holes
+  BackgroundLevel Solid; ///< absent if the image does not carry it
+  StoredShift Shift;     ///< 0 if the image does not carry it
+  double Time = 0.0;     ///< changes when the whole changes
+  /** Fraction of the force; below 1 if the samples stand in for those of the whole. */
+  double Share = 1.0;
+  OutsideSamples Outside; ///< which samples are still to be filled, and how many are holes
 };
 
 /** Reads the field arrays. False, with the cure in `error`, if they are malformed. */

@@ -18,10 +18,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Readers take whatever was in memory for what is missing of appended samples. */
+/**
+ * Whether a file is complete. VTK's readers fill missing appended samples with arbitrary memory.
+ */
 bool HasEnd(const std::string& file)
 {
-  constexpr std::streamoff longest = 1024; // bytes in which the last element is
+  constexpr std::streamoff longest = 1024; // bytes that hold the last element
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = in.tellg();
   std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, longest)), ' ');
@@ -51,7 +53,7 @@ bool ReadXmlFile(vtkXMLReader* reader, const std::string& file)
     reader->Update();
     hasFailed = hasFailed || !HasEnd(file);
   }
-  // The reader may live longer than hasFailed.
+  // The reader may outlive hasFailed.
   reader->SetReaderErrorObserver(nullptr);
   reader->SetParserErrorObserver(nullptr);
   reader->RemoveObserver(ofReader);
@@ -69,7 +71,7 @@ bool WriteXmlFile(
   }
   writer->WriteToOutputStringOn();
   writer->SetInputData(data);
-  writer->SetDataModeToBinary(); // newer expats can't read appended data
+  writer->SetDataModeToBinary(); // newer versions of expat can't read appended data
   writer->Write();
   replacement.Write(writer->GetOutputString());
   return replacement.Commit(error);

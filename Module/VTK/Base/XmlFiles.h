@@ -16,7 +16,7 @@ class vtkXMLWriter;
 namespace VolumeHaptics
 {
 
-/** Returns false after an error; the output of the reader is then what could be read. */
+/** Reads a file. Returns false after an error; the reader's output is then what could be read. */
 bool ReadXmlFile(vtkXMLReader* reader, const std::string& file);
 /** Writes all of the file, or nothing. Returns false, with the reason and the cure. */
 bool WriteXmlFile(

@@ -26,7 +26,7 @@
 namespace VolumeHaptics
 {
 
-/** Whether the user asked a filter to stop; since VTK 9.3 a filter has to look upstream, too. */
+/** Whether the user asked a filter to stop; since VTK 9.3 a filter has to ask upstream, too. */
 inline bool MustAbort(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -51,9 +51,9 @@ struct KeepsSeparate<Array, std::void_t<decltype(std::declval<Array&>().GetStora
 } // namespace Detail
 
 /**
- * Whether a vtkSOADataArrayTemplate now has each component in memory of its own. VTK 9.6's has all
- * of them in one block as long as it is new, and again after the first GetVoidPointer, which a
- * mapper calls; there are no pointers to components then.
+ * Whether a vtkSOADataArrayTemplate now has each component in memory of its own. In VTK 9.6, all
+ * components are in one block while the array is new, and again after the first GetVoidPointer(),
+ * which a mapper calls; then there are no pointers to components.
  */
 template <typename Array>
 bool HasSeparateComponents(Array* array)

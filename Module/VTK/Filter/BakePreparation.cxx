@@ -42,7 +42,7 @@ const char* BakePreparation::Prepare(bool isMoving)
     }
     catch (const std::bad_alloc&)
     {
-      return nullptr; // Bake() reports it
+      return nullptr; // Bake() reports the error
     }
   }
   const char* const labels = hasLabels ? this->PrepareLabels() : nullptr;
@@ -117,7 +117,7 @@ bool BakePreparation::PrepareSurface()
   if (!scalars ||
     !ReadVolume(image, scalars, component, this->Filter->GetKernelRadius(), volume, error))
   {
-    return true; // Bake() reports what can't be read
+    return true; // Bake() reports labels that can't be read
   }
   const std::int64_t* const first = volume.View.First;
   return this->Surfaces.Prepare(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),
@@ -166,7 +166,7 @@ double BakePreparation::EstimateTime()
   }
   catch (const std::bad_alloc&)
   {
-    return 0.0; // Bake() reports it
+    return 0.0; // Bake() reports the error
   }
   vtkImageData* const image = this->Filter->GetTouchedImage();
   const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(this->Filter).GetFilled().Array;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The parts of a bake that take long.
+ * The slow parts of a bake.
  */
 #ifndef BakePreparation_h
 #define BakePreparation_h
@@ -20,13 +20,13 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** What Prepare() returns while a mesh is made. */
+/** Result of Prepare() while a mesh is being made. */
 inline constexpr char MeshingWork[] = "the surface is meshed";
 
 /**
- * The mesh of SURFACE_PROXY, the distances to forbidden labels, the finer grid of labels with thick
- * slices, and the points of a tool with a shape, which can be made in the background before a
- * filter bakes.
+ * Prepares in the background what a filter needs to bake: the mesh of SURFACE_PROXY, the distances
+ * to forbidden labels, the finer grid of labels with thick slices, and the points of a tool with a
+ * shape.
  */
 class BakePreparation
 {
@@ -41,14 +41,17 @@ public:
   OutsideFiller& GetOutside() { return this->Outside; }
 
   /**
-   * The array in which samples outside have a value, or the array itself: vectors and labels are
-   * read as they are.
+   * Returns the array with values for its outside samples, or the array itself: vectors and labels
+   * stay unchanged.
    * @param areFrames whether the components of the array are frames
    */
   vtkSmartPointer<vtkDataArray> FillOutside(
     vtkImageData* image, vtkDataArray* scalars, int component, bool areFrames);
 
-  /** Whether a text on what was guessed about the values is there, and is not that told last. */
+  /**
+   * Whether there is a text on what was guessed about the values, and it was not the last one
+   * reported.
+   */
   bool IsNewGuess(const std::string& guess)
   {
     return std::exchange(this->Guess, guess) != guess && !guess.empty();
@@ -59,9 +62,9 @@ public:
   /** See HapticBaker::EndPreparing(). */
   void EndPreparing();
 
-  /** Whether baking makes no mesh that takes long; if it does, that is begun in the background. */
+  /** Whether baking needs no slow meshing; otherwise, begins to make the mesh in the background. */
   bool IsSurfaceAtHand();
-  /** Waits for such a mesh; false if the user aborts that. */
+  /** Waits for the mesh of IsSurfaceAtHand(); false if the user aborts the wait. */
   bool AwaitSurface();
   /** See HapticBaker::EstimateTime(). */
   double EstimateTime();

@@ -21,7 +21,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Pairs of frames whose edges are compared: at once, and of a series. */
+/** Numbers of pairs of frames whose edges are compared: at once, and in a series. */
 constexpr std::size_t PairsAtOnce = 8;
 constexpr std::size_t MostPairs = 64;
 
@@ -30,7 +30,9 @@ double FindLastDataTime(const RecordedPath& recording)
   return *std::max_element(recording.DataTimes.begin(), recording.DataTimes.end());
 }
 
-/** If a recording went on from the last frame to the first one, the first one follows again. */
+/**
+ * Repeats the first frame at the end if the recording continued from the last frame to the first.
+ */
 void AddLoop(const RecordedPath& recording, std::vector<HapticFrame>& frames)
 {
   if (!frames.empty() && FindLastDataTime(recording) > frames.back().Time)

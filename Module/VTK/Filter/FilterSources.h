@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sources on the input ports of a vtkVolumeHapticsFilter, run outside its own update.
+ * Runs the sources on the input ports of a vtkVolumeHapticsFilter outside the filter's own update.
  */
 #ifndef FilterSources_h
 #define FilterSources_h
@@ -16,7 +16,7 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** Memory ran out in the source of an input port. */
+/** Thrown if memory ran out in the source of an input port. */
 struct SourceLacksMemory : std::bad_alloc
 {
   explicit SourceLacksMemory(int port)
@@ -32,13 +32,15 @@ struct SourceLacksMemory : std::bad_alloc
  */
 bool UpdateSources(vtkAlgorithm* filter);
 
-/** Follows the error of a bake after UpdateSources() returned false. */
+/** Appended to a bake's error after UpdateSources() returned false. */
 inline constexpr char FailedSource[] =
-  // If a source threw, VTK's executive thinks that it still runs.
+  // After a source threw, VTK's executive considers it to be still running.
   " A source of this filter failed: see its errors. If memory ran out in it before, VTK can't run "
   "it again: connect a new source.";
 
-/** The error if there is no memory to bake an image (null if it is unknown), with the cure. */
+/**
+ * Returns the error, with the cure, if there is no memory to bake an image (null if it is unknown).
+ */
 std::string DescribeLackOfMemory(vtkImageData* image);
 
 } // namespace VolumeHaptics

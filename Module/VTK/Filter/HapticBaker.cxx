@@ -109,8 +109,8 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
       << this->Filter->Resampled->DescribeFault(this->Filter->GetInputDataObject(0, 0)) << hint);
     return nullptr;
   }
-  // If only the device has moved, as it does with every frame while it follows the camera, or holds
-  // more or less than before, the baked volume is shared.
+  // The baked volume is shared if only the device has moved, as in every frame while it follows the
+  // camera, or if its caps have changed.
   vtkDataArray* const scalars = this->Filter->GetInputArrayToProcess(0, image);
   vtkImageData* const labels = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(3, 0));
   vtkDataArray* const labelArray =
@@ -140,9 +140,9 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeInput(double rate, const For
     vtkErrorWithObjectMacro(this->Filter, << Printable(error) << hint);
     return nullptr;
   }
-  // The volume, not the model: one that is baked for a moment would take it along.
+  // Keeps the volume, not the model: a model that is baked only once would take the volume with it.
   this->Filter->LastBaked = isMoving || !model ? nullptr : model->Baked;
-  // Afterwards: the first bake makes what the property lacks.
+  // Read after the bake, because the first bake creates what the property lacks.
   this->Filter->LastBakedTime = getTime();
   return model;
 }
@@ -156,7 +156,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeImage(vtkImageData* image, d
   vtkDataArray* scalars = this->Filter->GetInputArrayToProcess(0, image, association);
   if (!scalars && this->Filter->Method == vtkVolumeHapticsFilter::PRIMITIVES)
   {
-    // Modes need no scalars; only the array Value has these.
+    // Modes need no scalars; only the array Value reads these.
     scalars = FindModeArray(this->Filter->Modes, image);
   }
   if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
@@ -291,7 +291,7 @@ bool HapticBaker::HasLabelWalls() const
 bool HapticBaker::AreLabels(vtkImageData* image) const
 {
   WholeFacts whole;
-  std::string error; // BuildHapticModel reports it
+  std::string error; // BuildHapticModel() reports the error
   return this->Filter->GetProperty()->GetScalarsAreLabels() &&
     this->Filter->Method == vtkVolumeHapticsFilter::PROXY &&
     this->Filter->Geometry == vtkVolumeHapticsFilter::FROM_SCALARS &&
@@ -326,7 +326,7 @@ std::shared_ptr<const HapticModel> HapticBaker::BakeRegion(const SurfaceRegion& 
   }
   catch (const std::bad_alloc&)
   {
-    return nullptr; // the whole tells
+    return nullptr; // baking the whole image reports the error
   }
 }
 
@@ -365,7 +365,7 @@ TouchedArray HapticBaker::GetFilled(int component, bool areFrames) const
   }
   catch (const std::bad_alloc&)
   {
-    filled.Array = nullptr; // Bake() reports it
+    filled.Array = nullptr; // Bake() reports the error
   }
   return filled;
 }

@@ -14,7 +14,7 @@ const std::vector<MethodChoice>& MethodChoices()
   using A = vtkVolumeHapticsAlgorithm;
   constexpr int any = MethodChoice::AnySolver;
   const std::string proxy = MethodNames[A::PROXY].Text + std::string(", ");
-  // Never destroyed: objects that are deleted while the process exits still ask for it.
+  // Never destroyed, because objects that are deleted while the process exits still read it.
   static const auto* const choices = new std::vector<MethodChoice>{
     { A::PROXY, A::PRECISE, "proxy", proxy + "PRECISE", false },
     { A::PROXY, A::PAPER, "paper", proxy + "PAPER", false },

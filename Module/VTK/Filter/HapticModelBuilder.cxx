@@ -31,14 +31,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The allowed values of a function, as a text. */
+/** Describes the allowed values of a function. */
 std::string DescribeRange(const PropertyFunction& function)
 {
   const std::string unit = *function.Unit ? std::string(" ") + function.Unit : std::string();
   return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
 }
 
-/** Makes a function of the property's values one of scalars. */
+/** Converts a function of the property's values to a function of scalars. */
 void ToScalars(vtkHapticProperty* property, Polyline& line)
 {
   for (Vertex& vertex : line)
@@ -47,7 +47,7 @@ void ToScalars(vtkHapticProperty* property, Polyline& line)
   }
 }
 
-/** The same of gradient magnitudes. */
+/** Converts a function of gradient magnitudes of the property's values likewise. */
 void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 {
   for (Vertex& vertex : line)
@@ -56,7 +56,9 @@ void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
   }
 }
 
-/** Notes what has to be added to the scalars, if the image tells it, and tells that. */
+/**
+ * Sets what has to be added to the scalars, if the image shows it, and describes that in `notice`.
+ */
 void FindShift(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   const HapticVolume& volume, int component, std::string& notice)
 {
@@ -110,7 +112,7 @@ bool BakeFunctions(vtkHapticProperty* property, HapticMaterial& material, std::s
   return true;
 }
 
-/** The opacities of the volume property as masks of the material. */
+/** Bakes the opacities of the volume property as masks of the material. */
 void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMaterial& material)
 {
   vtkVolumeProperty* const volume = property->GetVisibilityFrom();
@@ -118,13 +120,13 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
   {
     return;
   }
-  constexpr int mostComponents = 4; // vtkVolumeProperty's own limit
+  constexpr int mostComponents = 4; // limit of vtkVolumeProperty
   const int component =
     volume->GetIndependentComponents() ? std::min(property->GetComponent(), mostComponents - 1) : 0;
   const double* const spacing = image->GetSpacing();
   const double average = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   material.ScalarVisibility = MaskAbove(ToPolyline(volume->GetScalarOpacity(component), 1.0));
-  // Asking for a function that is not there would make one, which mappers then draw with.
+  // Getting a missing function would create one, and mappers would then draw with it.
   if (volume->HasGradientOpacity(component))
   {
     material.GradientVisibility =
@@ -133,8 +135,8 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 }
 
 /**
- * Keeps noise from being felt unless the user has set the gradient of a surface, which becomes one
- * per world unit.
+ * Hides noise from the hand unless the user has set GradientMagnitude. Also converts the gradient
+ * of a surface to world units.
  */
 void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)
@@ -152,7 +154,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   }
   else if (property->GetDistinctnessPerMillimeter())
   {
-    // 1 for a world of millimetres, exactly.
+    // exactly 1 for a world in millimetres
     const double millimetersPerUnit = metersPerWorldUnit / 1e-3;
     for (Vertex& vertex : d.Material.Distinctness)
     {
@@ -162,7 +164,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   property->NoteNoiseRamp(ramp.empty() ? 0.0 : ramp.front().X, ramp.empty() ? 0.0 : ramp.back().X);
 }
 
-/** Takes the strength from what is background, if the image tells it. */
+/** Removes the surface strength of the background, if the image shows what is background. */
 void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, HapticModelDescription& d)
 {
@@ -178,7 +180,7 @@ void BakeSolid(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* s
   }
 }
 
-/** Gives all frames but the last one the isosurfaces that they lack. */
+/** Makes the missing isosurfaces of all frames but the last one. */
 void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine3& indexToWorld,
   std::vector<VolumeFrame>& frames)
 {
@@ -191,7 +193,10 @@ void MeshFrames(const std::vector<HapticFrame>& read, double value, const Affine
   }
 }
 
-/** That of the frames which has the most triangles; null, with an error, if none has any. */
+/**
+ * Returns the frames' mesh with the most triangles; null, with an error, if no frame has a
+ * triangle.
+ */
 std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   const std::vector<VolumeFrame>& frames, double value, std::string& error)
 {
@@ -212,7 +217,7 @@ std::shared_ptr<const SurfaceMesh> FindLargestMesh(
   return largest;
 }
 
-/** The mesh and the proxy's radius, if the method touches a mesh. */
+/** Bakes the mesh and the proxy's radius, if the method touches a mesh. */
 bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   const HapticModelOptions& options, HapticModelDescription& d, std::string& error)
 {
@@ -256,14 +261,14 @@ bool BakeSurface(vtkImageData* image, vtkDataArray* scalars, int component,
   return true;
 }
 
-/** Holds a reference to the array; made and dropped outside the servo thread. */
+/** Holds a reference to the array; created and released outside the servo thread. */
 std::shared_ptr<const void> ShareArray(vtkDataArray* array)
 {
   array->Register(nullptr);
   return { static_cast<const void*>(array), [array](const void*) { array->UnRegister(nullptr); } };
 }
 
-/** The component of an array that is a frame. */
+/** Copies the component of an array that is a frame. */
 vtkSmartPointer<vtkDataArray> CopyComponent(const HapticFrame& frame)
 {
   auto copy = NewArray(frame.Array->GetDataType(), 1, frame.Array->GetNumberOfTuples());
@@ -295,7 +300,7 @@ bool BakeFrames(const HapticModelOptions& options, HapticModelDescription& d, st
       "Choose another method, or stop time with SetTimeUnitsPerSecond(0).";
     return false;
   }
-  // Of a part of the series, the last one needs no displacements.
+  // If the frames are a part of the series, the last one needs no displacements.
   FrameSeries series = d.Series;
   series.Last = frames.empty() ? 0.0 : frames.back().Time;
   series.First = frames.empty() ? 0.0 : std::min(series.First, frames.front().Time);
@@ -326,7 +331,7 @@ bool MakeVolumeFrame(
     error = message.str();
     return false;
   }
-  // Of components, all would be copied for each.
+  // If the frames are components, a copy would hold all components for each frame.
   const bool isAlone = !shape.Outside.HasAny() || read.Array->GetNumberOfComponents() == 1 ||
     read.Component >= read.Array->GetNumberOfComponents();
   const vtkSmartPointer<vtkDataArray> array =
@@ -349,7 +354,7 @@ bool MakeVolumeFrame(
     error = message.str();
     return false;
   }
-  // Samples that are not numbers have one value at all times.
+  // Samples that are not numbers have the same value at all times.
   volume.View.BorderValue = shape.View.BorderValue;
   frame = { read.Time, volume.View, ShareArray(volume.Holder) };
   frame.Mesh = read.Mesh;
@@ -385,7 +390,7 @@ std::shared_ptr<const BakedVolume> GoOnWithFrames(const BakedVolume& last,
   {
     if (!isAlike || !MakeVolumeFrame(frames[i], shape, made[i], error))
     {
-      return nullptr; // a new bake tells why
+      return nullptr; // a new bake reports the reason
     }
   }
   if (last.Mesh)
@@ -478,7 +483,7 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   BakeSolid(property, image, scalars, component, whole, d);
   if (!d.Frames.empty())
   {
-    // The source may write the next step to the memory of the image.
+    // The source may write the next step to the image's memory.
     d.View = d.Frames.front().View;
     d.Samples = d.Frames.front().Samples;
   }

@@ -117,7 +117,7 @@ void RegionSeries::Note(const HapticModelDescription& d, const WholeFacts& facts
   }
   constexpr std::size_t most = 4;
   Entry entry{ d, facts, array, number };
-  // The comparison keeps nothing alive except a surface that the user has connected.
+  // The comparison keeps only a surface alive that the user has connected.
   entry.Description.Samples.reset();
   entry.Description.View.Data = nullptr;
   for (ModeDescription& mode : entry.Description.Modes)

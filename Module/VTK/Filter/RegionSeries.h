@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Models of regions of the same volume.
+ * Recognises models of regions of the same volume.
  */
 #ifndef RegionSeries_h
 #define RegionSeries_h
@@ -17,13 +17,15 @@ namespace VolumeHaptics
 {
 
 /**
- * Gives models of regions of the same volume, with the same material and settings, the same number.
+ * Gives models the same number if they are of regions of the same volume, with the same material
+ * and settings.
  */
 class RegionSeries
 {
 public:
   /**
-   * The number of one of the last models, if this is another region of the same volume; 0 if not.
+   * Returns the number of an earlier model of another region of the same volume; 0 if there is
+   * none.
    */
   std::uint64_t Find(const HapticModelDescription& description, const WholeFacts& facts,
     const std::string& array) const;
@@ -41,7 +43,7 @@ private:
   static bool IsSame(const Entry& entry, const HapticModelDescription& description,
     const WholeFacts& facts, const std::string& array);
 
-  /** The latest is the last: models of a servo, and of other users of the same filter. */
+  /** Models of a servo, and of other users of the same filter; the latest is at the end. */
   std::vector<Entry> Last;
 };
 

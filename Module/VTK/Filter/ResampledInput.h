@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Input data of a vtkVolumeHapticsFilter that are no image.
+ * Input data of a vtkVolumeHapticsFilter that are not an image.
  */
 #ifndef ResampledInput_h
 #define ResampledInput_h
@@ -19,22 +19,22 @@ class vtkHapticRegionSource;
 namespace VolumeHaptics
 {
 
-/** The regions of a data set that are resampled, kept until the data or the arrays change. */
+/** Keeps the resampled regions of a data set until the data or the arrays change. */
 class ResampledInput
 {
 public:
   /**
-   * The source that resamples these arrays of the data; null for an image, and for data without
-   * cells.
+   * Returns the source that resamples these arrays of the data; null for an image, and for data
+   * without cells.
    */
   vtkHapticRegionSource* Find(vtkDataObject* data, std::vector<std::string>&& arrays);
-  /** Why the data of the last Find() can't be touched, with the cure. */
+  /** Explains why the data of the last Find() can't be touched, with the cure. */
   std::string DescribeFault(vtkDataObject* data) const;
-  /** That only the first time step is felt, with the cure; empty if that was told before. */
+  /** Says that only the first time step is felt, with the cure; empty if it said so before. */
   std::string DescribeStillSteps(vtkDataObject* data, const std::vector<double>& steps);
 
 private:
-  vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if there can be none
+  vtkSmartPointer<vtkHapticRegionSource> Source; ///< null if the data can't be resampled
   const void* Of = nullptr;
   vtkMTimeType Time = 0;
   std::vector<std::string> Arrays;

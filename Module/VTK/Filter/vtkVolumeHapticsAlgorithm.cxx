@@ -329,7 +329,7 @@ void vtkVolumeHapticsAlgorithm::SetTraceArrayStatus(const char* name, int status
       names.push_back(other);
     }
   }
-  if (status != 0 || !isKnown) // then ChooseTraceArrays tells of the error
+  if (status != 0 || !isKnown) // for an unknown name, ChooseTraceArrays reports the error
   {
     names.push_back(changed);
   }
@@ -341,7 +341,7 @@ std::string vtkVolumeHapticsAlgorithm::CheckSettings(double rate)
 {
   for (const VolumeHaptics::FilterSetting& setting : VolumeHaptics::FilterSettings)
   {
-    // The servo's own rate replaces the filter's.
+    // The servo's rate replaces the filter's.
     const bool isRate = std::string("ServoRate") == setting.Name;
     if (!std::isfinite(isRate ? rate : setting.Get(this)))
     {

@@ -4,7 +4,8 @@
  * @class   vtkVolumeHapticsAlgorithm
  * @brief   the settings of volume haptics
  *
- * Superclass of vtkVolumeHapticsFilter, whose documentation explains how they work together.
+ * Holds the settings of vtkVolumeHapticsFilter, which is its subclass and whose documentation
+ * explains how they work together.
  */
 #ifndef vtkVolumeHapticsAlgorithm_h
 #define vtkVolumeHapticsAlgorithm_h
@@ -89,14 +90,18 @@ public:
   int GetNumberOfModes();
   ///@}
 
-  /** A mode by its number, which counts from 0 as in the array ModeForce_i; nullptr beyond. */
+  /**
+   * Get a mode by its number, which counts from 0 as in the array ModeForce_i; nullptr if there is
+   * none.
+   */
   vtkHapticMode* GetMode(int mode);
 
   /**
    * Set the method to PRIMITIVES, and replace all modes by those of a named way to feel:
    *
    * - "Follow the flow": held across vectors, free along them.
-   * - "Drift with the flow": the same, and pushed along, with a quarter of the strength.
+   * - "Drift with the flow": held across vectors, and pushed along them with a quarter of the
+   *   strength.
    * - "Feel wave fronts": held along vectors, free across them.
    * - "Find a vortex": held in around a vortex, and, more gently, along its axis.
    * - "Feel where a flow stretches": free along the direction that stretches most.
@@ -111,7 +116,7 @@ public:
    */
   bool ApplyModePreset(const char* name, vtkImageData* image);
 
-  /** The names that ApplyModePreset understands. */
+  /** Get the names that ApplyModePreset accepts. */
   static vtkStringArray* GetModePresetNames();
 
   ///@{
@@ -478,7 +483,7 @@ public:
   ///@}
 
   ///@{
-  /** The same, one by one. An array that does not exist has the status 0. */
+  /** Choose the trace's arrays one by one. An array that does not exist has the status 0. */
   int GetNumberOfTraceArrays();
   const char* GetTraceArrayName(int array);
   int GetTraceArrayStatus(const char* name);
@@ -486,34 +491,34 @@ public:
   ///@}
 
   /**
-   * Method and Solver as one choice, for menus and command lines, in the order of NextMethod():
-   * "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field", "surface-proxy",
-   * "local-surface", "primitives".
+   * Get the names of all choices of Method and Solver, for menus and command lines, in the order of
+   * NextMethod(): "proxy" (PROXY with PRECISE), "paper" (PROXY with PAPER), "force-field",
+   * "surface-proxy", "local-surface", "primitives".
    */
   static vtkStringArray* GetMethodNames();
 
-  /** One of GetMethodNames(); false, with an error that lists them, for any other name. */
+  /** Choose one of GetMethodNames(); false, with an error that lists them, for any other name. */
   bool SetMethodByName(const char* name);
   std::string GetMethodName();
 
-  /** The name of the method as users see it, such as "Proxy, PRECISE". */
+  /** Get the name of the method as users see it, such as "Proxy, PRECISE". */
   std::string GetMethodText();
 
   /**
-   * Goes on to the next of GetMethodNames(), and from the last to the first. "primitives" is left
-   * out if there are no modes.
+   * Choose the next of GetMethodNames(), after the last the first. "primitives" is left out if
+   * there are no modes.
    */
   void NextMethod();
 
 #ifndef __VTK_WRAP__
-  /** The fault in names for SetTraceArrays, and the cure; empty if there is none. */
+  /** Get the fault in names for SetTraceArrays, with the cure; empty if there is none. */
   static std::string CheckTraceArrays(const std::string& names);
 #endif
 
-  /** Includes the property, the modes, the tool and their functions. */
+  /** Includes the change times of the property, the modes, the tool and their functions. */
   vtkMTimeType GetMTime() override;
 
-  /** Print the settings and the property, without the pipeline around them: for recordings. */
+  /** Print the settings and the property, without the pipeline around them, for recordings. */
   void PrintSettings(ostream& os, vtkIndent indent);
 
 protected:
@@ -522,8 +527,8 @@ protected:
 
 #ifndef __VTK_WRAP__
   /**
-   * The fault in the settings for a servo that ticks at a rate (Hz), and the cure; empty if there
-   * is none.
+   * Returns the fault in the settings for a servo that ticks at a rate (Hz), with the cure; empty
+   * if there is none.
    */
   std::string CheckSettings(double rate);
 #endif

@@ -45,7 +45,7 @@
 
 namespace
 {
-/** Whether another piece makes the trace. */
+/** Whether this is a piece after the first one, which makes the whole trace. */
 bool IsLaterPiece(vtkInformationVector* outputs)
 {
   vtkInformation* const output = outputs->GetInformationObject(0);
@@ -284,7 +284,7 @@ int vtkVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation* i
 {
   if (port == 0)
   {
-    // Also data sets, and composite ones as a whole: see GetTouchedImage.
+    // Data sets are allowed, too, and composite ones as a whole: see GetTouchedImage().
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
     return 1;
   }
@@ -314,7 +314,7 @@ int vtkVolumeHapticsFilter::RequestInformation(
   if (VolumeHaptics::AreTimeStepsFelt(this) &&
     !VolumeHaptics::ReadTimeSteps(inputs[0]->GetInformationObject(0)).empty())
   {
-    // The trace goes through them; it has none.
+    // The trace runs through all time steps, so it has none itself.
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_STEPS());
     outputs->GetInformationObject(0)->Remove(Pipeline::TIME_RANGE());
   }
@@ -432,7 +432,7 @@ int vtkVolumeHapticsFilter::TouchPath(
     vtkErrorMacro(<< error);
     return 0;
   }
-  // Without a path, input is only checked, and a mesh that takes long is left to the background.
+  // Without a path, only the input is checked, and a slow mesh is left to the background.
   if (readable && !source && frames.Frames.empty() &&
     !(path ? this->Preparation->AwaitSurface() : this->Preparation->IsSurfaceAtHand()))
   {
@@ -501,7 +501,7 @@ int vtkVolumeHapticsFilter::TouchPath(
   {
     AddShareArrays(*shares, FinalShareNames, output->GetFieldData());
   }
-  // Ticks of a recording are points of the path, one for one, unless the user ended this.
+  // Ticks of a recording are points of the path, one for one, unless the user aborted the run.
   vtkDataArray* const orientations =
     recording ? path->GetPointData()->GetArray(RecordingNames::Orientation) : nullptr;
   if (orientations && !output->GetPointData()->HasArray(RecordingNames::Orientation) &&
