@@ -142,7 +142,7 @@ HapticFrame DataPlayback::GetShown(vtkVolumeHapticsFilter* filter) const
   }
   const std::size_t nearest = this->Window->FindNearestFrame(this->Time);
   const FieldFrame& frame = this->Window->Frames[nearest];
-  // See ShareArray of the model's builder.
+  // See ShareArray() of the model's builder.
   auto* const array = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
   const int component = this->Steps.AreComponents
     ? static_cast<int>(nearest % this->Steps.Times.size())
@@ -246,7 +246,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   auto model =
     HapticBaker(filter).BakeFrames(rate, caps, deviceToWorld, std::move(read), this->Steps.Times);
   this->Window = model ? model->Baked : nullptr;
-  // Afterwards: the first bake makes what the property lacks.
+  // Read after the bake, because the first bake creates what the property lacks.
   this->MadeBeside = FindChangeTimeBesideImage(filter);
   if (this->Window)
   {
@@ -255,7 +255,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Make(vtkVolumeHapticsFilter* fi
   return model;
 }
 
-/** The window, if a new one of the filter can have its samples; null if it can't. */
+/** Returns the window if a new window of the filter can keep its samples; null if it can't. */
 const BakedVolume* DataPlayback::FindKept(vtkVolumeHapticsFilter* filter) const
 {
   return !this->Steps.AreComponents && this->MadeOf == FindOrigin(filter) ? this->Window.get()
@@ -263,8 +263,8 @@ const BakedVolume* DataPlayback::FindKept(vtkVolumeHapticsFilter* filter) const
 }
 
 /**
- * Whether a new window would need a step that the last one has not: Follow() has to read it first,
- * when the memory of another one is free.
+ * Whether a new window would need a time step that the last window lacks: Follow() has to read that
+ * step first, when the memory of another step is free.
  */
 bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
 {
@@ -280,7 +280,7 @@ bool DataPlayback::LacksPair(vtkVolumeHapticsFilter* filter) const
   return !this->Has(need.First) || !this->Has(this->Steps.After(need.First));
 }
 
-/** If frames of a stream were left out, the volume goes on from those that it had. */
+/** Joins the window to the last frames if frames of a stream were left out in between. */
 void DataPlayback::GoOnFrom(const BakedVolume& last, const std::vector<double>& times)
 {
   const bool isFelt = this->Session.IsRunning() && this->HasTime;
@@ -307,7 +307,7 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
 {
   const bool isMade = isCurrent && this->Window && rate == this->Rate;
   const bool isStreamed = !isMade && this->Window && this->IsStreamed(filter, rate);
-  // The frames of a stream are played to their end before the next ones come.
+  // The frames of a stream are played to their end before the next frames replace them.
   const auto isReady = [&](const std::vector<double>& times)
   {
     return !isStreamed || !this->IsOnItsWay() || times.size() < 2 ||
@@ -328,7 +328,7 @@ bool DataPlayback::Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isC
   return isPrepared && isReady(this->Preparation.GetTimes());
 }
 
-/** Whether time goes to the end of the steps, and is not there yet. */
+/** Whether time is still moving towards the end of the steps. */
 bool DataPlayback::IsOnItsWay() const
 {
   const bool isBackward = this->Session.GetState().Clock.IsBackward;
@@ -337,7 +337,7 @@ bool DataPlayback::IsOnItsWay() const
     this->Orders.Mode == Playback::Once && this->Time != end;
 }
 
-/** Whether the frames may be further ones of the volume that was baked last. */
+/** Whether the frames may continue the volume that was baked last. */
 bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
 {
   auto* const source = vtkHapticFrameSource::SafeDownCast(filter->GetInputAlgorithm(0, 0));
@@ -346,7 +346,7 @@ bool DataPlayback::IsStreamed(vtkVolumeHapticsFilter* filter, double rate) const
     this->MadeBeside == FindChangeTimeBesideImage(filter);
 }
 
-/** Frames of the window, by the number of a step in the series. */
+/** Returns frames of the window by their step's number in the series. */
 std::vector<VolumeFrame> DataPlayback::Keep(std::size_t first, std::size_t count)
 {
   std::vector<VolumeFrame> frames;
@@ -411,7 +411,7 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
     {
       return nullptr;
     }
-    // The pair in which time is now; a third frame comes only when its memory is free.
+    // The pair of steps around the present time; a third frame comes only when its memory is free.
     const Need now = this->Steps.FindNeed(this->Time, report.IsBackward, this->Orders.Mode);
     const bool isThere = this->Has(now.First) && this->Has(this->Steps.After(now.First));
     const std::size_t first = isThere ? now.First
@@ -456,8 +456,9 @@ std::shared_ptr<const HapticModel> DataPlayback::Follow(vtkVolumeHapticsFilter* 
 }
 
 /**
- * The pair that time needs; but if that and the felt one have no step in common, one of it alone:
- * the felt pair, which the servo needs up to then, is given up before the other one is read.
+ * Chooses the pair of steps that time needs. If the felt pair shares no step with it, chooses one
+ * step only: the felt pair, which the servo needs until then, is released before the other step is
+ * read.
  */
 std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time) const
 {
@@ -466,14 +467,14 @@ std::vector<std::size_t> DataPlayback::ChooseSteps(const Need& need, double time
   {
     return { need.First, second };
   }
-  // A mesh is that of the way to the next step: it is the same at the step itself.
+  // A mesh describes the way to the next step: it stays valid at the step itself.
   const std::vector<double>& times = this->Steps.Times;
   const bool isSecondNearer =
     std::abs(times[second] - time) < std::abs(times[need.First] - time) && !this->Window->Mesh;
   return { isSecondNearer ? second : need.First };
 }
 
-/** The window, or null until it has its meshes. */
+/** Returns the window, or null until it has its meshes. */
 std::shared_ptr<const HapticModel> DataPlayback::ShowMeshed(
   vtkVolumeHapticsFilter* filter, std::size_t first, std::vector<VolumeFrame>&& frames)
 {

@@ -5,21 +5,22 @@
  * Plays the frames of a volume that moves to the servo: time steps of a filter's image, or
  * components of it.
  *
- * The servo has a window of two or three time steps (FrameSeries.h), and its clock goes through
- * them (DataClock.h). Here, on the owner's thread, the next step is read ahead of the servo's time,
- * and a new window is published, with the tables of the last one. Three steps are in memory at
- * most, beside the one that their source writes to: one that is no longer needed is given up first,
- * and if only settings have changed, the next model has the frames of the last one.
- * Where SetTime goes to two other steps, the servo feels the old pair until one of them is there,
- * and that one alone until it has the other one. A series of up to three steps is published whole;
- * and so are components, and the frames of a vtkHapticFrameSource, which are in memory anyway.
+ * The servo has a window of two or three time steps (FrameSeries.h), and its clock moves through
+ * them (DataClock.h). This class, on the owner's thread, reads the next step ahead of the servo's
+ * time and publishes a new window with the tables of the last window. At most three steps are in
+ * memory, beside the one that their source writes to: a step that is no longer needed is released
+ * first, and if only settings have changed, the next model keeps the frames of the last model. If
+ * SetTime jumps to a pair of two other steps, the servo feels the old pair until one new step is
+ * there, and this step alone until the second one is there. A series of up to three steps is
+ * published whole, as are components and the frames of a vtkHapticFrameSource, which are in memory
+ * anyway.
  *
- * For SURFACE_PROXY, a window is published when its meshes have been made, in the background; the
- * first one, too, unless they are small.
+ * For SURFACE_PROXY, meshes are made in the background, and a window is published when it has its
+ * meshes. This holds for the first window, too, unless its meshes are small.
  *
- * The steps of a vtkHapticFrameSource that is streamed are whole series, too, each of which goes on
- * where the last one was: it waits until time has come to the end of that, or to a frame of both.
- * If frames were left out, the last one is joined to the next ones (StreamedWindow.h).
+ * The steps of a streamed vtkHapticFrameSource are whole series, too. Each series continues the
+ * last one: it waits until time has reached the end of the last series or a frame that both
+ * contain. If frames were left out, the last frame is joined to the next frames (StreamedWindow.h).
  */
 #ifndef DataPlayback_h
 #define DataPlayback_h
@@ -55,7 +56,7 @@ public:
   }
 
   ///@{
-  /** The orders: see vtkHapticDevice. The first Play or SetTime begins the motion. */
+  /** Carry out the orders of vtkHapticDevice. The first Play or SetTime begins the motion. */
   void SetPlays(bool on);
   void SetMode(Playback mode);
   void SetTime(double time);
@@ -65,46 +66,49 @@ public:
   Playback GetMode() const { return this->Orders.Mode; }
   ///@}
 
-  /** The data time of the latest state; that of SetTime until it is there. */
+  /** Data time of the latest state; after SetTime, its time until the servo has reached it. */
   double GetTime() const;
-  /** Whether time holds since frames have not come. */
+  /** Whether time stands still because frames have not come yet. */
   bool IsWaiting() const;
-  /** The frames that it waits for, as a sentence; empty if for none. */
+  /** Describes in a sentence the frames that are waited for; empty if there are none. */
   std::string Describe() const;
 
-  /** The frame that is nearest to the servo's time; without an image. No array: there is none. */
+  /**
+   * Returns the frame nearest to the servo's time, without an image. Array is null if there is
+   * none.
+   */
   HapticFrame GetShown(vtkVolumeHapticsFilter* filter) const;
 
   /** Whether the frames of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
-  /** The same, after asking the source of the image for its time steps. */
+  /** The same as IsFelt(), after asking the image's source for its time steps. */
   bool FindFelt(vtkVolumeHapticsFilter* filter) const;
   ///@{
   /**
-   * Whether Make() would be quick now. If not, what takes long is being made in the background, and
-   * the servo goes on within the window that it has. To be called often until EndPreparing().
+   * Returns whether Make() would be quick now. If not, prepares the slow parts in the background;
+   * the servo stays within the window that it has. Call this often until EndPreparing().
    */
   bool Prepare(vtkVolumeHapticsFilter* filter, double rate, bool isCurrent);
   void EndPreparing() { this->Preparation.End(); }
-  /** How long Make() meshes if Prepare() leaves that to it, approximately (s). */
+  /** Estimates how long Make() meshes if Prepare() leaves the meshing to it (s). */
   double EstimateTime() const { return this->Preparation.GetTimeOfRest(); }
   ///@}
   /** Whether the source of a stream had further frames when Make() was called. */
   bool IsBehind() const { return this->Preparation.WasBehind(); }
   /**
-   * A model of the window at the time; null after an error of the filter. If neither the filter nor
-   * the volume has changed (`isCurrent`), nothing is read or baked again.
+   * Makes a model of the window at the present time; null after an error of the filter. If neither
+   * the filter nor the volume has changed (`isCurrent`), nothing is read or baked again.
    */
   std::shared_ptr<const HapticModel> Make(vtkVolumeHapticsFilter* filter, double rate,
     const ForceCaps& caps, vtkMatrix4x4* deviceToWorld, bool isCurrent);
-  /** The servo's model is no longer one of the last window. */
+  /** Call this when the servo's model is no longer one of the last window. */
   void Forget() { this->Window.reset(); }
 
-  /** Has a servo that has just been started go on at the time of the last one. */
+  /** Makes a servo that has just been started continue at the time of the last servo. */
   void Begin();
   /**
-   * To be called often: tells the servo the filter's rate, and follows its time. A model with the
-   * next window, if there is one.
+   * Sends the filter's rate to the servo and reads its time; call this often. Returns a model with
+   * the next window, if there is one.
    */
   std::shared_ptr<const HapticModel> Follow(vtkVolumeHapticsFilter* filter);
 
@@ -133,22 +137,22 @@ private:
   const DeviceSession& Session;
   DataClockOrders Orders;
   DataClockOrders Sent;
-  bool IsMoving = false; ///< Play or SetTime was called
-  bool HasTime = false;  ///< Time is that of the servo
+  bool IsMoving = false; ///< whether Play or SetTime was called
+  bool HasTime = false;  ///< whether Time comes from the servo
   double Time = 0.0;
-  double Speed = 1.0; ///< times the filter's rate
+  double Speed = 1.0; ///< factor on the filter's rate
   TimeSteps Steps;
   std::shared_ptr<const BakedVolume> Window;
-  std::size_t First = 0; ///< step of the window's first frame
-  double Rate = 0.0;     ///< Hz, for which the window was baked
-  /** When the filter, without its image, had changed before the window was baked. */
+  std::size_t First = 0; ///< number of the window's first step
+  double Rate = 0.0;     ///< rate for which the window was baked (Hz)
+  /** Change time of the filter, without its image, before the window was baked. */
   vtkMTimeType MadeBeside = 0;
-  FrameOrigin MadeOf; ///< the window
+  FrameOrigin MadeOf; ///< origin of the window's frames
   PastWindows Past;
-  std::size_t Failed = None; ///< a step that can't be read
-  /** A window that waits for its meshes. */
+  std::size_t Failed = None; ///< number of a step that can't be read
+  /** Frames of a window that waits for its meshes. */
   std::vector<VolumeFrame> Meshless;
-  std::size_t MeshlessFirst = 0; ///< step of its first frame
+  std::size_t MeshlessFirst = 0; ///< number of that window's first step
   FrameMesher Mesher;
   WindowPreparation Preparation;
 };

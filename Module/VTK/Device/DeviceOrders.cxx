@@ -124,13 +124,13 @@ bool DeviceOrders::StartServo()
   const int opening = this->Session.GetOpening();
   const double rate = device->GetServoRate();
   std::shared_ptr<const HapticModel> model;
-  // What takes long comes later: Follow() publishes it.
+  // Slow work is left to the background: Follow() publishes its result.
   const char* const awaited = this->Session.IsOpen() ? this->Models.Prepare(rate) : nullptr;
   if (this->Session.IsOpen() && !awaited && !this->Models.Make(rate, model))
   {
     return false;
   }
-  // Observers of the progress may have started it, closed it or opened another device.
+  // Observers of the progress may have started or closed the device, or opened another one.
   if (this->Session.IsRunning())
   {
     return true;
@@ -208,7 +208,7 @@ bool DeviceOrders::Publish()
 void DeviceOrders::PublishRegion(double rate)
 {
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !ticks->IsRecording()) // which can't be of a region
+  if (ticks && !ticks->IsRecording()) // a recording can't begin on a region
   {
     if (std::shared_ptr<const HapticModel> model = this->Models.MakeRegion(rate))
     {
@@ -249,7 +249,7 @@ void DeviceOrders::FollowFrames()
 {
   const vtkSmartPointer<vtkHapticDevice> device(this->Device);
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !this->Models.IsAwaited() && // which Follow() publishes
+  if (ticks && !this->Models.IsAwaited() && // Follow() publishes the awaited model
     (this->Models.LacksFrames() || this->Models.IsBehind()))
   {
     this->Publish();
@@ -328,8 +328,8 @@ void DeviceOrders::SetClutch(bool on)
 
 void DeviceOrders::AnnounceDisarmed()
 {
-  // Without this guard, observers that disarm it (by Stop, Close, Open or Home) would be called
-  // forever.
+  // Without this guard, observers that disarm the device (by Stop, Close, Open or Home) would be
+  // called for ever.
   if (this->IsAnnouncing || !this->Device->HasObserver(vtkCommand::DisableEvent))
   {
     return;
@@ -360,8 +360,8 @@ void DeviceOrders::Home()
 
 void DeviceOrders::BeginLongWork(const char* what, double expectedSeconds)
 {
-  // Work as short as a slow frame needs no notice. The margin allows for a machine that is eight
-  // times slower than expected.
+  // Work no longer than a slow picture needs no notice. The margin allows for a machine that is
+  // eight times slower than expected.
   constexpr double shortest = 0.25;
   constexpr double margin = 8.0;
   const double attention = this->Device->GetAttentionTime();

@@ -19,8 +19,8 @@ namespace VolumeHaptics
 {
 
 /**
- * See the functions of vtkHapticDevice. Errors are those of the device, and its observers are
- * called: they may stop it, close it, or release its last reference.
+ * Carries out what the functions of vtkHapticDevice document. Errors are reported by the device,
+ * and its observers are called: they may stop it, close it, or release its last reference.
  */
 class DeviceOrders
 {
@@ -33,7 +33,7 @@ public:
   }
 
   ///@{
-  /** The device's MaximumForce is out of date after these: it depends on the open device. */
+  /** Update the device's MaximumForce after these calls: it depends on the open device. */
   bool Open(const std::string& id, const DeviceOptions& options);
   bool CalibrateForce(double scale);
   ///@}
@@ -41,11 +41,13 @@ public:
 
   bool Start();
   bool Publish();
-  /** To be called often: publishes what Publish() left to the background, once it is made. */
+  /**
+   * Publishes the model that Publish() left to the background when it is ready; call this often.
+   */
   void Follow();
-  /** Ends that making. */
+  /** Ends the background work for that model. */
   void EndPreparing();
-  /** Publishes another region of the volume when it has come: see vtkHapticRegionSource. */
+  /** Publishes another region of the volume when it is there: see vtkHapticRegionSource. */
   void FollowRegion();
   /** Publishes the next frames of a volume that moves: see DataPlayback. */
   void FollowFrames();
@@ -61,27 +63,30 @@ public:
   void BeginLongWork(const char* what, double expectedSeconds);
   void EndLongWork();
 
-  /** An error of the device, unless the text is empty. */
+  /** Reports an error of the device, unless the text is empty. */
   void TellError(const std::string& error);
-  /** An error about the user's file of devices, if there is a new one. */
+  /** Reports an error about the user's file of devices, if there is a new one. */
   void TellMemoryTrouble();
 
 private:
   bool StartServo();
   SafetyLimits MakeLimits() const;
-  /** False, after an error, if the device is not ready or the guard can't be set up. */
+  /**
+   * Executes an order that lets force through. False, after an error, if the device is not ready or
+   * the guard can't be set up.
+   */
   bool LetForceThrough(const std::function<void()>& order);
   void AnnounceDisarmed();
   /** Publishes the surface around the tip, if there is one while the whole is being meshed. */
   void PublishRegion(double rate);
-  /** Notes what Publish() or Start() left to the background, for the status; null if nothing. */
+  /** Stores for the status what Publish() or Start() left to the background; null if nothing. */
   void NoteAwaited(const char* work);
 
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   ModelSource& Models;
-  const char* Awaited = nullptr; ///< as noted
-  bool IsAnnouncing = false;     ///< while observers are told that it was disarmed
+  const char* Awaited = nullptr; ///< text of NoteAwaited()
+  bool IsAnnouncing = false;     ///< true while observers are told that the device was disarmed
 };
 
 } // namespace VolumeHaptics

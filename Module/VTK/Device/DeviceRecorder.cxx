@@ -33,16 +33,19 @@ namespace
 constexpr double SecondsPerTick = 2e-6;
 constexpr double SecondsPerLine = 2e-5;
 
-/** A tick in a journal while the tip moves, at least: 80 to 180 were measured. */
+/**
+ * Lowest expected size of a tick in a journal while the tip moves: 80 to 180 bytes were measured.
+ */
 constexpr double BytesPerTick = 80;
 
 /**
- * Hashing that is expected to take no longer than the first (s) is waited for when a recording
- * starts, up to the second. So the journal of a small volume has the hash from its beginning.
+ * If hashing is expected to take no longer than the first number (s), the start of a recording
+ * waits for it, but at most the second number (s). So the journal of a small volume has the hash
+ * from its beginning.
  */
 constexpr double ShortHashing = 5e-3;
 constexpr double ShortHashWait = 20e-3;
-/** At the end of a recording without force, the hashes are waited for no longer than this (s). */
+/** Longest wait for the hashes at the end of a recording without force (s). */
 constexpr double LongestHashWait = 10.0;
 
 constexpr const char* HashingWork = "the recorded volume is hashed";
@@ -59,7 +62,7 @@ double EstimateHashing(const TouchedArrays& touched)
   return time;
 }
 
-/** On the worker's thread: nothing if it is cancelled. */
+/** Hashes all arrays on the worker's thread; nothing if the work is cancelled. */
 std::optional<RecordingHashes> HashAll(const TouchedArrays& touched, WorkMonitor& monitor)
 {
   const double all = EstimateHashing(touched);
@@ -89,11 +92,11 @@ double EstimateWriting(const std::string& file, double ticks)
   return ticks * (GetTraceEnding(file) == ".csv" ? SecondsPerLine : SecondsPerTick);
 }
 
-/** The table of the labels that a replay needs. */
+/** Writes the table of the labels that a replay needs. */
 void DescribeLabels(vtkVolumeHapticsFilter* filter, std::ostream& os)
 {
   vtkHapticLabelTable* const table = filter->GetLabelTable();
-  constexpr vtkIdType most = 1000; // of the labels that are told one by one
+  constexpr vtkIdType most = 1000; // most labels that are listed one by one
   if (table && table->GetNumberOfLabels() <= most)
   {
     os << "LabelTable:\n";
@@ -115,7 +118,7 @@ DeviceRecorder::DeviceRecorder(vtkHapticDevice* device, DeviceSession& session)
 
 DeviceRecorder::~DeviceRecorder() = default;
 
-/** The ticks that can be recorded into a file of that name; null after an error. */
+/** Returns the collector of ticks if a recording into this file can begin; null after an error. */
 TickCollector* DeviceRecorder::FindRecordable(const std::string& name) const
 {
   TickCollector* const ticks = this->Session.GetTicks();
@@ -192,7 +195,7 @@ bool DeviceRecorder::Begin(const std::string& name, vtkVolumeHapticsFilter* felt
   {
     const TouchedArrays touched = HapticBaker(felt).GetTouched();
     std::ostringstream settings;
-    settings.imbue(std::locale::classic()); // a replay reads them
+    settings.imbue(std::locale::classic()); // a replay parses these numbers
     felt->PrintSettings(settings, vtkIndent());
     settings << RecordingNames::DeviceRate << this->Session.GetRate() << " Hz\n";
     const BakedLabels* const labels = ticks->GetLatestModel()->Baked->Labels.get();
@@ -277,7 +280,7 @@ void DeviceRecorder::AwaitHashes(HapticRecording& recording)
   }
   else
   {
-    this->Hashing.Abandon(); // no work goes on that nothing wants
+    this->Hashing.Abandon(); // the hashes are not needed any more
     vtkWarningWithObjectMacro(this->Device,
       << "The recording " << Printable(recording.GetFile())
       << " has no hash of its volume, as it ended before that was known: nothing tells later which "

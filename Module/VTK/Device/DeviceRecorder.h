@@ -22,7 +22,10 @@ class vtkVolumeHapticsFilter;
 namespace VolumeHaptics
 {
 
-/** Errors and warnings are those of the device, which also announces long work. */
+/**
+ * Begins, ends and recovers recordings. Errors and warnings are reported by the device, which also
+ * announces long work.
+ */
 class DeviceRecorder
 {
 public:
@@ -35,9 +38,7 @@ public:
   bool Recover(const std::string& part, const std::string& file);
   ///@}
 
-  /**
-   * See vtkHapticDevice::StopRecording. Unless isAnnounced, writing is not announced as long work.
-   */
+  /** See vtkHapticDevice::StopRecording. Writing is announced as long work only if isAnnounced. */
   bool Stop(bool isAnnounced);
 
   /** Whether there is a recording that this process has to end. */
@@ -47,19 +48,22 @@ public:
   const std::string& GetFile() const { return this->File; }
 
   /**
-   * To be called often while a recording is under way. Hands over the hashes of the volume when
-   * they are known. Reports an error, once for a recording, if the recording fails, for example
-   * with a full disk.
+   * Hands over the volume's hashes when they are known; call this often while a recording is under
+   * way. Reports an error, once for each recording, if the recording fails, for example with a full
+   * disk.
    */
   void Follow();
 
 private:
-  using HashKey = std::array<TouchedArray::Key, 2>; ///< of scalars and labels
+  using HashKey = std::array<TouchedArray::Key, 2>; ///< keys of scalars and labels
 
   bool Begin(const std::string& file, vtkVolumeHapticsFilter* filter);
-  /** The hashes of what a filter touches now; null until they are known. */
+  /** Returns the hashes of what a filter touches now; null until they are known. */
   const RecordingHashes* FindHashes(vtkVolumeHapticsFilter* filter);
-  /** Hands over the hashes at the end of a recording; waits for them unless a hand would, too. */
+  /**
+   * Hands over the hashes at the end of a recording. Waits for them, except while a hand would
+   * wait, too.
+   */
   void AwaitHashes(HapticRecording& recording);
   void TellTrouble();
   TickCollector* FindRecordable(const std::string& file) const;
@@ -67,7 +71,7 @@ private:
   vtkHapticDevice* const Device;
   DeviceSession& Session;
   std::string File;
-  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< until its hashes are handed over
+  vtkSmartPointer<vtkVolumeHapticsFilter> Felt; ///< set until its hashes are handed over
   KeyedWork<HashKey, RecordingHashes> Hashing;
   bool IsTroubleTold = false;
 };

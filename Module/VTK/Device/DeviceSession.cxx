@@ -121,7 +121,7 @@ void DeviceSession::Close()
   this->Xr = nullptr;
   this->RoundTrip.Reset();
   ++this->Opening;
-  // The order to arm is for this device, not for the next one.
+  // The order to arm belongs to this device, not to the next one.
   this->ArmsAtStart = false;
   this->IsReplay = false;
   this->Replay = {};
@@ -153,7 +153,8 @@ void DeviceSession::Start(double rate, const SafetyLimits& limits,
 {
   if (this->IsReplay)
   {
-    // A replay starts again. If its tips are in the world, it is placed as the device is now.
+    // A replay starts from its beginning. Tips in the world are placed with the device's present
+    // placement.
     std::vector<Vector3> tips = this->Replay.Tips;
     std::vector<Quaternion> orientations = this->Replay.Orientations;
     if (!this->Replay.InDeviceSpace)
@@ -193,7 +194,7 @@ void DeviceSession::Stop()
 {
   if (this->Servo)
   {
-    // If the process ends during this, it still ends the force.
+    // The servo stays guarded here: if the process ends meanwhile, the force still ends.
     this->Servo->End();
     ReleaseServo(this->Servo.get());
     this->Servo.reset();
@@ -327,7 +328,7 @@ bool DeviceSession::Update(const Affine3& deviceToWorld)
   const Quaternion tool = TurnedBy(rotation, record.ToolOrientation, hasShape);
   this->ToolOrientation = { tool.W, tool.X, tool.Y, tool.Z };
   Copy(rotation * record.Normal, this->Normal);
-  // Fig. 4: on both sides of the proxy at the beginning of the tick.
+  // Fig. 4: x_s and x_v lie on both sides of the proxy at the beginning of the tick.
   const Vector3 start = this->State.Before.Enabled ? this->State.Before.Proxy : record.Tip;
   const Vector3 reach = (model ? model->KernelLengthAlong(record.Normal) : 0.0) * record.Normal;
   Copy(toWorld(start + reach), this->SurfacePosition);

@@ -30,7 +30,7 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** Shares of work in the background: see DeviceSession::NoteBackgroundWork. */
+/** Values of `share` in DeviceSession::NoteBackgroundWork. */
 constexpr double WorkEnded = -1.0;
 constexpr double ShareUnknown = -2.0;
 
@@ -49,35 +49,38 @@ public:
   {
     return this->Backend ? this->Backend->GetLimits() : DeviceLimits{};
   }
-  /** The back end if the program leads its tip; else null. */
+  /** The back end if the program leads its tip; null otherwise. */
   VirtualDevice* GetVirtual() const { return this->Virtual; }
   /** See vtkHapticDevice::TakeVibration. */
   double TakeVibration() { return this->Xr ? this->Xr->TakeAmplitude() : 0.0; }
 
   ///@{
   /**
-   * The facts of the device: those that the user's file remembers (DeviceMemory.h), or if it is not
-   * remembered, those since Open. And the error of that file since the last call; empty if there is
-   * none.
+   * GetFacts() returns the facts of the device: those in the user's file (DeviceMemory.h), or, if
+   * the file does not remember the device, the facts since Open. The other function returns an
+   * error of that file since its last call; empty if there is none.
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string TakeMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
-  /** Whether it is a device with facts: one with force and an identity. */
+  /** Whether the device has facts: it gives force and has an identity. */
   bool HasFacts() const { return !this->Identity.empty(); }
-  /** Whether the user's file remembers them: no other device has its identity. */
+  /** Whether the user's file remembers its facts: no other device has its identity. */
   bool IsRemembered() const { return this->HasFacts() && this->Backend->KeepsIdentity(); }
-  /** Its calibration as text; empty if it has no facts. */
+  /** Describes the device's calibration; empty if the device has no facts. */
   std::string DescribeCalibration() const
   {
     return this->HasFacts() ? this->Facts.DescribeScale() : std::string();
   }
-  /** Whether its signs have to be confirmed before anything is felt. */
+  /** Whether the device's signs have to be confirmed before anything is felt. */
   bool NeedsConfirmation() const;
-  /** Whether it is open and needs no confirmation. */
+  /** Whether the device is open and needs no confirmation. */
   bool AreSignsConfirmed() const { return this->IsOpen() && !this->NeedsConfirmation(); }
-  /** From the next Start on, its signs have to be confirmed again. While the servo does not run. */
+  /**
+   * Requires the signs to be confirmed again from the next Start on. Call it while the servo does
+   * not run.
+   */
   void ForgetConfirmation();
-  /** From now on the device gives so many newtons for each one that it is asked for. */
+  /** Sets how many newtons the device gives for each newton that it is asked for. */
   void SetForceScale(double scale);
   ///@}
 
@@ -86,14 +89,14 @@ public:
     const Affine3& deviceToWorld);
   void Stop();
   bool IsRunning() const { return this->Servo != nullptr; }
-  /** False in a process that was forked from the one that the servo belongs to. */
+  /** False in a process that was forked from the servo's process. */
   bool IsOurs() const { return !this->Servo || this->Servo->IsOurs(); }
   ///@{
   /** Null if the servo does not run. */
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
   /**
-   * How the hand holds its tool, in the device's space, if the device measures no orientation, for
-   * this and later servos: see HandTurn.h. Nothing takes it away.
+   * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
+   * see HandTurn.h. Holds for this and later servos, until it is changed.
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{
@@ -104,15 +107,19 @@ public:
   TickCollector* GetTicks() const { return this->Servo ? &this->Servo->GetTicks() : nullptr; }
   ///@}
 
-  /** The caps of the device for the round trip in use, or a period of the rate (Hz). */
+  /**
+   * Computes the caps of the device for the measured round trip, or for a period of the rate (Hz).
+   */
   ForceCaps FindCaps(double rate) const;
-  /** The caps of the model that is felt: those of the user, too. All 0 without a model. */
+  /**
+   * Returns the caps of the felt model, which include the user's caps. All are 0 without a model.
+   */
   ForceCaps GetCaps() const;
 
   /** Ticks per second of the running servo. */
   double GetRate() const { return this->Rate; }
 
-  /** The owner is present: see vtkHapticDevice::SetAttentionTime. */
+  /** Reports that the owner is present: see vtkHapticDevice::SetAttentionTime. */
   void Attend();
   void Arm(bool on);
   void FadeOut();
@@ -123,12 +130,10 @@ public:
                        : this->ArmsAtStart && !this->Clutched;
   }
   ///@{
-  /**
-   * See vtkHapticDevice::SetClutch. The clutch outlives the servo and the device that is open.
-   */
+  /** See vtkHapticDevice::SetClutch. The clutch outlives the servo and the open device. */
   void SetClutched(bool on);
   bool IsClutched() const { return this->Clutched; }
-  /** Whether force returns with the end of the clutch, as far as orders tell. */
+  /** Whether the orders so far make force return at the end of the clutch. */
   bool ReturnsAfterClutch() const
   {
     return this->Servo ? this->Servo->GetLoop().ReturnsAfterClutch()
@@ -139,22 +144,24 @@ public:
   bool HasArmOrder() const { return this->IsArmOrdered() || this->ReturnsAfterClutch(); }
   ///@{
   /**
-   * Work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns true if
-   * the force ends because of it, EndWork if the force may come back. Works nest and outlive the
-   * servo.
+   * Announces work of the owner, long or not: see vtkHapticDevice::BeginLongWork. BeginWork returns
+   * true if the force ends because of the work, EndWork if the force may come back. Works nest and
+   * outlive the servo.
    */
   bool BeginWork(const std::string& what, bool isLong);
   bool EndWork();
   bool HasWork() const { return !this->Works.empty(); }
   ///@}
   /**
-   * Work that nothing waits for, such as "the volume is hashed", for the status: its share that is
-   * done, or that this is not known, or that it has ended.
+   * Stores for the status background work that nothing waits for, such as "the volume is hashed".
+   * `share` is the fraction that is done, or says that this is unknown or that the work has ended.
    */
   void NoteBackgroundWork(const std::string& what, double share);
-  /** For the status, the news of a volume that is read by regions; empty if nothing is awaited. */
+  /**
+   * Stores for the status what a volume that is read by regions waits for; empty if for nothing.
+   */
   void NoteRegion(const std::string& status) { this->RegionStatus = status; }
-  /** The same of the frames of a volume that moves. */
+  /** Stores for the status what frames of a moving volume are waited for; empty if for none. */
   void NoteFrames(const std::string& status) { this->FramesStatus = status; }
   /** Whether the device is open and, as far as is known now, can be felt. */
   bool IsReady() const
@@ -170,7 +177,7 @@ public:
     }
   }
 
-  /** Takes the latest state; without a model, the placement is used. */
+  /** Reads the latest state from the servo; uses the placement if there is no model. */
   bool Update(const Affine3& deviceToWorld);
   const ServoSnapshot& GetState() const { return this->State; }
   /** The model of the latest state; null without one. */
@@ -180,16 +187,17 @@ public:
   }
 
   /**
-   * All states since a reader's last call, as rows of a table: see vtkHapticDevice::DrainStates.
+   * Writes all states since a reader's last call as rows of a table: see
+   * vtkHapticDevice::DrainStates.
    */
   void DrainStates(const Affine3& deviceToWorld, vtkTable* table, int reader);
   ///@{
-  /** Reserves a number for DrainStates, and gives it back: see vtkHapticDevice::AddReader. */
+  /** Reserve a number for DrainStates, and release it: see vtkHapticDevice::AddReader. */
   int AddReader();
   void RemoveReader(int reader);
   ///@}
 
-  /** The status as of the last Update. It refers to this object. */
+  /** Returns the status as of the last Update. It refers to this object. */
   DeviceStatus GetStatus() const;
 
   ///@{
@@ -198,20 +206,21 @@ public:
   double Proxy[3] = {};
   double Force[3] = {};
   double ComputedForce[3] = {};
-  double Torque[3] = {};         ///< N m, world axes
-  double ComputedTorque[3] = {}; ///< N m, world axes
+  double Torque[3] = {};         ///< sent (N m, world axes)
+  double ComputedTorque[3] = {}; ///< computed (N m, world axes)
   double Normal[3] = {};
   double SurfacePosition[3] = {};
   double MediumPosition[3] = {};
-  double ModeForces[MostPrimitives + 1][3] = {}; ///< N, world axes; the last one is 0
+  double ModeForces[MostPrimitives + 1][3] = {}; ///< N, world axes; the last element is 0
   ///@}
   /// w, x, y, z of the latest state, in the world; not turned if the device has none
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 };
-  /// w, x, y, z of a tool with a shape in the latest state, in the world; all 0 without one
+  /// Orientation (w, x, y, z) of a tool with a shape in the latest state, in the world; all 0
+  /// without such a tool.
   std::array<double, 4> ToolOrientation{};
-  bool IsAtForbidden = false; ///< of the latest state: see vtkHapticDevice::IsAtForbiddenLabel
-  std::int64_t Label = 0;     ///< of the latest state: see vtkHapticDevice::GetLabel
-  double TurnRate[3] = {};    ///< rad/s, of the latest state, in the device's axes
+  bool IsAtForbidden = false; ///< in the latest state: see vtkHapticDevice::IsAtForbiddenLabel
+  std::int64_t Label = 0;     ///< in the latest state: see vtkHapticDevice::GetLabel
+  double TurnRate[3] = {};    ///< in the latest state (rad/s, the device's axes)
 
 private:
   struct Work
@@ -219,9 +228,9 @@ private:
     std::string What;
     bool IsLong;
   };
-  /** The outermost work that is long; null if there is none. */
+  /** Returns the outermost work that is long; null if there is none. */
   const Work* FindLongWork() const;
-  /** Publishes the last model with other caps if the measured round trip asks for it. */
+  /** Publishes the last model with other caps if the measured round trip requires them. */
   void FollowRoundTrip();
   /** Writes the facts to the user's file if the device is remembered. */
   void Remember();
@@ -229,27 +238,27 @@ private:
 
   std::string Id;
   std::unique_ptr<DeviceBackend> Backend;
-  std::string Identity; ///< of the back end; empty: it has no facts
+  std::string Identity; ///< identity of the device; empty if it has no facts
   DeviceFacts Facts;
   std::string MemoryTrouble;
   int Opening = 0;
   VirtualDevice* Virtual = nullptr;
-  XrDevice* Xr = nullptr; ///< then it is Virtual, too
+  XrDevice* Xr = nullptr; ///< set for an XR device; Virtual is set, too
   bool IsReplay = false;
   RecordedTips Replay;
   std::unique_ptr<ServoThreads> Servo;
   ServoSnapshot State;
-  bool ArmsAtStart = false;           ///< Arm was ordered before the servo ran
-  bool Clutched = false;              ///< as ordered
+  bool ArmsAtStart = false;           ///< whether Arm was ordered before the servo ran
+  bool Clutched = false;              ///< last order of SetClutched
   std::optional<Quaternion> HandTurn; ///< see TurnHand
-  bool Spinning = false;              ///< as ordered
+  bool Spinning = false;              ///< last order of Spin
   double Rate = 0.0;
   RoundTripInUse RoundTrip;
-  std::map<std::string, double> BackgroundWorks; // with the share that is done
+  std::map<std::string, double> BackgroundWorks; // fraction that is done, by the work's name
   std::string RegionStatus;
   std::string FramesStatus;
   std::vector<Work> Works;
-  std::set<int> Readers; ///< numbers of AddReader
+  std::set<int> Readers; ///< numbers that AddReader has reserved
 };
 
 } // namespace VolumeHaptics

@@ -18,7 +18,10 @@ std::string NameAxis(const SignVerdict& signs)
   return std::string(1, "xyz"[signs.Axis]);
 }
 
-/** A wheel's second axis has a pedal instead of a motor, whatever its descriptor says. */
+/**
+ * Advises for a wheel, whose second axis has a pedal instead of a motor, whatever its descriptor
+ * says.
+ */
 std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
 {
   return id.compare(0, 3, "pid") == 0 && signs.Axis == 1
@@ -27,7 +30,7 @@ std::string SuggestOneMotor(const std::string& id, const SignVerdict& signs)
     : "";
 }
 
-/** The fault and the cure, for the device of an id. */
+/** Describes the fault of a device and the cure. */
 std::string Explain(GateReason fault, const SignVerdict& signs, const std::string& id)
 {
   switch (fault)
@@ -67,7 +70,7 @@ std::string Explain(GateReason fault, const SignVerdict& signs, const std::strin
   }
 }
 
-/** Why the share of the force is not 1. */
+/** Describes why the gate lets less than the whole force through. */
 const char* DescribeReason(GateState state, GateReason reason)
 {
   switch (reason)
@@ -108,7 +111,7 @@ std::string DescribeShare(const ServoSnapshot& state)
         : "");
 }
 
-/** Times and caps as far as they are known. */
+/** Describes times and caps as far as they are known. */
 std::string DescribeTiming(const DeviceStatus& status)
 {
   std::string text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The status of a device as a text, with the cure if there is a fault.
+ * Describes the status of a device in a text, with the cure if there is a fault.
  */
 #ifndef DeviceStatus_h
 #define DeviceStatus_h
@@ -16,40 +16,44 @@
 namespace VolumeHaptics
 {
 
-/** Plain facts about a device and its servo, and the status that follows from them. */
+/** Facts about a device and its servo, and the status that follows from them. */
 struct DeviceStatus
 {
   bool IsOpen = false;
   std::string Id;            ///< the id that was opened
   bool Vibrates = false;     ///< see DeviceLimits
-  DeviceCondition Condition; ///< of the open device
+  DeviceCondition Condition; ///< condition of the open device
 
   bool IsArmOrdered = false;      ///< see ServoLoop::IsArmOrdered
-  bool NeedsConfirmation = false; ///< before anything is felt
-  std::string LongWork;           ///< keeps the force off, such as "a surface is meshed"; or empty
-  std::string BackgroundWork;     ///< a sentence on what nothing waits for; or empty
+  bool NeedsConfirmation = false; ///< whether the signs must be confirmed before anything is felt
+  /** Work that keeps the force off, such as "a surface is meshed"; empty if there is none. */
+  std::string LongWork;
+  /** A sentence on work that nothing waits for; empty if there is none. */
+  std::string BackgroundWork;
 
   std::uint32_t Orders = 0; ///< see ServoLoop::GetOrders
-  /** The latest state; null unless the servo runs; the rest then means nothing. */
+  /**
+   * The latest state; null while the servo does not run, and then the members below mean nothing.
+   */
   const ServoSnapshot* State = nullptr;
   RealTimeGrant RealTimePriority = RealTimeGrant::Unknown;
   ServoLoop::Privilege LockedMemory = ServoLoop::Privilege::Unknown;
   ServoLoop::Privilege LockedSamples = ServoLoop::Privilege::Unknown;
-  double ReportPeriod = 0.0; ///< s, measured; 0: not known
-  double RoundTrip = 0.0;    ///< s, measured; 0: not known
+  double ReportPeriod = 0.0; ///< measured (s); 0 if not known
+  double RoundTrip = 0.0;    ///< measured (s); 0 if not known
   ForceCaps Caps;
-  std::string RecordingTrouble; ///< the reason if a recording has failed; else empty
+  std::string RecordingTrouble; ///< why a recording has failed; empty if none has
 
-  /** A vtkHapticDevice::StatusType. */
+  /** Returns a vtkHapticDevice::StatusType. */
   int FindType() const;
-  /** The text of vtkHapticDevice::GetStatusText. */
+  /** Returns the text of vtkHapticDevice::GetStatusText. */
   std::string MakeText() const;
 
 private:
-  /** Of the state, unless Arm was ordered since. */
+  /** Returns the fault of the state, unless Arm was ordered since. */
   GateReason FindFault() const;
   std::string DescribeDevice() const;
-  /** The id, with the reason if it is felt in another way than force. */
+  /** Returns the id, and how the device is felt if it gives no force. */
   std::string NameDevice() const;
   std::string DescribeCondition() const;
   std::string DescribeState() const;

@@ -24,12 +24,12 @@ namespace
 {
 
 constexpr double StepVoxels = 0.5;
-/** More steps than this show nothing that a person could tell apart. */
+/** Limit on the steps of a line: nobody could see the difference that more steps make. */
 constexpr int MostSteps = 2000;
-/** In so many steps at least, a line may come back to its first place. */
+/** Smallest number of steps after which a line may return to its first position. */
 constexpr int LeastClosed = 5;
 
-/** The direction of a line at a place that is told in voxels from the first one. */
+/** Computes the direction of a line at a position in voxels from the first position. */
 class LineFunction : public vtkFunctionSet
 {
 public:
@@ -44,7 +44,7 @@ public:
     return isThere;
   }
 
-  /** Moves a place to the line; false if that is its end. */
+  /** Moves a position onto the line; false if the line ends there. */
   bool Return(double* x)
   {
     Vector3 place = this->ToPlace(x);
@@ -64,7 +64,7 @@ public:
   int Mode = 0;
   Vector3 Start;      ///< m
   double Voxel = 1.0; ///< m
-  Vector3 Direction;  ///< as it was read last: an eigenvector has no sign of its own
+  Vector3 Direction;  ///< last one read; fixes the sign of an eigenvector
   int Steps = 0;
   bool IsClosed = false;
   bool IsAtEnd = false;
@@ -73,7 +73,7 @@ protected:
   LineFunction()
   {
     this->NumFuncs = 3;
-    this->NumIndepVars = 4; // with the time
+    this->NumIndepVars = 4; // includes the time
   }
 
 private:
@@ -86,7 +86,7 @@ private:
 };
 vtkStandardNewMacro(LineFunction);
 
-/** Follows its own function instead of what the tracer interpolates. */
+/** Integrates LineFunction instead of the vectors that the tracer interpolates. */
 class LineIntegrator : public vtkRungeKutta4
 {
 public:
@@ -98,7 +98,7 @@ public:
   int ComputeNextStep(double* from, double* derivatives, double* to, double t, double& step,
     double& taken, double least, double most, double allowed, double& error, void* data) override
   {
-    // The step that comes to the end is one of the line.
+    // The step that reaches the end still belongs to the line.
     const int failure = this->Line->IsAtEnd
       ? static_cast<int>(OUT_OF_DOMAIN)
       : this->Superclass::ComputeNextStep(
@@ -111,7 +111,7 @@ public:
 
 protected:
   LineIntegrator() = default;
-  /** The tracer works with a new one. */
+  /** vtkStreamTracer makes its own instance and integrates with it. */
   vtkObjectBase* NewInstanceInternal() const override
   {
     LineIntegrator* const copy = LineIntegrator::New();
@@ -124,7 +124,7 @@ private:
 };
 vtkStandardNewMacro(LineIntegrator);
 
-/** A single cell around the origin, with a vector of length 1. */
+/** Makes a single cell around the origin, with a vector of length 1. */
 void MakeCell(double half, vtkImageData* cell)
 {
   cell->SetDimensions(2, 2, 2);

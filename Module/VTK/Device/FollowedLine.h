@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The line of a mode that the hand follows, traced by vtkStreamTracer.
+ * Traces the line of a mode that the hand follows, with vtkStreamTracer.
  *
- * The tracer gets the directions that the servo reads, as the function of its integrator,
- * vtkRungeKutta4, in steps of half a voxel. It interpolates no array of the volume: that would be
- * trilinear, which is not what is felt (24 voxels along a flow with waves of 12 voxels, that line
- * is up to 0.36 voxel off; this one 0.003), tensors have no vectors, and ridges and guides no
- * array. So its data set is a single cell around the place, in voxels from there, of the size that
- * lines may have, whatever the volume's. vtkHyperStreamline takes no function, and makes tubes.
+ * The tracer gets the directions that the servo reads: they are the function of its integrator,
+ * vtkRungeKutta4, in steps of half a voxel. It does not interpolate an array of the volume, because
+ * trilinear interpolation is not what is felt (after 24 voxels along a flow with waves of 12
+ * voxels, such a line is up to 0.36 voxel off, this one 0.003), and because tensors have no
+ * vectors, and ridges and guides have no array. So the tracer's data set is a single cell around
+ * the position, in voxels from there, as large as lines may become, whatever the volume's size.
+ * vtkHyperStreamline accepts no function, and makes tubes.
  */
 #ifndef FollowedLine_h
 #define FollowedLine_h
@@ -24,8 +25,9 @@ class FollowedShapes;
 struct FollowedShape;
 
 /**
- * The places (m) along a line, as far as `reach` voxels of a length (m) to either side of where it
- * was found; 1 if it is too short. One that is closed ends where it begins. For the GUI thread.
+ * Computes the points (m) of a line, up to `reach` voxels of length `voxel` (m) to either side of
+ * where it was found; only one point if the line is too short. A closed line ends where it begins.
+ * For the GUI thread.
  */
 std::vector<Vector3> TraceFollowedLine(
   FollowedShapes& shapes, const FollowedShape& line, double voxel, double reach);

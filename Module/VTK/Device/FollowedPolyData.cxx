@@ -24,9 +24,9 @@ namespace
 {
 
 constexpr int FrontCorners = 48;
-/** The radius of a front, as a share of the reach along lines. */
+/** Radius of a front, as a fraction of the reach along lines. */
 constexpr double FrontShare = 0.25;
-/** The length of a tensor, likewise. */
+/** Length of a tensor, as a fraction of the reach along lines. */
 constexpr double TensorShare = 0.125;
 
 class ShapeWriter
@@ -43,7 +43,7 @@ public:
     this->Tensors->SetNumberOfComponents(9);
   }
 
-  /** Its first eigenvalue becomes a length (m). */
+  /** Adds a tensor, scaled so that its first eigenvalue becomes a length (m). */
   void AddTensor(const FollowedShape& shape, double length)
   {
     this->Places->InsertNextCell(1);
@@ -112,7 +112,7 @@ private:
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkIntArray> Modes;
   vtkNew<vtkDoubleArray> Tensors;
-  vtkNew<vtkCellArray> Places; ///< of tensors
+  vtkNew<vtkCellArray> Places; ///< vertices of the tensors
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkCellArray> Fronts;
 };
@@ -125,7 +125,7 @@ void WriteFollowed(
   FollowedShapes modes(model);
   const std::vector<FollowedShape> found = modes.Find(proxy);
   ShapeWriter writer(model);
-  // Cells are numbered vertices first, then lines, then polygons, and so is the array.
+  // Cells are numbered vertices first, then lines, then polygons; the array has the same order.
   const double voxel = 1.0 / model.MostVoxelsPerMeter;
   for (const FollowedShape& shape : found)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shapes that modes hold the hand on, as polydata in the world.
+ * Writes the shapes that modes hold the hand on, as polydata in the world.
  */
 #ifndef FollowedPolyData_h
 #define FollowedPolyData_h

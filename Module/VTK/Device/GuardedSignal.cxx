@@ -34,7 +34,8 @@ void GuardedSignal::Note(const struct sigaction& action) noexcept
   {
     ++at;
   }
-  // If it is known, the handlers after it are gone. If there are too many, it replaces the last.
+  // If the action is already in the list, the actions after it are dropped. If the list is full, it
+  // replaces the last one.
   at = at < Most ? at : Most - 1;
   this->Before[at] = action;
   this->Count.store(at + 1);
@@ -83,8 +84,8 @@ void GuardedSignal::PutBack(int count) noexcept
 
 bool ComesAgain(int number, const siginfo_t& info) noexcept
 {
-  // Above zero the kernel caused it; otherwise it was sent. Broken memory that is only found is not
-  // yet a crash.
+  // Above zero, the kernel caused the signal; otherwise a program sent it. Damaged memory that was
+  // found before its use (BUS_MCEERR_AO) is not yet a crash.
   return (number == SIGSEGV || number == SIGBUS || number == SIGFPE || number == SIGILL) &&
     info.si_code > 0
 #if defined(BUS_MCEERR_AO)

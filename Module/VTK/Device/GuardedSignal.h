@@ -4,9 +4,9 @@
  * @file
  * A signal with a handler of this library in front of the handlers from before.
  *
- * Crash reporters do the same: a handler in front of this library's may put this library's back and
- * send the signal again. The handlers from before are therefore a list, from which each round takes
- * one, so that each gets the signal, and the default action comes last.
+ * Crash reporters also install handlers: one in front of this library's may restore this library's
+ * handler and send the signal again. The earlier handlers are therefore kept as a list, and each
+ * round removes one from it, so that each gets the signal, and the default action comes last.
  */
 #ifndef GuardedSignal_h
 #define GuardedSignal_h
@@ -19,9 +19,9 @@ namespace VolumeHaptics
 
 enum class SignalManner
 {
-  Deliver,       ///< the force ends first, then the signal is sent again
-  Crash,         ///< the signal comes again at once
-  CrashIfDefault ///< as Crash, but left alone if the signal is handled or ignored
+  Deliver,       ///< the watcher ends the force, then sends the signal again
+  Crash,         ///< the instruction crashes again when the handler returns
+  CrashIfDefault ///< as Crash, but installed only if the signal has its default action
 };
 
 class GuardedSignal
@@ -38,13 +38,14 @@ public:
 
   int GetNumber() const noexcept { return this->Number; }
 
-  /** Puts the handler for the manner in front, unless it is there already. */
+  /** Installs the handler for the signal's manner in front, unless it is there already. */
   void Install(Deliverer deliverer, Crasher crasher) noexcept;
-  /** The number of handlers from before that are left; changes with each PutBack. */
+  /** Number of earlier handlers that are left; changes with each PutBack. */
   int CountBefore() const noexcept { return this->Count.load(); }
   /**
-   * Puts the handler from before back that was next when `count` were left, unless that was done,
-   * or another handler was put in front meanwhile. For signal handlers, of several threads at once.
+   * Restores the earlier handler that was next when `count` were left, unless that was done, or
+   * another handler was put in front meanwhile. Signal handlers may call it, on several threads at
+   * once.
    */
   void PutBack(int count) noexcept;
 
@@ -62,9 +63,7 @@ private:
   std::atomic<int> Count{ 0 };
 };
 
-/**
- * Whether the instruction of a crash runs again, and crashes again, when the handler returns.
- */
+/** Whether the instruction that crashed runs and crashes again when the handler returns. */
 bool ComesAgain(int number, const siginfo_t& info) noexcept;
 
 } // namespace VolumeHaptics

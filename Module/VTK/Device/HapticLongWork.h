@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A scope of work during which a device may have to be without force.
+ * A scope of work during which the force of a device may have to be off.
  */
 #ifndef HapticLongWork_h
 #define HapticLongWork_h

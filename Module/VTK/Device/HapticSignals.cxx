@@ -29,8 +29,8 @@ namespace
 {
 
 /**
- * The longest time (ms) for which a process that ends waits for its devices. Servos whose loops
- * hang take 40; the rest is for a machine so busy that the watcher does not run.
+ * Longest time (ms) that an ending process waits for its devices. Servos with a hanging loop take
+ * 40 ms; the rest is for a machine so busy that the watcher does not run.
  */
 constexpr int LongestWait = 2000;
 
@@ -43,7 +43,7 @@ struct Guarded
 PerProcess<Guarded> GuardedOfProcess;
 
 /**
- * The process that the devices and the running watcher belong to; a forked child has a copy of
+ * The process that owns the devices and the running watcher; a forked child gets copies of
  * everything but these. Set last.
  */
 std::atomic<std::int64_t> Owner{ 0 };
@@ -57,8 +57,8 @@ bool IsOwner() noexcept
 
 /**
  * Blocks signals on the calling thread while this lives: otherwise a handler on this thread would
- * wait for a watcher that waits for this thread's mutex. Crashes of the thread itself are never
- * kept from the handlers from before.
+ * wait for the watcher, which waits for this thread's mutex. Signals that a crash of the thread
+ * itself causes are not blocked, so they always reach the earlier handlers.
  */
 class SignalsBlocked
 {
@@ -105,7 +105,8 @@ void QuenchAll() noexcept
       ServoThreads::Quench(guarded.Servos);
       return;
     }
-    // The thread that has the lock may be the one that ends the process.
+    // The lock's owner may be the thread that ends the process, so do not wait for it without a
+    // limit.
     ServoClock::SleepUntil(ServoClock::Now() + ServoClock::Millisecond);
   }
 }
@@ -113,19 +114,19 @@ void QuenchAll() noexcept
 #if defined(__unix__)
 
 GuardedSignal Signals[] = {
-  // Programs handle these and go on. Ctrl+Z stops all threads at once.
+  // Programs handle these signals and continue. Ctrl+Z stops all threads at once.
   { SIGINT, SignalManner::Deliver },
   { SIGTERM, SignalManner::Deliver },
   { SIGHUP, SignalManner::Deliver },
   { SIGQUIT, SignalManner::Deliver },
   { SIGTSTP, SignalManner::Deliver },
-  // A crash, which other handlers may want to report.
+  // Signals of a crash, which other handlers may want to report.
   { SIGSEGV, SignalManner::Crash },
   { SIGBUS, SignalManner::Crash },
   { SIGFPE, SignalManner::Crash },
   { SIGILL, SignalManner::Crash },
   { SIGABRT, SignalManner::Crash },
-  // The others that end or stop a process that does not handle them.
+  // Other signals that end or stop a process that does not handle them.
   { SIGALRM, SignalManner::CrashIfDefault },
   { SIGIO, SignalManner::CrashIfDefault },
   { SIGPIPE, SignalManner::CrashIfDefault },
@@ -155,24 +156,24 @@ GuardedSignal& FindSignal(int number) noexcept
 int Pipe[2] = { -1, -1 };
 pthread_t Watcher;
 std::atomic<unsigned> Answers{ 0 };
-/** A byte that only asks for an answer; all others are signals to deliver. */
+/** A byte that only requests an answer; all other bytes are signals to deliver. */
 constexpr unsigned char NoSignal = 0;
 
 void Ask(unsigned char byte) noexcept
 {
   const ssize_t written = write(Pipe[1], &byte, 1);
-  static_cast<void>(written); // fails only if the pipe is full, and then much is on its way
+  static_cast<void>(written); // fails only if the pipe is full of requests
 }
 
 /**
- * Also from a signal handler: the watcher ends the force, on another stack and without locks of
- * this thread.
+ * Makes the watcher end the force, on its own stack and without this thread's locks. May be called
+ * from a signal handler.
  */
 void QuenchByWatcher() noexcept
 {
   if (!IsOwner() || pthread_equal(pthread_self(), Watcher))
   {
-    return; // a thread that crashes while it ends the force can't do more
+    return; // the watcher itself crashed while it ended the force: nothing more can be done
   }
   const unsigned before = Answers.load();
   Ask(NoSignal);
@@ -182,7 +183,7 @@ void QuenchByWatcher() noexcept
   }
 }
 
-/** For signals whose return ends nothing: the watcher sends them again. */
+/** Handles signals that end nothing when the handler returns: the watcher sends them again. */
 extern "C" void OnDelivered(int number)
 {
   const int keep = errno;
@@ -193,7 +194,7 @@ extern "C" void OnDelivered(int number)
   else
   {
     // A forked child shares the pipe, but the devices and the thread at its other end belong to the
-    // parent. The signal comes again when this handler returns.
+    // parent. Here the signal comes again when this handler returns.
     GuardedSignal& signal = FindSignal(number);
     signal.PutBack(signal.CountBefore());
     raise(number);
@@ -201,7 +202,7 @@ extern "C" void OnDelivered(int number)
   errno = keep;
 }
 
-/** The thread that crashed waits for the devices, and then crashes again without this handler. */
+/** Makes the crashed thread wait for the devices, and then crash again without this handler. */
 extern "C" void OnCrash(int number, siginfo_t* info, void*)
 {
   const int keep = errno;
@@ -234,7 +235,7 @@ void Uninstall()
 
 void Watch(int end)
 {
-  const SignalsBlocked blocked{}; // for the threads that handled them before
+  const SignalsBlocked blocked{}; // leaves the signals to the threads that handled them before
   unsigned char byte = NoSignal;
   for (;;)
   {
@@ -260,8 +261,8 @@ void Watch(int end)
 }
 
 /**
- * If there is no room for the pipe or the thread, throws std::system_error and leaves nothing
- * behind.
+ * Starts the watcher. If there is no room for the pipe or the thread, throws std::system_error and
+ * undoes its work.
  */
 void StartWatching()
 {
@@ -271,7 +272,7 @@ void StartWatching()
   }
   fcntl(Pipe[0], F_SETFD, FD_CLOEXEC);
   fcntl(Pipe[1], F_SETFD, FD_CLOEXEC);
-  // A handler never blocks: if the pipe is full, a signal is on its way anyway.
+  // A handler must never block: if the pipe is full, a signal is under way anyway.
   fcntl(Pipe[1], F_SETFL, O_NONBLOCK);
   try
   {
@@ -288,8 +289,8 @@ void StartWatching()
 }
 
 /**
- * Gives the thread an alternate stack while this lives, if it has none: without it, no handler runs
- * if the stack is full.
+ * Gives the thread an alternate stack while this lives, if it has none: without one, no handler
+ * could run after a stack overflow.
  */
 class AlternateStack
 {

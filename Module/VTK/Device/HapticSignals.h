@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Zero force when the process ends or stops.
+ * Sends zero force when the process ends or stops.
  *
  * While a servo is guarded, every signal that would end or stop the process reaches a handler of
- * this library first (GuardedSignal.h). Handlers may not touch a device: a thread of its own, which
- * a pipe wakes, quenches every servo. That thread sends SIGINT, SIGTERM, SIGHUP, SIGQUIT and
- * SIGTSTP (Ctrl+Z) again, for the handlers from before. At a crash (SIGSEGV, SIGABRT and the like)
- * the thread that crashed waits for the quenching. This takes milliseconds (2 s at most, if the
- * device's driver hangs or the machine is very busy). Then it meets what was there before: another
- * handler, a debugger or the end, with the stack as it was. SIGPIPE, SIGALRM, SIGUSR1 and others
- * that seldom end a process are left alone if they are handled or ignored.
+ * this library first (GuardedSignal.h). Handlers may not use a device: they wake a thread of its
+ * own through a pipe, and this thread quenches every servo. It then sends SIGINT, SIGTERM, SIGHUP,
+ * SIGQUIT and SIGTSTP (Ctrl+Z) again, for the earlier handlers. At a crash (SIGSEGV, SIGABRT and
+ * the like) the crashed thread waits until the servos are quenched. This takes milliseconds (2 s at
+ * most, if the device's driver hangs or the machine is very busy). Then the crash continues as it
+ * would without this library, in another handler, a debugger or the end of the process, with the
+ * stack unchanged. SIGPIPE, SIGALRM, SIGUSR1 and others that seldom end a process are left alone if
+ * they are handled or ignored.
  *
  * std::terminate, exit() and quick_exit() quench, too. Nothing runs in the process after SIGKILL,
- * SIGSTOP, _exit(), exec() or a loss of power; and real-time signals are not touched, because
- * libraries choose theirs from those that are not handled. In these cases only the device's own
- * watchdog ends the force.
+ * SIGSTOP, _exit(), exec() or a loss of power; and real-time signals are not handled, because
+ * libraries choose theirs from the unhandled ones. In these cases only the device's own watchdog
+ * ends the force.
  */
 #ifndef HapticSignals_h
 #define HapticSignals_h
@@ -27,10 +28,10 @@ namespace VolumeHaptics
 class ServoThreads;
 
 /**
- * Call it from the owner's thread, when a servo starts and each time it is armed, because a signal
- * that the process survives removes the guard. A servo must be released before it is destroyed.
- * Throws std::system_error or std::bad_alloc if the process may have no more files, threads or
- * memory: a servo that was not guarded yet must then not be armed.
+ * Guards a servo. Call it from the owner's thread when a servo starts and each time it is armed,
+ * because a signal that the process survives removes the guard. A servo must be released before it
+ * is destroyed. Throws std::system_error or std::bad_alloc if the process gets no more files,
+ * threads or memory: a servo that was not guarded yet must then not be armed.
  */
 void GuardServo(ServoThreads* servo);
 void ReleaseServo(ServoThreads* servo);

@@ -29,7 +29,7 @@ vtkSmartPointer<vtkHapticRegionSource> RegionSourceOf(vtkVolumeHapticsFilter* fi
 }
 
 ///@{
-/** What Prepare() returns while frames have to wait for their meshes, or for those before them. */
+/** Result of Prepare() while frames wait for their meshes, or for earlier frames. */
 constexpr char FrameMeshingWork[] = "the surfaces of the frames are meshed";
 constexpr char FrameFeelingWork[] = "the frames before the new ones are felt to their end";
 ///@}
@@ -229,8 +229,8 @@ bool ModelSource::FollowRegion(std::string& status)
   {
     return false;
   }
-  // The next region waits until the surface in this one can be felt; else a hand that moves on
-  // would let no mesh end.
+  // The next region waits until the surface in this one can be felt: otherwise a moving hand would
+  // end every meshing before it is done.
   const ServoSnapshot& state = this->Session.GetState();
   const bool hasCome = state.Time > 0.0 && this->Awaited != MeshingWork &&
     source->Follow(this->Session.Tip, state.Time, filter);
@@ -254,7 +254,7 @@ std::shared_ptr<const HapticModel> ModelSource::FollowFrames()
     model && std::any_of(model->Baked->Frames.begin(), model->Baked->Frames.end(), isShown);
   if (model && !hasShown)
   {
-    this->Shown.Clear(); // its memory is needed
+    this->Shown.Clear(); // frees its memory, which is needed now
   }
   return model;
 }

@@ -35,7 +35,7 @@ public:
   ~ModelSource();
 
   ///@{
-  /** False if it is the same as before. */
+  /** Sets the filter; false if it is unchanged. */
   bool SetFilter(vtkVolumeHapticsFilter* filter);
   bool SetDeviceToWorld(vtkMatrix4x4* matrix);
   ///@}
@@ -44,23 +44,22 @@ public:
 
   /**
    * Makes a model of the filter for a rate (Hz); null without a filter. False, after an error of
-   * the filter, if it can't be touched. If the servo runs, meshing what Prepare() leaves is
-   * long work.
+   * the filter, if the filter can't be touched. If the servo runs, meshing that Prepare() left to
+   * Make() counts as long work.
    */
   bool Make(double rate, std::shared_ptr<const HapticModel>& model);
   /**
-   * Null if Make can be called without waiting long. If not, what takes long is being made in the
-   * background: the servo goes on with its model, and Make has to be called later. The text names
-   * the work, for the status.
-   * @param rate of the model, as for Make
+   * Returns null if Make would be quick now. If not, prepares the slow parts in the background: the
+   * servo keeps its model, and Make has to be called later. The text names the work for the status.
+   * @param rate rate of the model, as for Make
    */
   const char* Prepare(double rate);
   /**
-   * While Prepare() leaves a mesh to the background: a model for a rate (Hz) of the surface around
-   * the tip, once there is another one. Null if not.
+   * Makes a model for a rate (Hz) of the surface around the tip, while Prepare() leaves the whole
+   * mesh to the background. Null if there is no new part of the surface.
    */
   std::shared_ptr<const HapticModel> MakeRegion(double rate);
-  /** Ends what Prepare() began. */
+  /** Ends the work that Prepare() began. */
   void EndPreparing();
   /** Whether the last Prepare() left something to the background. */
   bool IsAwaited() const { return this->Awaited != nullptr; }
@@ -69,30 +68,36 @@ public:
   bool IsUpToDate() const;
 
   /**
-   * If the volume is read region by region, has its source follow the latest tip. Returns whether
-   * it has another region: then the model is out of date. `status` tells what the source waits for.
+   * Passes the latest tip to the source of a volume that is read region by region. Returns whether
+   * the source has a new region, which makes the model out of date. `status` says what the source
+   * waits for.
    */
   bool FollowRegion(std::string& status);
 
   ///@{
   /**
    * Time steps of a volume that moves. FollowFrames returns a model with the next window, if there
-   * is one; LacksFrames tells whether the volume is to move and the last model does not.
+   * is one; LacksFrames says whether the volume should move but the last model does not.
    */
   DataPlayback& GetPlayback() { return this->Playback; }
   std::shared_ptr<const HapticModel> FollowFrames();
   bool LacksFrames() const;
-  /** Whether the last model was made of frames of a stream that had gone on meanwhile. */
+  /** Whether the last model was made of a stream's frames while newer frames had come. */
   bool IsBehind() const { return this->IsMadeOfFrames && this->Playback.IsBehind(); }
   /** Whether the servo's model has frames of a volume that moves. */
   bool HasFrames() const;
-  /** The image and the time of the frame that is nearest to the servo's time; null without one. */
+  /**
+   * Return the image and the time of the frame nearest to the servo's time; null without a frame.
+   */
   vtkImageData* GetFrameImage();
   double GetFrameTime() const { return this->Playback.GetShown(this->Filter).Time; }
   ///@}
 
   ///@{
-  /** Lets go of what Make() held: of all when the servo has ended, or of what it no longer uses. */
+  /**
+   * Releases the removals that Make() held: all when the servo has ended, otherwise those that are
+   * no longer used.
+   */
   void LetRemovalsGo();
   void LetUnusedRemovalsGo();
   ///@}
@@ -100,13 +105,15 @@ public:
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
-  /** DeviceToWorld of the servo's model; without a model, by the settings. */
+  /** DeviceToWorld of the servo's model; without a model, that of the settings. */
   Affine3 GetPlacement() const;
 
 private:
-  /** Takes what a model changes for this device. False, after an error, if another has it. */
+  /**
+   * Reserves for this device what a model changes. False, after an error, if another device has it.
+   */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
-  /** Tells the source of regions how long it took to make a model of its last one. */
+  /** Reports to the source of regions how long it took to make a model of its last region. */
   void NoteRegionMade();
 
   vtkHapticDevice* const Device;
@@ -115,12 +122,12 @@ private:
   vtkSmartPointer<vtkMatrix4x4> DeviceToWorld;
   const char* Awaited = nullptr;
   RegionMesher Regions;
-  /** That the servo's models have had: an older model may still tick. */
+  /** Removals of the servo's models so far: an older model may still tick. */
   std::vector<vtkSmartPointer<vtkHapticRemoval>> Held;
   DataPlayback Playback;
   FrameImage Shown;
-  std::int64_t RegionTime = 0; ///< ServoClock; when the region came that no model is made of yet
-  bool IsMadeOfFrames = false; ///< the last Make was of a volume that moves
+  std::int64_t RegionTime = 0; ///< time when the region came that has no model yet (ServoClock)
+  bool IsMadeOfFrames = false; ///< whether the last Make was of a volume that moves
   vtkMTimeType MadeTime = 0;   ///< change time of the filter and its input when Make was called
 };
 

@@ -10,15 +10,15 @@ namespace
 {
 
 /**
- * The keeper's pause between two looks, and the longest silence of the loop before it is quenched
+ * Pause of the keeper between two polls, and the longest silence of the loop before it is quenched
  * (ns).
  */
 constexpr std::int64_t KeeperPeriod = 5000000;
 constexpr std::int64_t MostSilence = 40000000;
-/** The pause between two looks of Quench at the loop (ns). */
+/** Pause of Quench between two polls of the loop (ns). */
 constexpr std::int64_t QuenchPoll = 200000;
 /**
- * The longest wait of Hold for a fade (ns), which takes 50 ms and may begin late on a busy machine.
+ * Longest wait of Hold for a fade (ns). A fade takes 50 ms and may begin late on a busy machine.
  */
 constexpr std::int64_t LongestFade = 250000000;
 
@@ -166,7 +166,7 @@ void ServoThreads::Quench(const std::vector<ServoThreads*>& servos) noexcept
   {
     servo->Backend.Quench();
     // A running tick may still write a force after that. The second tick from now has seen Disarm;
-    // a loop that does not get that far does not write either.
+    // a loop that never reaches it does not write a force either.
     servo->QuenchedTick = servo->Loop.GetTickCount() + 2;
     servo->HasSeenQuench = false;
   }

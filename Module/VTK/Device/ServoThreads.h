@@ -7,9 +7,9 @@
  * The fitter thread computes local surfaces. The sample thread keeps the samples around the tip in
  * memory. The keeper thread does the work that must not run in the loop and must not wait for the
  * GUI: it collects ticks for a recording or a display, and quenches the device if the loop does not
- * answer. The watch thread wakes the loop up on another processor if the loop's own does not in
- * time. The last one asks RealtimeKit for a real-time class for the loop if the kernel refuses it,
- * and ends.
+ * answer. The watch thread wakes the loop up on another processor if the loop's own processor does
+ * not do so in time. The fifth thread asks RealtimeKit for a real-time class for the loop if the
+ * kernel refuses one, and ends.
  */
 #ifndef ServoThreads_h
 #define ServoThreads_h
@@ -42,18 +42,18 @@ public:
 
   ServoLoop& GetLoop() { return this->Loop; }
   TickCollector& GetTicks() { return this->Ticks; }
-  /** False in a process that was forked from the one that the threads belong to. */
+  /** False in a process that was forked from the threads' process. */
   bool IsOurs() const { return this->Process == ServoClock::GetProcess(); }
 
   /**
-   * Lets the force fade (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
+   * Makes the force fade (ServoLoop::Hold) and waits until it is gone, at most a quarter of a
    * second.
    */
   void Hold() noexcept;
   /**
-   * From any thread: when this returns, the devices of all these servos have no force, until they
-   * are armed again. All of them get the order before the first is waited for, so that a loop that
-   * hangs does not delay the others; at most 40 ms for all together.
+   * Quenches all these servos: when this returns, their devices have no force until they are armed
+   * again. All of them get the order before the first one is waited for, so that a hanging loop
+   * does not delay the others; this takes at most 40 ms for all together. Any thread may call it.
    */
   static void Quench(const std::vector<ServoThreads*>& servos) noexcept;
   /** Stops the loop, with zero force sent, and joins the threads, as the destructor does. */
@@ -68,8 +68,8 @@ private:
   static VTK_THREAD_RETURN_TYPE RunRequest(void* info);
   void Keep();
   /**
-   * After Quench was begun: whether the device has got the order, and no running tick may still
-   * write a force.
+   * After Quench has begun: whether the device has received the order, and no running tick may
+   * still write a force.
    */
   bool IsQuenched() noexcept;
 
@@ -77,7 +77,7 @@ private:
   ServoLoop Loop;
   TickCollector Ticks{ Loop };
   vtkNew<vtkMultiThreader> Threader;
-  const std::int64_t Process = ServoClock::GetProcess(); // the process that the threads belong to
+  const std::int64_t Process = ServoClock::GetProcess(); // process that the threads belong to
   int LoopThread = -1;
   int FitterThread = -1;
   int SampleThread = -1;
@@ -88,8 +88,8 @@ private:
   std::atomic<bool> HasEnded{ false };
   ///@{
   /**
-   * Used by Quench, which one thread at a time may call: the tick that sees the order, and whether
-   * it has come.
+   * For Quench, which only one thread at a time may call: the tick that sees the order, and whether
+   * that tick has come.
    */
   std::uint64_t QuenchedTick = 0;
   bool HasSeenQuench = false;

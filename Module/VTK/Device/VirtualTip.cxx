@@ -11,10 +11,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Squares of smaller numbers, and of the reciprocals, are not exact or not finite. */
+/**
+ * Smallest norm: the squares of smaller numbers, and of their reciprocals, are not exact or not
+ * finite.
+ */
 constexpr double LeastNorm = 1e-100;
 
-/** False, and it is left as it is, if it is not a quaternion of a norm. */
+/** Normalises a quaternion. False, and unchanged, if it has no usable norm. */
 bool Normalize(Quaternion& q)
 {
   const double norm = std::sqrt(SquaredNorm(q));

@@ -16,8 +16,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Does nothing to other devices. Functions that return a string return an error, or an empty
- * string: see the functions of vtkHapticDevice with these names.
+ * Leads the virtual device; does nothing to other devices. Functions that return a string return an
+ * error, or an empty string: see the functions of vtkHapticDevice with these names.
  */
 class VirtualTip
 {
@@ -28,15 +28,18 @@ public:
   }
 
   ///@{
-  /** To a position in the world: at the speed of the hand, or at once. */
+  /** Leads the tip to a position in the world: at the speed of the hand, or at once. */
   std::string Lead(const Vector3& world, const Affine3& deviceToWorld);
   std::string Place(const Vector3& world, const Affine3& deviceToWorld);
   ///@}
-  /** Of the tip on its way to where it is led, without dynamics (m/s). */
+  /** Speed of the tip on its way to where it is led, without dynamics (m/s). */
   static double GetSpeed() { return VirtualDynamics().HandSpeed; }
-  /** To an orientation in the world, of any norm; all zero takes it away. */
+  /**
+   * Turns the stylus to an orientation in the world, of any norm; four zeros remove the
+   * orientation.
+   */
   std::string Turn(Quaternion world, const Affine3& deviceToWorld);
-  /** The same for the hand of any device: see vtkHapticDevice::SetTipOrientation. */
+  /** Turns the tool in the hand of any device likewise: see vtkHapticDevice::SetTipOrientation. */
   std::string TurnHand(Quaternion world, const Affine3& deviceToWorld);
   void SetButtons(int buttons);
   std::string SetDynamics(

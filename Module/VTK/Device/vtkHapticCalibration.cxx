@@ -22,7 +22,7 @@ namespace
 
 using Coordinates = double[3];
 
-/** The fault in the points of one space; empty if they span a triangle. */
+/** Returns the fault in the points of one space; empty if they span a triangle. */
 std::string FindFlaw(vtkPoints* points, const std::string& space)
 {
   Coordinates a, b, c;

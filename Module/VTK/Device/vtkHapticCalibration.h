@@ -4,11 +4,11 @@
  * @class   vtkHapticCalibration
  * @brief   the placement of a device in the world, from points that its stylus touched
  *
- * For co-location: the hand then feels an object at the position at which the eye sees it. Touch
- * three or more points whose world positions are known, such as marks on the display. This class
- * then finds the matrix for vtkHapticDevice::SetDeviceToWorld that maps the touched positions to
- * the known ones: a rotation and a translation by least squares, and one uniform scale, the ratio
- * of the spreads of the points. It is never a mirror (vtkLandmarkTransform).
+ * Calibrates co-location: the hand then feels an object where the eye sees it. Touch three or more
+ * points whose world positions are known, such as marks on the display. This class then computes
+ * the matrix for vtkHapticDevice::SetDeviceToWorld that maps the touched positions to the known
+ * ones: a rotation and a translation by least squares, and one uniform scale, the ratio of the
+ * spreads of the points. It is never a mirror (vtkLandmarkTransform).
  *
  *   calibration->AddPoint(tip, mark);            // tip: in the device's space, m; three or more
  *   if (calibration->Compute())
@@ -17,7 +17,7 @@
  *     device->Publish();
  *   }
  *
- * GetResidual tells how well the points fit; if the largest residual is far above it, one point was
+ * GetResidual says how well the points fit; if the largest residual is far above it, one point was
  * touched badly. The points have to span a triangle whose height is at least 1 % of its longest
  * side; a wider one is better. More than three points, at different depths, average out the hand's
  * tremor.
@@ -61,18 +61,19 @@ public:
   ///@}
 
   /**
-   * Computes the matrix. False, with an error and no change, for fewer than three points, points
-   * that are all at one position or on one line, and numbers that are not finite.
+   * Compute the matrix. False, with an error and no change, for fewer than three points, for points
+   * that are all at one position or on one line, and for numbers that are not finite.
    */
   bool Compute();
 
-  /** The result of the last successful Compute; the identity before. */
+  /** Get the result of the last successful Compute; the identity before. */
   vtkMatrix4x4* GetDeviceToWorld();
 
   ///@{
   /**
-   * Of the last successful Compute, in world units: the root mean square of the distances between
-   * the world's points and the transformed ones, and the largest distance. 0 before.
+   * Get the residuals of the last successful Compute, in world units: the root mean square of the
+   * distances between the world's points and the transformed ones, and the largest distance. 0
+   * before.
    */
   vtkGetMacro(Residual, double);
   vtkGetMacro(LargestResidual, double);

@@ -53,7 +53,7 @@ vtkHapticDevice::vtkHapticDevice()
 //------------------------------------------------------------------------------
 vtkHapticDevice::~vtkHapticDevice()
 {
-  // Observers must not get a device that is being deleted.
+  // Observers must not receive a device that is being deleted.
   this->RemoveAllObservers();
   this->Shut();
 }
@@ -162,7 +162,7 @@ void vtkHapticDevice::Halt()
   d.Orders.Disarm(); // at once, because writing a recording takes time
   if (d.Recorder.IsUnderWay())
   {
-    d.Recorder.Stop(false); // the force is gone, and perhaps the owner as well
+    d.Recorder.Stop(false); // the force is off, and the owner may be gone
   }
   d.Orders.EndPreparing();
   d.Session.Stop();
@@ -289,7 +289,8 @@ double vtkHapticDevice::GetSlack()
 {
   const DeviceSession& session = this->Internals->Session;
   const bool isHeld = session.GetState().Record.Contact != ContactState::Free;
-  // With which the last tick began; solvers other than PRECISE leave it at 1.
+  // Tension of the spring at the beginning of the last tick; solvers other than PRECISE leave it at
+  // 1.
   const double tension = session.GetState().Before.Precise.Spring.Tension;
   return isHeld ? std::clamp(1.0 - tension, 0.0, 1.0) *
       std::sqrt(vtkMath::Distance2BetweenPoints(session.Tip, session.Proxy))

@@ -19,13 +19,13 @@
  * Safety. No force leaves before Arm. Every force is checked for NaN, clamped to MaximumForce and
  * to the device's own maximum, and grows by at most MaximumForceRate; after Arm and after every gap
  * it rises from zero over half a second, and the proxy begins at the tip. None of this gives the
- * hand more energy than it put in: a wall that is pressed meanwhile, or struck too fast for
+ * hand more energy than the hand put in: a wall that is pressed meanwhile, or struck too fast for
  * MaximumForceRate, stays soft until the tip leaves it or presses deeper. A tip that is not finite,
  * that moves faster than a hand can hold the device, or a device that is lost, cuts the force and
  * latches a fault until Arm is called again. Without fresh samples for 30 ms the force goes to
  * zero. Stop, Close, deletion, exit(), quick_exit(), an uncaught exception, a crash and the other
  * signals that end or stop the process send zero force. Signal handlers that the program installed
- * before Arm run after that; those that it installs later run first. Stiffness and
+ * before Arm run after the force is zero; handlers installed later run first. Stiffness and
  * ForceFieldDamping are capped at what the device can hold.
  *
  * A program can't send zero force on SIGKILL, SIGSTOP, real-time signals, _exit(), exec() of
@@ -40,19 +40,19 @@
  * called again: see SetAttentionTime.
  *
  * The servo reads the image's own array, without a copy, and so does work in the background: give
- * the image a new array instead of resizing or refilling one that is being touched. Modified()
- * announces values that were changed in place; what was being found out about them begins again.
+ * the image a new array instead of resizing or refilling one that is being touched. Call Modified()
+ * after changing values in place; background work on them then begins again.
  *
  * Positions are in world units and forces in newtons along the world's axes, unless stated.
  * Devices: "virtual" has no hardware: SetVirtualTip leads its tip. "vibration:xr" is led in the
- * same way, and says how strongly to vibrate: see TakeVibration. "replay:FILE" plays back a
- * recording (.vtp or .csv), tick by tick. Real ones are those of vtkHapticHardware. A real device
- * that is not homed opens at once and waits for the hand, as GetStatusText tells; Arm is refused
+ * same way, and returns how strongly to vibrate: see TakeVibration. "replay:FILE" plays back a
+ * recording (.vtp or .csv), tick by tick. vtkHapticHardware lists the real devices. A real device
+ * that is not homed opens at once and waits for the hand, as GetStatusText says; Arm is refused
  * until it is ready. When it is unplugged, stops answering, loses its zero, or the computer was
  * asleep, the force is cut and stays off until the user calls Home() or Open(), and then Arm().
  *
- * If a vtkHapticRegionSource is on port 0 of the filter, UpdateState has it read the region around
- * the tip, and publishes each that has come.
+ * If a vtkHapticRegionSource is on port 0 of the filter, UpdateState makes it read the region
+ * around the tip, and publishes each region when it is there.
  *
  * @sa vtkVolumeHapticsFilter, vtkHapticHardware, vtkHapticRegionFilter, vtkHapticRegionPlanner,
  * vtkHapticRegionSource
@@ -80,14 +80,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Open a device by its id, and close the one that was open. False, with an error that tells the
-   * cure, if that is not possible.
+   * Open a device by its id, and close the device that was open. False, with an error that names
+   * the cure, if opening fails.
    */
   bool Open(const char* id);
   /** Stop, and release the device. */
   void Close();
   bool IsOpen();
-  std::string GetDeviceId(); ///< The id that was opened; empty while closed.
+  std::string GetDeviceId(); ///< Get the id that was opened; empty while closed.
 
   ///@{
   /**
@@ -99,23 +99,23 @@ public:
   ///@}
 
   /**
-   * The name of the felt method, as users see it: that of the last Publish, such as "Proxy,
-   * PRECISE". If the servo does not run, that of the filter; empty without one.
+   * Get the name of the felt method as users see it, such as "Proxy, PRECISE": the method of the
+   * last Publish, or, if the servo does not run, the filter's method; empty without a filter.
    */
   std::string GetMethodText();
 
   /**
    * Bring the filter's image up to date and hand the servo a snapshot of everything: image,
-   * materials, settings, DeviceToWorld. Used from the next tick on; if that makes the force larger,
-   * it grows at MaximumForceRate. If the servo does not run, Publish only checks. False, with an
-   * error, if the input can't be touched; the servo then keeps the last snapshot.
+   * materials, settings, DeviceToWorld. The servo uses it from the next tick on; if the force
+   * becomes larger, it grows at MaximumForceRate. If the servo does not run, Publish only checks.
+   * False, with an error, if the input can't be touched; the servo then keeps the last snapshot.
    *
-   * If labels of a large label image become forbidden, the distances to them are measured in the
-   * background first, and a large mesh of SURFACE_PROXY is made there, and the points of a
-   * vtkHapticPointShell. Publish and Start return true at once, and UpdateState publishes when that
-   * is done; see IsPublished. While a mesh is made, it publishes the isosurface around the tip,
-   * whose force fades where the tip leaves it before the next part is there (GetResidency); but not
-   * while a recording is under way.
+   * Three kinds of work are done in the background first: measuring the distances to forbidden
+   * labels of a large label image, meshing a large surface of SURFACE_PROXY, and sampling the
+   * points of a vtkHapticPointShell. Publish and Start then return true at once, and UpdateState
+   * publishes when the work is done; see IsPublished. While a mesh is made, UpdateState publishes
+   * the isosurface around the tip, whose force fades where the tip leaves it before the next part
+   * is there (GetResidency). It does not do so while a recording is under way.
    */
   bool Publish();
   /**
@@ -142,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Start the servo, with the filter as it is now (without one the tip just moves), and stop it
-   * with zero force. Start is false, with an error, if no device is open, if the filter can't be
+   * Start the servo with the filter as it is now, and stop it with zero force. Without a filter,
+   * the tip just moves. Start is false, with an error, if no device is open, if the filter can't be
    * touched, or if the system gives the program no more memory, threads or files: without them, a
    * crash would leave the force on.
    */
@@ -154,13 +154,13 @@ public:
 
   ///@{
   /**
-   * Let force through, or not. Arm clears a fault, changes nothing if force flows already, and is
-   * refused, with an error, while the device is not ready. The proxy begins at the tip: armed
-   * inside, a hand feels nothing until it moves. Disarm cuts the force at once. FadeOut
-   * ends it within 50 ms, for example when the connection to the server that sends the data is
-   * lost. Stop disarms. Every way to disarm invokes vtkCommand::DisableEvent at once.
-   * IsArmOrdered tells whether the last of all these orders was Arm, even if the servo has yet to
-   * see it, the clutch delays it, or a fault (GetStatus) keeps the force off.
+   * Let force through, or cut it. Arm clears a fault, changes nothing if force flows already, and
+   * is refused, with an error, while the device is not ready. The proxy begins at the tip: armed
+   * inside, a hand feels nothing until it moves. Disarm cuts the force at once. FadeOut ends it
+   * within 50 ms, for example when the connection to the server that sends the data is lost. Stop
+   * disarms. Every way to disarm invokes vtkCommand::DisableEvent at once. IsArmOrdered tells
+   * whether the last of all these orders was Arm, even if the servo has yet to see it, the clutch
+   * delays it, or a fault (GetStatus) keeps the force off.
    */
   void Arm();
   void Disarm();
@@ -177,14 +177,14 @@ public:
    * count. EndLongWork invokes vtkCommand::EndEvent, and the force rises over half a second, with
    * the proxy on the tip at first, unless the device was disarmed meanwhile or has a fault. Arm
    * during the work takes effect after it. Pairs nest: the force comes back with the last
-   * EndLongWork, and stays off if that is missing.
+   * EndLongWork, and stays off if that call is missing.
    *
    * If expectedSeconds (s; by default the work is long) is below 0.25 and below an eighth of
-   * AttentionTime (unless that is 0), the force stays on: fading would disturb more than so short a
-   * pause, and the margin of eight allows for a slow computer. Publish calls these by itself for a
-   * large mesh that can't be made in the background, of an array with a memory layout of its own,
-   * and StopRecording and RecoverRecording to write a long recording. If the pipeline before the
-   * filter takes seconds, the application has to call them.
+   * AttentionTime (unless that is 0), the force stays on: fading would disturb more than such a
+   * short pause, and the factor of eight allows for a slow computer. Publish calls these functions
+   * by itself for a large mesh that can't be made in the background, because its array has a memory
+   * layout of its own. StopRecording and RecoverRecording call them to write a long recording. If
+   * the pipeline before the filter takes seconds, the application has to call them.
    */
   void BeginLongWork(const char* what, double expectedSeconds = VTK_DOUBLE_MAX);
   void EndLongWork();
@@ -214,31 +214,31 @@ public:
 
   ///@{
   /**
-   * Whether nothing is left to be confirmed about the signs of the open device. A real device that
-   * gives force may push the wrong way, if its wiring or a setting is other than was thought. So
-   * its first Arm pushes the hand gently along each of its axes, for about ten seconds, and the tip
-   * has to move with the force: hold the device loosely in the middle of its workspace and keep the
-   * hand still. Nothing else is felt meanwhile. A wrong sign is a fault (GetStatusText names the
-   * axis). If it is right, the user's file of devices remembers it by its serial number or port:
-   * volumehaptics/devices.txt in $XDG_CONFIG_HOME, ~/.config or %APPDATA%, or the file that the
-   * environment variable VOLUMEHAPTICS_DEVICES names. ForgetConfirmation, before Start, has the
-   * next Arm confirm it again.
+   * Get whether the signs of the open device are confirmed, or need no confirmation. A real device
+   * that gives force may push the wrong way, if its wiring or a setting differs from what was
+   * assumed. So its first Arm pushes the hand gently along each of its axes, for about ten seconds,
+   * and the tip has to move with the force: hold the device loosely in the middle of its workspace
+   * and keep the hand still. Nothing else is felt meanwhile. A wrong sign is a fault (GetStatusText
+   * names the axis). If the signs are right, the user's file of devices remembers them by the
+   * device's serial number or port: volumehaptics/devices.txt in $XDG_CONFIG_HOME, ~/.config or
+   * %APPDATA%, or the file that the environment variable VOLUMEHAPTICS_DEVICES names.
+   * ForgetConfirmation, before Start, makes the next Arm confirm the signs again.
    */
   bool GetSignsConfirmed();
   void ForgetConfirmation();
   ///@}
 
   /**
-   * Whether that file remembers the open device. False for a device that tells neither a serial
-   * number nor its port, as it can't be told from another one: then its confirmation and its
-   * calibration hold until Close. Also false for a device that gives no force.
+   * Get whether that file remembers the open device. False for a device that reports neither a
+   * serial number nor its port, because it can't be distinguished from others: its confirmation and
+   * its calibration then hold until Close. Also false for a device that gives no force.
    */
   bool IsRemembered();
 
   ///@{
   /**
-   * The newtons that the open device really gives for each one that it is asked for, as
-   * CalibrateForce has stored them (see IsRemembered): 1 if it was never calibrated. Forces and
+   * Get the newtons that the open device really gives for each newton that it is asked for, as
+   * CalibrateForce has stored it (see IsRemembered): 1 if it was never calibrated. Forces and
    * limits of a calibrated device are true newtons; MaximumForce never exceeds what its driver
    * allows. CalibrateForce takes 0.1 to 10, while the servo does not run; false, with an error, for
    * anything else. The text is "calibrated 0.83 on 2026-11-22", "uncalibrated", or empty if the
@@ -251,8 +251,8 @@ public:
 
   ///@{
   /**
-   * The state of the device (StatusType), as of the last UpdateState; the text names the fault and
-   * the cure.
+   * Get the state of the device (StatusType), as of the last UpdateState; the text names the fault
+   * and the cure.
    */
   int GetStatus();
   std::string GetStatusText();
@@ -281,9 +281,9 @@ public:
   ///@}
 
   /**
-   * How strongly the device "vibration:xr" is to vibrate: the largest amplitude since the last
-   * call, 0 to 1. The program leads its tip as that of the virtual device, and makes what the hand
-   * holds vibrate; call this in each frame. vtkHapticXRController does both for the controllers of
+   * Get how strongly the device "vibration:xr" should vibrate: the largest amplitude since the last
+   * call, 0 to 1. The program leads the tip as that of the virtual device, and makes vibrate what
+   * the hand holds; call this in each frame. vtkHapticXRController does both for the controllers of
    * a headset. 0 for other devices, and while the servo stands still.
    */
   double TakeVibration();
@@ -319,19 +319,20 @@ public:
    * (PlaybackToOnce, the default), goes on to the first step through a mean interval in which the
    * last step is blended to it (PlaybackToLoop), or turns around (PlaybackToPingPong).
    *
-   * SetDataTime goes to another time, in the units of the source; beyond the time steps, the
-   * nearest one is taken. The volume there is felt as a new one: a force that would leap begins
-   * again at zero. GetDataTime is that of the latest state, or of SetDataTime until it is felt
-   * there; default 0. In the interval after the last step it is above the last step's.
+   * SetDataTime jumps to another time, in the units of the source; beyond the time steps, the
+   * nearest step is used. The volume there is felt as a new one: a force that would jump begins
+   * again at zero. GetDataTime returns the data time of the latest state, or the time of
+   * SetDataTime until it is felt; default 0. In the interval after the last step, it is above the
+   * last step's time.
    *
-   * UpdateState reads the time steps ahead of the servo, three in memory at most: on the way of
-   * SetDataTime to two other ones, one of them may be felt alone for a moment. If they are late,
-   * data time holds: IsWaitingForData, and GetStatusText tells for which. Components are felt where
-   * they are, without a copy.
+   * UpdateState reads the time steps ahead of the servo, three in memory at most: when SetDataTime
+   * jumps to a pair of two other steps, one of them may be felt alone for a moment. If steps are
+   * late, data time stands still: IsWaitingForData becomes true, and GetStatusText says which steps
+   * are awaited. Components are felt in their array, without a copy.
    */
   void Play();
   void Hold();
-  bool IsPlaying(); ///< The last order was Play. Default false.
+  bool IsPlaying(); ///< Get whether the last order was Play. Default false.
   enum PlaybackType
   {
     ONCE = 0,
@@ -359,11 +360,11 @@ public:
 
   ///@{
   /**
-   * What a volume that moves looks like where it is felt: the frame that is nearest to GetDataTime,
-   * as an image whose scalars are the touched array of that time step, or the component that is the
-   * frame; and its time. Until the frame changes it is the same image; its samples must not be
-   * changed. vtkInteractorStyleHaptic shows it by itself. nullptr, if HasFrames is false: no volume
-   * that moves is felt.
+   * Get the volume that moves as it is felt now: the frame nearest to GetDataTime, as an image
+   * whose scalars are the touched array of that time step, or the component that is the frame; and
+   * its time. The image stays the same until the frame changes; its samples must not be changed.
+   * vtkInteractorStyleHaptic shows it by itself. nullptr if HasFrames is false: no volume that
+   * moves is felt.
    */
   bool HasFrames();
   vtkImageData* GetFrameImage();
@@ -371,15 +372,15 @@ public:
   ///@}
 
   /**
-   * Take the latest state from the servo; true if it is a new one. The following getters belong to
-   * one tick.
+   * Copy the latest state from the servo; true if it is a new one. The following getters all return
+   * values of this one tick.
    */
   bool UpdateState();
 
   ///@{
   /**
-   * Of the latest state: tip and proxy (world); the force sent to the device, and the computed
-   * force (N, world axes).
+   * Get the latest tip and proxy (world); the force sent to the device, and the computed force (N,
+   * world axes).
    */
   double* GetTipPosition() VTK_SIZEHINT(3);
   double* GetProxyPosition() VTK_SIZEHINT(3);
@@ -388,11 +389,11 @@ public:
   ///@}
   ///@{
   /**
-   * Of the latest state, with a tool that has a shape (vtkHapticPointShell): the torque on the hand
-   * about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
+   * Get, in the latest state, the torque of a tool that has a shape (vtkHapticPointShell) on the
+   * hand about the tip (N m, world axes), as sent and as computed, and the orientation of the tool,
    * whose origin is the proxy: a unit quaternion (w, x, y, z) that turns from the world's axes to
-   * those of the tool. All are zeros without such a tool; the head of a vtkHapticBurr does not
-   * turn, and gives no torque. A device that gives no torque is sent none.
+   * the tool's. All are zeros without such a tool; the head of a vtkHapticBurr does not turn, and
+   * gives no torque. No torque is sent to a device that gives none.
    */
   double* GetTorque() VTK_SIZEHINT(3);
   double* GetComputedTorque() VTK_SIZEHINT(3);
@@ -400,17 +401,17 @@ public:
   ///@}
   ///@{
   /**
-   * Of the latest state: the orientation of the stylus, if the device measures one. It is a unit
+   * Get the orientation of the stylus in the latest state, if the device measures one. It is a unit
    * quaternion (w, x, y, z, as in vtkQuaternion) that turns from the world's axes to the stylus's:
-   * the stylus points along its -z, its handle is on the side of +z, its button on that of +y.
-   * HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or its
-   * quaternion is not finite or not of unit norm within 1 %, unless SetTipOrientation turns it. The
-   * forces of tools depend on it.
+   * the stylus points along its -z, its handle is on the side of +z, and its button on the side of
+   * +y. HasTipOrientation is false, and the quaternion (1, 0, 0, 0), if the device measures none or
+   * its quaternion is not finite or not of unit norm within 1 %, unless SetTipOrientation turns it.
+   * The forces of tools depend on it.
    */
   double* GetTipOrientation() VTK_SIZEHINT(4);
   bool HasTipOrientation();
   ///@}
-  /** Of the latest state: whether the device itself measures how it is held. */
+  /** Get whether, in the latest state, the device itself measures how it is held. */
   bool IsTipOrientationMeasured();
   /**
    * How the hand holds its tool (world) if the device measures no orientation, such as one with
@@ -428,19 +429,17 @@ public:
   bool GetSpinning();
   vtkBooleanMacro(Spinning, bool);
   ///@}
-  /** Of the latest state: whether a vtkHapticBurr spins, by SetSpinning() or its button. */
+  /** Get whether, in the latest state, a vtkHapticBurr spins, by SetSpinning() or its button. */
   bool IsSpinning();
-  int GetButtons(); ///< Of the latest state: bit 0 is the main button.
-  /**
-   * Of the latest state (rad/s, the device's axes): how fast a SpaceMouse turns the volume.
-   */
+  int GetButtons(); ///< Get the buttons in the latest state: bit 0 is the main button.
+  /** Get how fast a SpaceMouse turns the volume in the latest state (rad/s, the device's axes). */
   double* GetTurnRate() VTK_SIZEHINT(3);
-  /** Of the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
+  /** Get the contact in the latest state: 0 free, 1 sticking, 2 sliding, 3 penetrating. */
   int GetContact();
   ///@{
   /**
-   * Of the latest state: V(x_s), the value in the surface; the parts of the force that the surface,
-   * friction and the medium take (N).
+   * Get, in the latest state, the value V(x_s) in the surface, and the parts of the force from the
+   * surface, friction and the medium (N).
    */
   double GetSurfaceValue();
   double GetNormalForce();
@@ -448,25 +447,25 @@ public:
   double GetDragForce();
   ///@}
   /**
-   * Of the latest state: the part of the distance between tip and proxy (world) that gives no
+   * Get, in the latest state, the part of the distance between tip and proxy (world) that gives no
    * force. With the solver PRECISE, a spring that gets stiffer under a resting hand gets slack
    * instead of more force; 0 otherwise.
    */
   double GetSlack();
   /**
-   * Of the latest state: the force of a mode of PRIMITIVES on the hand (N, world axes), before
+   * Get, in the latest state, the force of a mode of PRIMITIVES on the hand (N, world axes), before
    * MaximumForce; zero for other methods and numbers. Modes count from 0 as in GetMode of the
    * filter.
    */
   double* GetModeForce(int mode) VTK_SIZEHINT(3);
 
   /**
-   * What the modes that are felt hold the hand on, at the proxy of the latest state: lines such as
-   * that of the flow, up to `reach` voxels to either side, and fronts as polygons with a radius of
-   * a quarter of that, with point normals to the free side. Of a mode about tensors, also a vertex
-   * at the proxy with the tensor as point tensors, whose first eigenvalue is scaled to an eighth of
-   * the reach, for vtkTensorGlyph. Made of what the servo reads, in world units. The cell array
-   * Mode has the number of the mode. Empty for other methods.
+   * Write the shapes that the felt modes hold the hand on, at the proxy of the latest state: lines
+   * such as a flow line, up to `reach` voxels to either side, and fronts as polygons with a radius
+   * of a quarter of `reach`, with point normals to the free side. A mode about tensors also gives a
+   * vertex at the proxy with the tensor as point tensors, whose first eigenvalue is scaled to an
+   * eighth of `reach`, for vtkTensorGlyph. The shapes come from the data that the servo reads, in
+   * world units. The cell array Mode has the number of the mode. Empty for other methods.
    */
   void GetFollowed(vtkPolyData* shapes, double reach = 32.0);
 
@@ -476,61 +475,64 @@ public:
    * Length (world units). Field arrays, one number each: Depth and Deepest (world units), Angle to
    * the normal of the surface at the entry (degrees; -1 without one), ShaftForce (N), and
    * ForbiddenTouches, how often a forbidden label stopped this insertion. Without a needle in
-   * tissue there are no lines. vtkXMLPolyDataWriter exports all of it, to where there is room: on a
-   * full disk it leaves a part of the file, and Write() may return 1 all the same.
+   * tissue there are no lines. vtkXMLPolyDataWriter exports the track. Make sure that there is
+   * room: on a full disk it leaves a part of the file, and Write() may return 1 all the same.
    */
   void GetNeedleTrack(vtkPolyData* track);
 
-  /** Of the latest state: how deep a vtkHapticNeedle is inserted (world units); 0 if it is not. */
+  /**
+   * Get how deep a vtkHapticNeedle is inserted in the latest state (world units); 0 if it is not.
+   */
   double GetNeedleDepth();
 
   /**
-   * Of the latest state: the label just inside the surface, that is, at the proxy plus r times the
-   * normal; 0 if the filter has no label image, or none there. vtkHapticLabelTable has its name.
+   * Get the label just inside the surface in the latest state, that is, at the proxy plus r times
+   * the normal; 0 if the filter has no label image, or there is no label. vtkHapticLabelTable has
+   * its name.
    */
   vtkTypeInt64 GetLabel();
   /**
-   * Of the latest state: whether the wall in front of a forbidden label holds the tip back. When
-   * that begins, UpdateState invokes vtkCommand::UserEvent.
+   * Get whether, in the latest state, the wall in front of a forbidden label holds the tip back.
+   * When this begins, UpdateState invokes vtkCommand::UserEvent.
    */
   bool IsAtForbiddenLabel();
   ///@{
   /**
-   * Of the latest state (world): the unit normal inwards; the positions x_s and x_v at which the
-   * materials were read (fig. 4).
+   * Get, in the latest state (world), the unit normal inwards, and the positions x_s and x_v at
+   * which the materials were read (fig. 4).
    */
   double* GetNormal() VTK_SIZEHINT(3);
   double* GetSurfacePosition() VTK_SIZEHINT(3);
   double* GetMediumPosition() VTK_SIZEHINT(3);
   ///@}
   /**
-   * Of the latest state: the share of the force, 0 to 1, that is left by missing data around the
-   * tip (vtkHapticRegionFilter), FadeOut, AttentionTime and long work; 1 without any of these.
-   * Changes by 1 in 50 ms at most. The ramp after Arm is not part of it.
+   * Get the fraction of the force, 0 to 1, that missing data around the tip
+   * (vtkHapticRegionFilter), FadeOut, AttentionTime and long work leave in the latest state; 1
+   * without any of these. Changes from 0 to 1 or back in 50 ms at the fastest. The ramp after Arm
+   * is not part of it.
    */
   double GetResidency();
-  /** Of the latest state: its number since Start, and its time (s). */
+  /** Get the number of the latest state since Start, and its time (s). */
   vtkIdType GetTick();
   double GetTime();
 
   /**
-   * All states since the last call, oldest first, as rows of a table that is overwritten. Its
+   * Write all states since the last call, oldest first, as rows of a table that is overwritten. Its
    * columns are Time (s), Tick, NormalForce, FrictionForce, DragForce (N), SurfaceValue, Contact,
    * Armed, Fault, Residency, with three components Tip, Proxy (world), Force (computed) and Command
    * (sent; N, world axes), with four Orientation (world; w, x, y, z; all 0 if the device has none),
-   * and with eight ModeForces (N, magnitudes of GetModeForce). The first call begins to keep
-   * states; a reader that does not call for 86000 ticks loses the oldest. Each reader has a
-   * number, and gets all states; a call
-   * with nullptr as the table ends the reading. The first vtkInteractorStyleHaptic of a device has
-   * number 0, further ones have -1, -2 and so on: see AddReader.
+   * and with eight ModeForces (N, magnitudes of GetModeForce). States are kept from the first call
+   * on; a reader that does not call for 86000 ticks loses the oldest. Each reader has a number, and
+   * gets all states; a call with nullptr as the table ends the reading. The first
+   * vtkInteractorStyleHaptic of a device has number 0, further ones have -1, -2 and so on: see
+   * AddReader.
    */
   void DrainStates(vtkTable* states, int reader = 0);
 
   ///@{
   /**
-   * AddReader reserves a number for DrainStates: 0, or if that is taken, -1, -2 and so on.
-   * RemoveReader gives it back and ends the reading. Applications may use numbers above 0 without
-   * reserving them.
+   * Reserve a number for DrainStates: 0, or if it is taken, -1, -2 and so on. RemoveReader releases
+   * the number and ends the reading. Applications may use numbers above 0 without reserving them.
    */
   int AddReader();
   void RemoveReader(int reader);
@@ -591,17 +593,18 @@ public:
    * single image could replay it.
    *
    * The recording begins at once, however large the volume is. The hashes of volume and labels are
-   * made meanwhile, of the values as they then are; UpdateState hands them to the recording, and
-   * GetStatusText tells how far they are. StopRecording waits up to 10 s for them, but not while
-   * the device is armed: if they are not known yet, VolumeHash is empty then, a replay is not
-   * refused for its labels, and a warning says so.
+   * computed meanwhile, from the values at that time; UpdateState hands them to the recording, and
+   * GetStatusText reports their progress. StopRecording waits up to 10 s for them, but not while
+   * the device is armed: if they are not known then, VolumeHash is empty, a replay is not refused
+   * for its labels, and a warning says so.
    *
    * Besides the arrays of vtkVolumeHapticsFilter, a tick has DeviceTip (m), Command (N, sent),
    * Torque (N m, of tools; computed) and TorqueCommand (N m, sent), Orientation (world) and
    * DeviceOrientation (w, x, y, z; all 0 if the device has none), Tick, Buttons, Armed, Fault,
-   * Share (0 to 1: how much of Force the gate let through) and Reason (why not all of it; numbers
-   * in Documentation/devices.md). Of a vtkHapticBurr: Spinning, RemovedVolume and RemovalRequest (1
-   * undo, 2 redo, 3 reset that began), and the tissue that was removed before as field arrays.
+   * Share (0 to 1: the fraction of Force that the gate let through) and Reason (why Share is below
+   * 1; numbers in Documentation/devices.md). A vtkHapticBurr adds Spinning, RemovedVolume and
+   * RemovalRequest (1 undo, 2 redo, 3 reset that began), and the tissue that was removed before as
+   * field arrays.
    *
    * During the recording the ticks are written to FILE.part; memory holds only the last seconds. A
    * .vtp takes 220 to 250 bytes a tick (15 MB a minute at 1 kHz), 65 more while the stylus turns,
@@ -619,23 +622,23 @@ public:
   bool StopRecording();
   ///@}
   /**
-   * Make a .vtp or .csv of a FILE.part that was left because StopRecording failed or the program
-   * died. The file gets all ticks that reached the disk; after a crash usually less than 600 of the
-   * last ones are missing, and up to 16500 if the disk was slow. FILE.part is then removed, except
-   * on a file system without locks, where another program might still write to it. False, with an
-   * error, and FILE.part is kept, if that fails. If FILE.part can't be read to its end, that is an
-   * error, too, but the ticks before the damage are written unless the file exists already. Needs
-   * neither a device nor a volume.
+   * Make a .vtp or .csv from a FILE.part that was left because StopRecording failed or the program
+   * died. The file gets all ticks that reached the disk; after a crash usually fewer than 600 of
+   * the last ticks are missing, and up to 16500 if the disk was slow. FILE.part is then removed,
+   * except on a file system without locks, where another program might still write to it. On
+   * failure, returns false with an error, and keeps FILE.part. If FILE.part can't be read to its
+   * end, that is an error, too, but the ticks before the damage are written unless the file exists
+   * already. Needs neither a device nor a volume.
    */
   bool RecoverRecording(const char* part, const char* file);
 
   ///@{
   /**
-   * How well the servo keeps time, since Start or ResetStatistics: ticks per second; the duration
-   * (s) that a percentage p (0 to 100) of ticks, or of the delays of wake-ups, do not exceed, to
-   * 1/8 of it; ticks that were left out because the loop was late; ticks whose force was held back
-   * because data around the tip were missing (GetResidency); and ticks that solver PRECISE could
-   * not finish (a tip that jumps by tens of voxels), which the next ones did.
+   * Get how well the servo keeps time, since Start or ResetStatistics: ticks per second; the
+   * duration (s) that a percentage p (0 to 100) of ticks, or of the delays of wake-ups, do not
+   * exceed, to 1/8 of it; ticks that were left out because the loop was late; ticks whose force was
+   * reduced because data around the tip were missing (GetResidency); and ticks that solver PRECISE
+   * could not finish (a tip that jumps by tens of voxels), which the next ticks finished.
    */
   double GetTickRate();
   double GetTickPercentile(double p);
@@ -648,13 +651,13 @@ public:
 
   ///@{
   /**
-   * Time as the device has it, measured over the last second or so: the time (s) from one report
-   * that brings news to the next, and the round trip T (s), which is that time plus twice what a
-   * force needs to get to the device; 95 % of both are shorter. 0 as long as they are not known, or
+   * Get the timing of the device, measured over about the last second: the time (s) from one report
+   * with news to the next, and the round trip T (s), which is that time plus twice the time that a
+   * force needs to reach the device; 95 % of both are shorter. 0 as long as they are not known, or
    * while the servo does not run. T caps the stiffness (N/m), k <= 2 b / T with the device's
-   * friction b, and the damping (N s/m). UpdateState follows T: it publishes lower caps at once, if
-   * T has grown by a fifth, and higher ones 2 s later and while nothing is felt. The caps are those
-   * that are felt, MaximumStiffness of the filter included; 0 does not cap.
+   * friction b, and the damping (N s/m). UpdateState adapts the caps to T: it publishes lower caps
+   * at once if T has grown by a fifth, and higher ones 2 s later and while nothing is felt. The
+   * caps are the felt ones, which include MaximumStiffness of the filter; 0 does not cap.
    */
   double GetReportPeriod();
   double GetRoundTripTime();
@@ -671,8 +674,8 @@ protected:
   double MaximumForceRate = 500.0;
   double MaximumTorque = 0.0;
   double AttentionTime = 2.0;
-  double WantedForce = -1.0;  // of SetMaximumForce; negative: half of the device's maximum
-  double WantedTorque = -1.0; // of SetMaximumTorque; negative: half of the device's maximum
+  double WantedForce = -1.0;  // as set by SetMaximumForce; negative: half of the device's maximum
+  double WantedTorque = -1.0; // as set by SetMaximumTorque; negative: half of the device's maximum
 
 private:
   vtkHapticDevice(const vtkHapticDevice&) = delete;

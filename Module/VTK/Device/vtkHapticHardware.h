@@ -4,7 +4,8 @@
  * @class   vtkHapticHardware
  * @brief   the devices that exist, and the settings for opening them
  *
- * The superclass of vtkHapticDevice. Most devices are reached without vendors' libraries:
+ * Lists and configures haptic devices; the superclass of vtkHapticDevice. Most devices are reached
+ * without vendors' libraries:
  *
  *   falcon[:N]         Novint Falcon, through libusb. 3 degrees of freedom in and out, 8 N. Needs
  *                      FirmwareFile after it was plugged in, and is homed by hand.
@@ -22,7 +23,7 @@
  *   spacemouse[:N]     3Dconnexion mice, through hidapi. They push the tip and turn the volume; no
  *                      force.
  *   vibration:pad[:N]  gamepads with rumble motors, on Linux; a DualSense also through hidapi.
- *                      Vibration, not force: the sticks move the tip, and the motors tell how the
+ *                      Vibration, not force: the sticks move the tip, and the motors render how the
  *                      force changes.
  *   hfab[:PORT]        WoodenHaptics, Polhem and PHANToMs with an hfab controller, through a serial
  *                      port such as /dev/ttyACM0. 3 in (Polhem 6) and 3 out. Calibrated by hand
@@ -31,18 +32,18 @@
  *                      installed SDK: Force Dimension's (forcedimension) and 3D Systems'
  *                      (openhaptics) are in Examples/Vendor. See SetVendorPath.
  *
- * N counts from 0; without it, the first one is meant. None of this was verified on physical
- * hardware yet: all of it runs against emulated devices, which answer as public descriptions of the
+ * N counts from 0; without it, the first device is meant. None of this was verified on physical
+ * hardware yet: it runs against emulated devices, which answer as public descriptions of the
  * protocols say. A program adds devices of its own with AddDeviceKind.
  *
  * If the program can't send zero force any more, for example after SIGKILL (see vtkHapticDevice),
  * only the watchdog of the device itself ends the force: WoodenHaptics ends it after half a second,
  * a wheel within a tenth of a second. No watchdog is known for the Falcon. On Linux a process of
- * its own, the program volumehaptics-guard, talks to it, and sends zero force within 50 ms if this
- * program is gone or stands still. Open fails if the guard can't be started. The environment
- * variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library. Without one, as on
- * other systems, the Falcon may keep its last force until it is switched off: that has to be said
- * by UseGuardOff or VOLUMEHAPTICS_GUARD=off, else Open fails.
+ * its own, the program volumehaptics-guard, talks to the Falcon, and sends zero force within 50 ms
+ * if this program is gone or stands still. Open fails if the guard can't be started. The
+ * environment variable VOLUMEHAPTICS_GUARD names the guard if it is not near this library. Without
+ * a guard, as on other systems, the Falcon may keep its last force until it is switched off: accept
+ * this by UseGuardOff or VOLUMEHAPTICS_GUARD=off, otherwise Open fails.
  *
  * On Linux a user needs permission for the device. The installed udev rules,
  * 70-volume-haptics.rules, grant it to the user who is logged in at the computer. If they are
@@ -83,31 +84,32 @@ public:
     READY = 4,    ///< can be started, or runs unarmed
     ARMED = 5,    ///< armed; no force yet, because the servo does not run or gets no samples
     ACTIVE = 6,   ///< force flows
-    FAULT = 7     ///< cut off until armed again, or lost
+    FAULT = 7     ///< the force is off until the device is armed again, or the device is lost
   };
 
   ///@{
   /**
-   * The ids that Open accepts now, "virtual" first; "replay:FILE" is not among them. ListDevices
-   * overwrites a table with the columns Id, Name (maker, product, and where it is plugged in),
-   * State: "available", "in use", or the obstacle and the cure; and Force: "calibrated 0.83 on
-   * 2026-11-22" or "uncalibrated", empty for devices without force. Each call looks again.
+   * Get the ids that Open accepts now, "virtual" first; "replay:FILE" is not among them.
+   * ListDevices overwrites a table with the columns Id, Name (maker, product, and where it is
+   * plugged in), State: "available", "in use", or the obstacle and the cure; and Force: "calibrated
+   * 0.83 on 2026-11-22" or "uncalibrated", empty for devices without force. Each call searches
+   * again.
    */
   static vtkStringArray* EnumerateDevices();
   static void ListDevices(vtkTable* devices);
   ///@}
 
   /**
-   * Overwrites a table with the kinds that this computer can't have, whatever is plugged in: the
-   * columns Kind, such as "vendor", and State, with the obstacle (a service that does not run, a
-   * library that is not found) and the cure.
+   * Overwrite a table with the kinds of devices that this computer can't use, whatever is plugged
+   * in: the columns Kind, such as "vendor", and State, with the obstacle (a service that does not
+   * run, a library that is not found) and the cure.
    */
   static void ListMissingKinds(vtkTable* kinds);
 
 #ifndef __VTK_WRAP__
   /**
-   * Makes a kind of devices known to this process: see DeviceKind.h, and
-   * Examples/Cxx/OwnDevice.cxx. False, with an error, if the name is taken.
+   * Register a kind of devices in this process: see DeviceKind.h, and Examples/Cxx/OwnDevice.cxx.
+   * False, with an error, if the name is taken.
    */
   static bool AddDeviceKind(const VolumeHaptics::DeviceKind& kind);
 #endif

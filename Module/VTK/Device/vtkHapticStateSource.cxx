@@ -126,7 +126,7 @@ int vtkHapticStateSource::RequestData(
   const vtkVector3d& computed = state.ComputedForce;
   const vtkVector3d& normal = state.Normal;
   const vtkVector3d& force = this->ShowCommandedForce ? state.Force : computed;
-  // Cells are numbered vertices first, and so are the arrays.
+  // Cells are numbered vertices first; the arrays have the same order.
   addVertex(TIP, tip.GetData());
   addVertex(PROXY, proxy.GetData());
   addVertex(SURFACE_POSITION, state.SurfacePosition.GetData());

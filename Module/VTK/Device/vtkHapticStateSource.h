@@ -4,16 +4,17 @@
  * @class   vtkHapticStateSource
  * @brief   the latest state of a device as geometry, for any pipeline
  *
- * The output has the same content as vtkHapticRepresentation, as plain cells: vertices for the tip,
- * the proxy and the positions x_s and x_v at which the materials were read, and lines for the
- * spring and the forces. The cell array "Part" identifies them (see Parts); "Newtons" (N) is the
- * size of a force. Lines begin at the point on which a force acts and are Newtons / ForceScale
- * world units long. The field arrays "Contact" and "SurfaceValue" are those of the state, and so is
- * "Orientation": w, x, y, z as of vtkHapticDevice::GetTipOrientation, all 0 if the device has none.
- * The output is empty without a device or before its first state.
+ * Shows the latest state of a device as plain cells, with the same content as
+ * vtkHapticRepresentation: vertices for the tip, the proxy and the positions x_s and x_v at which
+ * the materials were read, and lines for the spring and the forces. The cell array "Part"
+ * identifies them (see Parts); "Newtons" (N) is the size of a force. Lines begin at the point on
+ * which a force acts and are Newtons / ForceScale world units long. The field arrays "Contact",
+ * "SurfaceValue" and "Orientation" hold the state's values; the last one is w, x, y, z as in
+ * vtkHapticDevice::GetTipOrientation, all 0 if the device has none. The output is empty without a
+ * device or before its first state.
  *
- * The owner of the device calls its UpdateState(); the output is out of date whenever that found a
- * new state.
+ * The owner of the device calls its UpdateState(); the output is out of date whenever this call
+ * found a new state.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
  */
@@ -42,7 +43,7 @@ public:
     SURFACE_POSITION = 2, ///< x_s
     MEDIUM_POSITION = 3,  ///< x_v
     SPRING = 4,           ///< from the tip to the proxy
-    FORCE = 5,            ///< from the tip: on the hand
+    FORCE = 5,            ///< from the tip: the force on the hand
     NORMAL_FORCE = 6,     ///< from the proxy: the push of the surface
     FRICTION_FORCE = 7    ///< from the proxy: the friction of the surface
   };
@@ -96,8 +97,8 @@ protected:
   };
 
   /**
-   * Reads the device's state; false if there is none. For subclasses that have the state from
-   * another source.
+   * Read the device's state; false if there is none. Subclasses may read the state from another
+   * source.
    */
   virtual bool ReadState(ShownState& state);
 #endif

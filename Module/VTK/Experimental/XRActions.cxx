@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr std::size_t LargestManifest = 1 << 20; // bytes; VTK's have some thousand
+constexpr std::size_t LargestManifest = 1 << 20; // bytes; VTK's manifests have some thousand
 
 /** Profiles of OpenXR 1.0 and its extensions with an output/haptic in each hand. */
 constexpr std::array<const char*, 8> ProfilesWithMotors{
@@ -61,7 +61,7 @@ bool Write(const std::string& file, const Json::Value& root, std::string& error)
   return replacement.Commit(error);
 }
 
-/** A member of an object, as an array or an object; empty if it is something else. */
+/** Returns a member of an object as an array or an object; empties it if it is something else. */
 Json::Value& Member(Json::Value& object, const char* name, Json::ValueType type)
 {
   Json::Value& member = object[name];

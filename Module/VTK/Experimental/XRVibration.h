@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The vibration of a headset's controllers, by VTK's module RenderingOpenXR. Built without it,
- * nothing vibrates.
+ * Makes a headset's controllers vibrate, by VTK's module RenderingOpenXR. Built without this
+ * module, nothing vibrates.
  */
 #ifndef XRVibration_h
 #define XRVibration_h
@@ -17,16 +17,19 @@ namespace VolumeHaptics
 
 struct XRVibration
 {
-  std::string Action;     ///< of the manifest, of the type "vibration"
+  std::string Action;     ///< an action of the manifest, of the type "vibration"
   int Hand = 0;           ///< 0: left, 1: right
   double Amplitude = 0.0; ///< 0 to 1
-  double Duration = 0.0;  ///< s; the next one ends it, too
+  double Duration = 0.0;  ///< s; the next vibration ends this one early
 };
 
 /** Whether the interactor can make controllers vibrate. */
 bool CanVibrate(vtkRenderWindowInteractor* interactor);
 
-/** False if it can't, or if the runtime refuses; VTK has told the error then. */
+/**
+ * Sends a vibration. False if the interactor can't, or if the runtime refuses, an error that VTK
+ * has reported.
+ */
 bool ApplyVibration(vtkRenderWindowInteractor* interactor, const XRVibration& vibration);
 
 } // namespace VolumeHaptics

@@ -31,11 +31,11 @@ namespace
 
 constexpr int AmplitudeSteps = 255;
 
-/** Where an event tells that a controller is; false if a number is not finite. */
+/** Reads a controller's pose from an event; false if a number is not finite. */
 bool ReadPose(const vtkEventDataDevice3D& event, double reach, double tip[3], double wxyz[4])
 {
   double direction[3];
-  double turn[4]; // degrees, and the axis
+  double turn[4]; // degrees, then the axis
   event.GetWorldPosition(tip);
   event.GetWorldDirection(direction);
   event.GetWorldOrientation(turn);
@@ -61,9 +61,9 @@ struct vtkHapticXRController::vtkInternals
   vtkSmartPointer<vtkHapticDevice> Device;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkCallbackCommand> Observer;
-  double Pending = 0.0; ///< the largest amplitude since the last one that was sent
+  double Pending = 0.0; ///< largest amplitude since the last one that was sent
   std::int64_t SentAt = 0;
-  bool WasRefused = false; ///< told once
+  bool WasRefused = false; ///< the refusal was reported
 };
 
 //------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ void vtkHapticXRController::FollowFrame()
   const double amplitude = static_cast<double>(steps) / AmplitudeSteps;
   const bool isSame = amplitude == this->Amplitude;
   const bool isDue = Vibration::IsDue(isSame, steps == 0, ServoClock::SecondsSince(d.SentAt));
-  // What comes too early is not lost.
+  // The amplitude of a frame that comes too early is kept.
   d.Pending = isSame || isDue ? 0.0 : d.Pending;
   if (isDue)
   {

@@ -4,8 +4,8 @@
  * @class   vtkHapticXRController
  * @brief   a controller of a headset leads the tip, and vibrates when the force changes
  *
- * Vibration, not force: contact, texture and friction that sticks and slips are felt, a force that
- * stays is not.
+ * Lets a controller of a headset lead the tip of a device. It renders vibration, not force:
+ * contact, texture and friction that sticks and slips are felt, but a constant force is not.
  *
  *   device->Open("vibration:xr");
  *   device->SetVolumeHaptics(filter);
@@ -23,8 +23,8 @@
  *
  * The vibration needs a library that was built with VTK's module RenderingOpenXR
  * (VolumeHaptics_USE_OPENXR), and an action that is bound to the controller's motor, see
- * WriteActions. Without them, and with headsets that are reached by other interactors, the tip is
- * led all the same, and UserEvent tells each new amplitude (GetAmplitude) to the program.
+ * WriteActions. Without them, and with headsets that are used through other interactors, the tip is
+ * led all the same, and UserEvent announces each new amplitude (GetAmplitude) to the program.
  *
  * @sa vtkHapticDevice, vtkHapticRepresentation
  */
@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * The interactor of the headset's window. It is observed, and not kept alive; nullptr lets go of
-   * it, with the controller silent.
+   * Set the interactor of the headset's window. It is observed, and not kept alive; nullptr ends
+   * the observation and silences the controller.
    */
   void SetInteractor(vtkRenderWindowInteractor* interactor);
   vtkRenderWindowInteractor* GetInteractor();
@@ -92,7 +92,7 @@ public:
   ///@}
 
   /**
-   * Copies a manifest of actions, such as VTK's vtk_openxr_actions.json, and the bindings beside it
+   * Copy a manifest of actions, such as VTK's vtk_openxr_actions.json, and the bindings beside it
    * into a folder, and binds ActionName to the motors of both hands' controllers: the files of VTK
    * 9.2 to 9.7 have the action and bind it to nothing, so that nothing vibrates. Before the
    * interactor is initialized, give it the copy by its whole name (SetActionManifestFileName).
@@ -100,10 +100,10 @@ public:
    */
   bool WriteActions(const char* manifest, const char* folder);
 
-  /** Whether the interactor is there and can make controllers vibrate. */
+  /** Get whether the interactor is there and can make controllers vibrate. */
   bool CanVibrate();
 
-  /** The amplitude of the last vibration, 0 to 1. */
+  /** Get the amplitude of the last vibration, 0 to 1. */
   vtkGetMacro(Amplitude, double);
 
 protected:

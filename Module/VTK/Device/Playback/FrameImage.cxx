@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A component of tuples, by the size of its numbers. */
+/** Extracts a component of tuples; `Number` is a type of the numbers' size. */
 template <typename Number>
 void CopyStrided(vtkDataArray* from, int component, vtkDataArray* to)
 {

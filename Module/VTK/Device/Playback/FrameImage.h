@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The frame of a volume that moves which is to be shown, as an image.
+ * The frame of a moving volume that is shown, as an image.
  */
 #ifndef FrameImage_h
 #define FrameImage_h
@@ -20,19 +20,19 @@ class FrameImage
 {
 public:
   /**
-   * An image of a frame's array, of the shape of another one. The samples are not copied, unless
-   * they are one of several components that are the frames. The same image as the last time if the
-   * frame is the same.
+   * Makes an image of a frame's array, with the shape of another image. The samples are copied only
+   * if the frames are components of one array with several components. Returns the last image again
+   * if the frame is unchanged.
    */
   vtkImageData* Show(const HapticFrame& frame, bool isComponent, vtkImageData* shape);
   void Clear();
-  /** The array of the frame; null without one. */
+  /** Returns the array of the frame; null without one. */
   vtkDataArray* GetArray() const { return this->Array; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  vtkSmartPointer<vtkDataArray> Array; ///< that is shown
-  vtkMTimeType Changed = 0;            ///< of Array
+  vtkSmartPointer<vtkDataArray> Array; ///< array that is shown
+  vtkMTimeType Changed = 0;            ///< change time of Array
   int Component = 0;
 };
 

@@ -25,8 +25,8 @@ bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int
     const auto make =
       [frame = frames[i], next = frames[after], component = components[i], value, indexToWorld]
     { return MeshFrame(frame, next, component, value, indexToWorld); };
-    // Arrays of another layout make a copy of their values for their readers, one for all threads.
-    // See ShareArray of the model's builder.
+    // Arrays of other layouts copy their values for readers, into one copy for all threads. See
+    // ShareArray() of the model's builder.
     auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frames[i].Samples.get()));
     if (!scalars->HasStandardMemoryLayout())
     {
@@ -36,7 +36,7 @@ bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int
     const Key key{ frames[i].Samples.get(), frames[after].Samples.get(), components[i] };
     if (!this->Meshing.IsOf(key) && this->Meshing.IsUnderWay())
     {
-      this->Meshing.Abandon(); // and do not wait for its end
+      this->Meshing.Abandon(); // ends without waiting
       return false;
     }
     const auto* const made =
@@ -46,7 +46,7 @@ bool FrameMesher::Follow(std::vector<VolumeFrame>& frames, const std::vector<int
       return false;
     }
     frames[i].Mesh = *made;
-    this->Meshing.Forget(); // other frames may come to the same place
+    this->Meshing.Forget(); // other frames may get the same address
   }
   return true;
 }

@@ -17,21 +17,21 @@
 namespace VolumeHaptics
 {
 
-/** For the owner's thread. */
+/** Meshes frames on a worker. Call it from the owner's thread. */
 class FrameMesher
 {
 public:
   /**
-   * To be called often: gives all frames but the last one the meshes that they lack, and a frame
-   * alone one that stays. False until they have them.
-   * @param components of their arrays, one for each frame
-   * @param value of the isosurface
+   * Gives all frames but the last one the meshes that they lack; a single frame gets a mesh that
+   * does not move. Call this often: false until the frames have their meshes.
+   * @param components components of the frames' arrays, one for each frame
+   * @param value value of the isosurface
    */
   bool Follow(std::vector<VolumeFrame>& frames, const std::vector<int>& components, double value,
     const Affine3& indexToWorld);
-  /** Ends what is under way, without waiting for it. */
+  /** Ends the work that is under way, without waiting for it. */
   void End() { this->Meshing.Abandon(); }
-  /** Whether no worker has frames any more; for when no frames wait for their meshes. */
+  /** Whether no worker holds frames any more. Call it when no frames wait for their meshes. */
   bool IsIdle()
   {
     if (this->Meshing.IsUnderWay())
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  /** The samples of a frame and the next one, and the component of the frame. */
+  /** The samples of a frame and of the next frame, and the component of the frame. */
   using Key = std::tuple<const void*, const void*, int>;
 
   KeyedWork<Key, std::shared_ptr<const SurfaceMesh>> Meshing;

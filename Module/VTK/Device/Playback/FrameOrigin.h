@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Identifies the source of a filter's time steps. While it is the same, samples that were read can
+ * Identifies the source of a filter's time steps. While it is unchanged, samples that were read can
  * be kept: only settings have changed.
  */
 #ifndef FrameOrigin_h
@@ -20,9 +20,9 @@ namespace VolumeHaptics
 
 struct FrameOrigin
 {
-  const void* Connection = nullptr; ///< of the source; not dereferenced
-  vtkMTimeType Time = 0;            ///< of the last change of the source, or of what it reads
-  std::string Displacements;        ///< the name of their array
+  const void* Connection = nullptr; ///< connection to the source; not dereferenced
+  vtkMTimeType Time = 0;            ///< last change of the source, or of what it reads
+  std::string Displacements;        ///< name of the displacements' array
 
   bool operator==(const FrameOrigin& other) const
   {

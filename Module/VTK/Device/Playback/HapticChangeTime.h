@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The time of the last change that concerns a servo.
+ * Finds the time of the last change that concerns a servo.
  */
 #ifndef HapticChangeTime_h
 #define HapticChangeTime_h
@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** When an algorithm, or one that its input comes from, last changed; 0 without one. */
+/** Finds when an algorithm, or one upstream of it, last changed; 0 without one. */
 inline vtkMTimeType FindPipelineTime(vtkAlgorithm* source)
 {
   auto* const pipeline =
@@ -31,7 +31,7 @@ inline vtkMTimeType FindPipelineTime(vtkAlgorithm* source)
   return pipeline->GetPipelineMTime();
 }
 
-/** When a filter, or its surface or label image, last changed; 0 without a filter. */
+/** Finds when a filter, or its surface or label image, last changed; 0 without a filter. */
 inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 {
   vtkMTimeType time = filter ? filter->GetMTime() : 0;
@@ -45,9 +45,9 @@ inline vtkMTimeType FindChangeTimeBesideImage(vtkVolumeHapticsFilter* filter)
 }
 
 /**
- * When a filter, or its image, surface or label image, last changed; 0 without a filter. If the
- * time steps of a moving image are requested one after the other, the image's own changes don't
- * count, but those of the whole pipeline do.
+ * Finds when a filter, or its image, surface or label image, last changed; 0 without a filter. If
+ * the time steps of a moving image are requested one after the other, the image's own changes don't
+ * count, but the changes of the whole pipeline do.
  */
 inline vtkMTimeType FindChangeTime(vtkVolumeHapticsFilter* filter, bool isMoving = false)
 {

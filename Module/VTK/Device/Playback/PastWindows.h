@@ -12,19 +12,19 @@ namespace VolumeHaptics
 struct BakedVolume;
 
 /**
- * The windows of a volume that moves before the present one. While the servo has one of them, the
- * frames that were given up with it are still in memory.
+ * Earlier windows of a volume that moves. While the servo uses one of them, the frames that were
+ * released with it are still in memory.
  */
 class PastWindows
 {
 public:
   void Note(const std::shared_ptr<const BakedVolume>& window);
-  /** Whether nobody has them any more, or a reader of states holds one for too long. */
+  /** Whether no earlier window is in use any more, or a reader of states holds one for too long. */
   bool AreGone() const;
 
 private:
   std::vector<std::weak_ptr<const BakedVolume>> Windows;
-  std::int64_t Since = 0; ///< ns, of the last one
+  std::int64_t Since = 0; ///< time when the last window was added (ns)
 };
 
 } // namespace VolumeHaptics

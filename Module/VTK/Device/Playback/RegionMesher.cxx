@@ -26,12 +26,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Some ten milliseconds of meshing. */
+/** Number of samples that are meshed in about ten milliseconds. */
 constexpr vtkIdType MostMeshedSamples = 1 << 20;
-/** Of fewer samples, the whole is meshed nearly as soon, and sooner without a part beside it. */
+/**
+ * Smallest image that gets a part meshed first; a smaller one is meshed as a whole nearly as soon,
+ * and sooner without a part beside it.
+ */
 constexpr vtkIdType LeastWholeSamples = 4 * MostMeshedSamples;
 
-/** The tuples of a part of an extent, in an array that nothing else uses. */
+/** Copies the tuples of a part of an extent into an array that nothing else uses. */
 vtkSmartPointer<vtkDataArray> CopyTuples(
   vtkDataArray* whole, const int extent[6], const int part[6])
 {
@@ -116,9 +119,9 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   image->GetExtent(whole.data());
   if (!MakeIndexToWorld(image, whole.data(), "input image", map, error))
   {
-    return; // the whole tells
+    return; // meshing the whole reports the error
   }
-  Extent fromFirst; // as the map counts
+  Extent fromFirst; // indices as the map counts them
   for (int a = 0; a < 6; ++a)
   {
     fromFirst[a] = region[a] - whole[a - a % 2];
@@ -126,7 +129,7 @@ void RegionMesher::Order(vtkImageData* image, vtkVolumeHapticsFilter* filter, co
   const vtkSmartPointer<vtkDataArray> scalars = HapticBaker(filter).GetFilled().Array;
   if (!scalars)
   {
-    return; // the whole tells
+    return; // meshing the whole reports the error
   }
   const int component = filter->GetProperty()->GetComponent();
   const double value = filter->GetIsoValue();
@@ -151,8 +154,8 @@ std::optional<SurfaceRegion> RegionMesher::Follow(
   vtkImageData* const image = filter->GetTouchedImage();
   WholeFacts facts;
   std::string error;
-  // Where a given surface is missing can't be told: it has no regions. What is a region itself is
-  // meshed whole.
+  // Given surfaces have no regions, because nothing says where a part of them is missing. An image
+  // that is a region itself is meshed whole.
   if (!scalars.Array || filter->GetInputDataObject(2, 0) ||
     image->GetNumberOfPoints() < LeastWholeSamples ||
     !ReadWholeFacts(image, filter->GetProperty()->GetComponent(), facts, error) || facts.IsThere)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Meshes the isosurface around the tip while that of the whole image is still being made.
+ * Meshes the isosurface around the tip while the mesh of the whole image is still being made.
  */
 #ifndef RegionMesher_h
 #define RegionMesher_h
@@ -29,7 +29,7 @@ namespace VolumeHaptics
 {
 class SurfaceMesh;
 
-/** For the owner's thread; the meshes are made on another one. */
+/** Meshes regions around the tip on a worker. Call it from the owner's thread. */
 class RegionMesher
 {
 public:
@@ -37,18 +37,19 @@ public:
   ~RegionMesher();
 
   /**
-   * To be called often, with the tip in the world. The next region, once it is meshed; nothing if
-   * the last one will do, the next one is still being made, or the image can't be touched.
+   * Returns the next region, once it is meshed; nothing if the last region suffices, the next
+   * region is still being meshed, or the image can't be touched. Call this often, with the tip in
+   * the world.
    */
   std::optional<SurfaceRegion> Follow(vtkVolumeHapticsFilter* filter, const double tip[3]);
-  /** Ends the work, without waiting for it, and forgets the last region. */
+  /** Ends the work without waiting for it, and discards the last region. */
   void End();
 
 private:
   using Extent = std::array<int, 6>;
   /** The samples, and component and value of the isosurface. */
   using SurfaceKey = std::tuple<TouchedArray::Key, int, double>;
-  /** What the worker makes. */
+  /** The result of the worker. */
   struct Made
   {
     vtkSmartPointer<vtkDataArray> Samples;

@@ -23,7 +23,7 @@ bool IsEarlier(const VolumeFrame& a, const VolumeFrame& b)
   return a.Time < b.Time;
 }
 
-/** The frames of a whole series, without the first one that follows the last one. */
+/** Returns the frames of a whole series, without the first frame that is repeated at its end. */
 std::vector<VolumeFrame> KeepSeries(const BakedVolume& whole)
 {
   std::vector<VolumeFrame> frames;
@@ -40,7 +40,7 @@ VolumeFrame KeepFrame(const BakedVolume& window, std::size_t number)
 {
   const FieldFrame& frame = window.Frames[number];
   VolumeFrame kept{ frame.Time, frame.Field.GetView(), frame.Samples };
-  // That of a frame alone goes nowhere.
+  // The mesh of a single frame does not move.
   kept.Mesh = window.Frames.size() > 1 ? frame.Mesh : nullptr;
   if (frame.Motion)
   {
@@ -89,7 +89,7 @@ std::shared_ptr<const BakedVolume> JoinWindows(
   std::vector<double> times;
   for (auto frame = frames.begin(); frame != frames.end(); ++frame)
   {
-    // Displacements lead to the next frame, if that is still the same.
+    // Displacements lead to the next frame, so they are kept only if the next frame is the same.
     const auto same = std::lower_bound(after.begin(), after.end(), *frame, IsEarlier);
     const bool isOwn = same != after.end() && same->Time == frame->Time;
     const bool isFollowed = isOwn && same + 1 != after.end() && frame + 1 != frames.end() &&

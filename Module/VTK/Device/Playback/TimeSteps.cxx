@@ -29,7 +29,7 @@ TimeSteps::Need TimeSteps::FindNeed(double time, bool isBackward, Playback mode)
   const std::size_t behind = this->Before(first);
   const bool hasAhead = isLoop || isLoopEnd || first + 2 < count;
   const bool hasBehind = isLoop || isLoopEnd || first > 0;
-  // Time may turn around where it can't go on.
+  // Time may turn around where it can't advance.
   const bool takesAhead = isBackward ? !hasBehind : hasAhead;
   return { first, takesAhead ? ahead : behind };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The data times of the frames of a volume that moves, and which of them the servo needs.
+ * Data times of the frames of a volume that moves, and which frames the servo needs.
  */
 #ifndef TimeSteps_h
 #define TimeSteps_h
@@ -19,7 +19,7 @@ struct TimeSteps
 {
   std::vector<double> Times; ///< ascending
   bool AreComponents = false;
-  bool AreInMemory = false; ///< all of them are in the memory of the source
+  bool AreInMemory = false; ///< whether all frames are in the source's memory
 
   /** A pair of neighbouring steps, by the number of the first one, and the step that comes next. */
   struct Need
@@ -27,7 +27,7 @@ struct TimeSteps
     std::size_t First;
     std::size_t Next;
   };
-  /** What time needs that goes on from a data time. */
+  /** Returns the steps that are needed when time advances from a data time. */
   Need FindNeed(double time, bool isBackward, Playback mode) const;
 
   std::size_t After(std::size_t step) const { return (step + 1) % this->Times.size(); }
@@ -35,7 +35,7 @@ struct TimeSteps
   {
     return (step + this->Times.size() - 1) % this->Times.size();
   }
-  /** Whether the servo gets all of them at once. */
+  /** Whether the servo gets all steps at once. */
   bool AreWindow() const
   {
     constexpr std::size_t most = 3;

@@ -28,7 +28,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Whether the source of the image runs. */
+/** Updates the source of the image; whether it succeeds. */
 bool IsUpdated(vtkVolumeHapticsFilter* filter)
 {
   try
@@ -50,7 +50,7 @@ void TellUnread(vtkVolumeHapticsFilter* filter)
     "lack memory. SetTimeUnitsPerSecond(0) takes one frame alone.");
 }
 
-/** All of them; none if there is no image, which the baker tells. */
+/** Reads all components as frames; none if there is no image, an error that the baker reports. */
 bool ReadComponents(vtkVolumeHapticsFilter* filter, ReadFrames& read)
 {
   if (!IsUpdated(filter))
@@ -77,8 +77,8 @@ bool ReadComponents(vtkVolumeHapticsFilter* filter, ReadFrames& read)
 }
 
 /**
- * Whether the source has all its frames in memory, as they are felt. Meshes and copies of
- * displacements would take further memory for each.
+ * Whether all frames are in the source's memory in the form that is felt. Meshes and copies of
+ * displacements would need further memory for each frame.
  */
 bool AreInMemory(vtkVolumeHapticsFilter* filter)
 {
@@ -97,7 +97,10 @@ bool AreAlike(vtkDataArray* a, vtkDataArray* b)
     a->GetNumberOfTuples() == b->GetNumberOfTuples();
 }
 
-/** As ReadFrame(), but what a window of the same source has is taken from there. */
+/**
+ * Reads a time step as ReadFrame() does, but takes it from a window of the same source if it is
+ * there.
+ */
 bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const FrameReading& reading,
   const BakedVolume* kept, HapticFrame& frame)
 {
@@ -109,7 +112,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const FrameReading& r
   {
     return ReadFrame(filter, time, reading, frame);
   }
-  // Which array is touched may have changed.
+  // The choice of the touched array may have changed.
   vtkDataArray* wanted = nullptr;
   const auto look = [&](vtkImageData* image)
   {
@@ -120,7 +123,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const FrameReading& r
   {
     return false;
   }
-  // See ShareArray of the model's builder.
+  // See ShareArray() of the model's builder.
   const auto asArray = [](const std::shared_ptr<const void>& samples)
   { return static_cast<vtkDataArray*>(const_cast<void*>(samples.get())); };
   vtkDataArray* const had = asArray(known->Samples);
@@ -133,7 +136,7 @@ bool ReadStep(vtkVolumeHapticsFilter* filter, double time, const FrameReading& r
   return true;
 }
 
-/** The window at a place; none if there is one time step. */
+/** Reads the window at a place; empty if there is only one time step. */
 bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, const BakedVolume* kept,
   ReadFrames& read)
 {
@@ -173,10 +176,10 @@ bool ReadSteps(vtkVolumeHapticsFilter* filter, const FramePlace& place, const Ba
   {
     read.Frames.back() = read.Frames.front();
   }
-  // What is the same at all times comes from the first step, as it does along paths.
+  // Data that are the same at all times come from the first step, as they do along paths.
   const FrameReading nothing{ [](vtkImageData*) { return nullptr; }, 0, {} };
   HapticFrame first;
-  return ReadFrame(filter, steps.front(), nothing, first); // else the source has told why
+  return ReadFrame(filter, steps.front(), nothing, first); // else the source has reported why
 }
 
 ReadFrames ReadWindow(
@@ -189,7 +192,7 @@ ReadFrames ReadWindow(
   return read;
 }
 
-/** How long their meshes take, or at least more than those that are short. */
+/** Estimates how long meshing takes; stops counting above ShortMeshing. */
 double EstimateMeshTimes(const std::vector<HapticFrame>& frames, double value)
 {
   double seconds = 0.0;
@@ -197,7 +200,7 @@ double EstimateMeshTimes(const std::vector<HapticFrame>& frames, double value)
   {
     const HapticFrame& frame = frames[i];
     seconds += frame.Array ? EstimateMeshTime({ frame.Image, frame.Array, frame.Component, value })
-                           : 0.0; // for the error
+                           : 0.0; // meshing at once reports the error
   }
   return seconds;
 }
@@ -210,8 +213,8 @@ WindowPreparation::ChangeTimes WindowPreparation::FindTimes(vtkVolumeHapticsFilt
 }
 
 /**
- * Frames of a stream are those that were there: to wait for the last ones might be to wait for
- * ever.
+ * Whether the frames that were read fit the filter's present state. Newer frames of a stream don't
+ * count: waiting for the last ones could mean waiting for ever.
  */
 bool WindowPreparation::IsOf(vtkVolumeHapticsFilter* filter, const FramePlace& place) const
 {
@@ -268,8 +271,8 @@ bool WindowPreparation::Follow(vtkVolumeHapticsFilter* filter, const FramePlace&
 }
 
 /**
- * As the builder of models does. False for frames that it will not take, and for arrays of another
- * layout, which make a copy of their values for their readers, one for all threads.
+ * Shapes the frames as the builder of models does. False for frames that the builder refuses, and
+ * for arrays of other layouts, which copy their values for readers, into one copy for all threads.
  */
 bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last)
 {
@@ -295,7 +298,7 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
     this->IndexToWorld = volume.IndexToWorld;
     FrameSeries series = MakeSeries(this->Window->Steps.Times);
     series.Last =
-      frames.back().Time; // of a part of the series, the last one needs no displacements
+      frames.back().Time; // if this is a part of the series, the last frame needs no displacements
     const FrameShape shape{ volume.View, volume.IndexToWorld, series, filter->GetKernelRadius(),
       filter->GetDisplacementArrayName(), baker.GetOutside() };
     this->Components.clear();
@@ -313,7 +316,7 @@ bool WindowPreparation::Shape(vtkVolumeHapticsFilter* filter, const BakedVolume*
   }
   catch (const std::bad_alloc&)
   {
-    return false; // the builder tells
+    return false; // the builder reports the error
   }
 }
 

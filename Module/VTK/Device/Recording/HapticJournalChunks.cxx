@@ -9,7 +9,7 @@ namespace VolumeHaptics
 
 std::uint64_t SumOf(const std::string& payload)
 {
-  // FNV-1a.
+  // FNV-1a hash
   std::uint64_t sum = 0xCBF29CE484222325ULL;
   for (const char c : payload)
   {

@@ -5,7 +5,7 @@
  * The format of a journal, for its writer and its reader.
  *
  * A chunk is a head (kind, 0, size and checksum of the payload) and a payload. Payloads:
- * - About: JournalMark, then texts, each after its length: the columns, and those of
+ * - About: JournalMark, then texts, each after its length: the columns, and the texts of
  *   RecordingAbout;
  * - Hashes: the texts of RecordingHashes, each after its length, once they are known;
  * - Begin: a RecordingBegin;
@@ -31,7 +31,7 @@ constexpr char JournalMark[16] = { 'V', 'o', 'l', 'u', 'm', 'e', 'H', 'a', 'p', 
   'J', '\0', '\4' };
 
 constexpr std::uint32_t AboutChunk =
-  0x41744856; // no chunk begins with zeros, as a file after a power cut may
+  0x41744856; // no chunk begins with zeros, because files may end with zeros after a power cut
 constexpr std::uint32_t HashesChunk = 0x48744856;
 constexpr std::uint32_t BeginChunk = 0x42744856;
 constexpr std::uint32_t ContactsChunk = 0x43744856;
@@ -43,12 +43,12 @@ constexpr std::size_t HeadSize = 24;
 constexpr std::size_t TicksHeadSize = 12;
 
 std::uint64_t SumOf(const std::string& payload);
-/** Names, types and components of the columns: a journal with other columns can't be read. */
+/** Lists names, types and components of the columns: a journal with other columns can't be read. */
 std::string SignatureOfColumns();
 
 /** Appends a text after its length. */
 void PutText(std::string& bytes, const std::string& text);
-/** False if there are not enough bytes. */
+/** Reads a text after its length. False if there are not enough bytes. */
 bool GetText(const std::string& bytes, std::size_t& position, std::string& text);
 
 template <typename T>
@@ -58,7 +58,7 @@ void Put(std::string& bytes, const T& value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/** False if there are not enough bytes. */
+/** Reads a value. False if there are not enough bytes. */
 template <typename T>
 bool Get(const std::string& bytes, std::size_t& position, T& value)
 {

@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The writer's pause between two looks for ticks (ns): a group takes 25 ms at 10 kHz. */
+/** Pause of the writer between two polls for ticks (ns): a group takes 25 ms at 10 kHz. */
 constexpr std::int64_t WriterPeriod = 10000000;
 
 PlacementRow ToRow(const HapticModel& model)
@@ -99,7 +99,7 @@ void HapticRecording::AddModel(std::uint64_t generation, std::shared_ptr<const H
   this->Models.erase(this->Models.begin(), this->Models.lower_bound(this->LastGeneration));
   if (this->Failure.load() != 0)
   {
-    this->Models.clear(); // no further tick is recorded
+    this->Models.clear(); // no further tick will be recorded
     return;
   }
   this->Models[generation] = { std::move(model), std::move(tool) };
@@ -141,7 +141,8 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
       this->BeginShares = removal->EndSnapshot();
     }
   }
-  // A placement for every generation, even if it is equal: the servo carries its state across each.
+  // Writes a placement for every generation, even an equal one, because the servo carries its state
+  // from one generation to the next.
   if (isFirst || snapshot.Generation != this->PlacedGeneration)
   {
     this->NewPlacements.push_back(ToRow(model));
@@ -189,7 +190,7 @@ void HapticRecording::WriteUntilStopped()
   }
   if (this->Failure.load() == 0 && this->GetLostTicks() > 0)
   {
-    // Ticks may have been lost after the last one in the queue.
+    // The last tick in the queue may have been followed by lost ticks.
     this->Failure.store(this->Writer->WriteTicks(nullptr, 0, this->GetLostTicks()));
   }
 }
@@ -259,7 +260,7 @@ bool HapticRecording::Finish(std::string& error)
     return false;
   }
   this->StopWriter();
-  // Not by name: another program may have given that to another file.
+  // Opens it by the writer's descriptor, because another file may have that name now.
   JournalReader reader;
   if (!reader.Open(*this->Writer, error))
   {
@@ -268,7 +269,7 @@ bool HapticRecording::Finish(std::string& error)
   }
   reader.Expect(this->Written.load());
   WriteRecording(reader, this->Writer->GetName(), this->File, this->GetTrouble(), error);
-  this->Writer->Close(); // this also releases the lock, which a recovery needs
+  this->Writer->Close(); // also releases the lock, which a recovery needs
   return error.empty();
 }
 

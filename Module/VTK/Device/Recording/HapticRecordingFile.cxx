@@ -28,7 +28,7 @@ bool IsThere(const std::string& file)
   return stat(file.c_str(), &status) == 0;
 }
 
-/** False, with the reason and the cure, if it fails. */
+/** Writes the file. False, with the reason and the cure, on failure. */
 bool WriteFile(
   JournalReader& reader, const std::string& journal, const std::string& file, std::string& error)
 {
@@ -41,7 +41,7 @@ bool WriteFile(
   {
     isRead = isTable ? WriteRecordingTable(reader, main) && WriteRecordingFields(reader, fields)
                      : WriteRecordingPolyData(reader, main);
-    // Both are completely on the disk before one of them gets its name.
+    // Both files are completely on the disk before one of them gets its name.
     isWritten = isRead && main.Finish(error) && (!isTable || fields.Finish(error)) &&
       main.Commit(error) && (!isTable || fields.Commit(error));
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * States of the servo as rows of a table, for displays.
+ * Writes states of the servo as rows of a table, for displays.
  */
 #ifndef HapticStateTable_h
 #define HapticStateTable_h
@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The values of a tick that displays need, in device space. A row has a tenth of the size of a
- * ServoSnapshot: up to 86000 of them wait for a slow reader.
+ * The values of a tick that displays need, in device space. A row is a tenth as large as a
+ * ServoSnapshot: up to 86000 rows wait for a slow reader.
  */
 struct StateRow
 {

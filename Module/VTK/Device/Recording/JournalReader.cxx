@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The largest chunk: a group of random numbers, or placements of a group. */
+/** Size of the largest chunk: a group of random numbers, or the placements of a group. */
 constexpr std::uint64_t MostPayload = 1 << 24;
 
 bool IsKind(std::uint32_t kind)
@@ -30,7 +30,7 @@ bool IsKind(std::uint32_t kind)
     kind == SharesChunk || kind == PlacementsChunk || kind == TicksChunk;
 }
 
-/** Whether a whole chunk begins behind the first byte. */
+/** Whether a whole chunk begins somewhere after the first byte. */
 bool HoldsChunk(const std::string& bytes)
 {
   for (std::size_t begin = 1; begin + HeadSize <= bytes.size(); ++begin)
@@ -123,7 +123,7 @@ bool JournalReader::Open(const JournalWriter& writer, std::string& error)
     error = "can't be read (" + DescribeError(errno) + ")";
     return false;
   }
-  this->IsLocked = true; // if there are no locks, the name tells
+  this->IsLocked = true; // where there are no locks, the name shows that it is being written
   return this->Scan(error);
 }
 
@@ -223,7 +223,10 @@ bool JournalReader::IsCutOff(std::uint64_t size)
     tail.size() < HeadSize + chunk.Size && !HoldsChunk(tail);
 }
 
-/** False if a chunk does not follow the order of chunks: the bytes behind it are not read. */
+/**
+ * Reads a chunk's contents. False if it breaks the order of chunks: the bytes after it are not
+ * read.
+ */
 bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::string& error)
 {
   std::size_t at = 0;
@@ -279,7 +282,7 @@ bool JournalReader::TakeIn(const Chunk& chunk, const std::string& payload, std::
   }
   this->Ticks += ticks;
   this->Lost = lost;
-  this->HasLastGroup = ticks < GroupSize; // only the number of lost ticks may follow
+  this->HasLastGroup = ticks < GroupSize; // after this, only the number of lost ticks may follow
   return true;
 }
 

@@ -29,8 +29,8 @@ public:
 
   ///@{
   /**
-   * Scans the journal. False, with the reason, if it is no journal, or is being written. With a
-   * writer, reads the file that it wrote, even if another file has that name now.
+   * Scans the journal. False, with the reason, if the file is no journal or is still being written.
+   * With a writer, reads the file that this writer wrote, even if another file has its name now.
    */
   bool Open(const std::string& journal, std::string& error);
   bool Open(const JournalWriter& writer, std::string& error);
@@ -38,13 +38,14 @@ public:
   /** Sets the number of ticks that were written, so that a missing end is noticed. */
   void Expect(std::uint64_t ticks);
   /**
-   * Why a part of it can't be read, with the numbers. Empty if all was read, or if only the last
-   * chunk was cut off, as by a crash.
+   * Explains, with numbers, why a part of the journal can't be read. Empty if all was read, or if
+   * only the last chunk was cut off, as by a crash.
    */
   const std::string& GetDamage() const { return this->Damage; }
   bool IsAt(const std::string& file) const;
   /**
-   * Removes the journal, if it still has that name, and if locks show that it is not being written.
+   * Removes the journal, if the file still has that name, and if locks show that no program writes
+   * to it.
    */
   void Remove(const std::string& journal) const;
 
@@ -52,27 +53,27 @@ public:
   /** Null if there is no tick. */
   const RecordingBegin* GetBegin() const { return this->HasBegin ? &this->Begin : nullptr; }
   std::uint64_t GetNumberOfTicks() const { return this->Ticks; }
-  /** That a tool with a shape had in the first state. */
+  /** Number of contacts of a tool with a shape in the first state. */
   std::uint64_t GetNumberOfContacts() const { return this->Contacts; }
-  /** Of which tissue had been removed at the first state. */
+  /** Number of bricks whose tissue had been removed at the first state. */
   std::uint64_t GetNumberOfBricks() const { return this->Bricks; }
   std::uint64_t GetNumberOfPlacements() const { return this->Placements; }
   std::uint64_t GetLostTicks() const { return this->Lost; }
 
   /**
-   * The caps of all placements one after the other; only those of one if all are the same. False if
-   * reading failed.
+   * Reads the caps of all placements one after the other, or only one pair if all are the same.
+   * False if reading failed.
    */
   bool ReadCaps(std::vector<double>& caps);
   ///@{
-  /** False if reading failed. */
+  /** Reads the contacts of the first state. False if reading failed. */
   bool ReadContacts(std::vector<ContactRow>& contacts);
   bool ReadShares(std::vector<BrickShares>& shares);
   ///@}
   ///@{
-  /** Visits one after the other; false if reading failed. */
+  /** Visits all placements or bricks in turn; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
-  /** The compressed blocks of a column of GetRecordingColumns. */
+  /** Visits the compressed blocks of a column of GetRecordingColumns. */
   bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);
   bool ForEachRow(const std::function<void(const RecordingRow&)>& visit);
   ///@}
@@ -81,12 +82,12 @@ private:
   struct Chunk
   {
     std::uint32_t Kind = 0;
-    std::uint64_t Payload = 0; ///< its position
+    std::uint64_t Payload = 0; ///< position of the payload
     std::uint64_t Size = 0;
     std::uint64_t Sum = 0;
   };
   bool Scan(std::string& error);
-  /** Looks at the bytes behind the last whole chunk. */
+  /** Examines the bytes after the last whole chunk. */
   void FindDamage();
   bool IsCutOff(std::uint64_t size);
   bool ReadAt(std::uint64_t position, void* data, std::size_t size);
@@ -99,7 +100,7 @@ private:
   bool ForEachChunk(std::uint32_t kind, const std::function<bool(const Chunk&)>& visit);
 
   int Descriptor = -1;
-  int Failure = 0; ///< the errno of the last ReadAt, 0 at the end of the file
+  int Failure = 0; ///< errno of the last ReadAt, 0 at the end of the file
   bool IsLocked = false;
   std::uint64_t End = 0; ///< end of the last whole chunk
   std::string Damage;

@@ -21,8 +21,8 @@ namespace
 
 enum class JournalPlace
 {
-  Free,    ///< there is no journal, or no longer
-  Unknown, ///< there is one, and no lock tells whether it is being written
+  Free,    ///< there is no journal, or it is gone
+  Unknown, ///< there is a journal, and no lock shows whether it is being written
   Taken
 };
 
@@ -35,7 +35,7 @@ std::string Numbered(const std::string& journal, int number)
   return journal + "." + std::to_string(number);
 }
 
-/** Renames an open journal that an earlier recording left to a free name. */
+/** Renames an open journal that an earlier recording left to an unused name. */
 bool Rename(int descriptor, const std::string& journal, std::string& error, std::string& warning)
 {
   for (int i = 1; i <= MostNames; ++i)
@@ -66,7 +66,7 @@ JournalPlace PutAside(const std::string& journal, std::string& error, std::strin
   struct stat status;
   if (lstat(journal.c_str(), &status) != 0)
   {
-    return JournalPlace::Free; // else the error of creating it says more
+    return JournalPlace::Free; // if it is something else, the error of creating the file says more
   }
   std::string reason;
   if (!CheckRegular(journal, reason))
@@ -130,7 +130,7 @@ bool JournalWriter::OpenNew(const std::string& file, std::string& error, std::st
                             : ExplainWriteError(errno, this->Name);
     return false;
   }
-  // Some file systems have no locks; the journal then has none either.
+  // Some file systems have no locks; then the journal has no lock either.
   if (flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
   {
     error = "it is being recorded already. Give another name.";
@@ -232,7 +232,7 @@ int JournalWriter::WriteBegin(const RecordingBegin& begin)
 template <typename Row>
 int JournalWriter::WriteRows(std::uint32_t kind, const std::vector<Row>& rows)
 {
-  constexpr std::size_t most = 8000000 / sizeof(Row); // of a chunk of 8 MB
+  constexpr std::size_t most = 8000000 / sizeof(Row); // rows of a chunk of 8 MB
   for (std::size_t first = 0; first < rows.size(); first += most)
   {
     std::string payload;

@@ -28,8 +28,9 @@ public:
   /**
    * Creates the journal of a file, with the file's permissions if it exists. False, with the reason
    * and the cure, if it can't be created or another program writes to it. A journal that an earlier
-   * recording left is renamed. If the file system has no locks, nothing tells whether it is still
-   * being written; the new journal then gets another name. A warning tells both.
+   * recording left is renamed. If the file system has no locks, nothing shows whether the earlier
+   * journal is still being written; the new journal then gets another name. A warning reports both
+   * cases.
    */
   bool Create(
     const std::string& file, const RecordingAbout& about, std::string& error, std::string& warning);
@@ -48,10 +49,10 @@ public:
   void Close();
 
 private:
-  friend class JournalReader; // reads from the same descriptor
+  friend class JournalReader; // reads through the same descriptor
   bool OpenNew(const std::string& file, std::string& error, std::string& warning);
   int WriteChunk(std::uint32_t kind, const std::string& payload);
-  /** As chunks of that kind; none without rows. */
+  /** Writes rows as chunks of a kind; writes nothing without rows. */
   template <typename Row>
   int WriteRows(std::uint32_t kind, const std::vector<Row>& rows);
 

@@ -24,9 +24,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Encodes bytes as one piece of base64, in which three bytes become four characters.
- */
+/** Encodes bytes as one piece of base64, in which three bytes become four characters. */
 class Base64
 {
 public:
@@ -60,8 +58,8 @@ private:
 };
 
 /**
- * The numbers of an array, inline: the number of blocks, their size, the size of the last one if it
- * is smaller, the compressed sizes, all of 32 bits and in base64; then the blocks.
+ * Writes the numbers of an array inline: the number of blocks, their size, the size of the last
+ * block if it is smaller, and the compressed sizes, all in 32 bits and base64; then the blocks.
  */
 class InlineArray
 {
@@ -74,7 +72,7 @@ public:
     this->Head = { static_cast<std::uint32_t>((bytes + blockSize - 1) / blockSize),
       static_cast<std::uint32_t>(blockSize), static_cast<std::uint32_t>(bytes % blockSize) };
     this->Sizes.reserve(this->Head[0]);
-    // The sizes are known only after the blocks.
+    // The sizes become known only after the blocks, so room is left for them.
     const std::string space(EncodeHead({}).size(), ' ');
     this->File.Write(space);
   }
@@ -83,7 +81,7 @@ public:
     this->Sizes.push_back(static_cast<std::uint32_t>(block.size()));
     this->Blocks.Write(block);
   }
-  /** False if there were fewer blocks than the bytes need. */
+  /** Ends the array. False if there were fewer blocks than the bytes need. */
   bool End()
   {
     this->Blocks.End();
@@ -190,7 +188,7 @@ private:
   }
   void WriteNumbers(const char* name, const double* numbers, int components)
   {
-    // Without a tick there is no first state.
+    // A recording without ticks has no first state.
     this->BeginArray("Float64", name, components, numbers ? 1 : 0);
     this->WriteBlock(numbers, numbers ? static_cast<std::size_t>(components) * sizeof(double) : 0);
     this->File.Write("\n</DataArray>\n");
@@ -199,7 +197,7 @@ private:
   {
     this->File.Write(std::string("<Array type=\"String\" Name=\"") + name +
       "\" NumberOfTuples=\"1\" format=\"binary\">\n");
-    this->WriteBlock(text.c_str(), text.size() + 1); // each text ends with its zero
+    this->WriteBlock(text.c_str(), text.size() + 1); // each text ends with its zero byte
     this->File.Write("\n</Array>\n");
   }
   void WriteFields()
@@ -314,7 +312,7 @@ private:
   {
     this->File.Write("<" + cells + ">\n");
     this->BeginArray("Int64", "connectivity", 1, -1);
-    // Blocks of the size of a group, of 64 bits for each point.
+    // Blocks have the size of a group, with 64 bits for each point.
     InlineArray array(this->File, points * sizeof(std::int64_t), GroupSize * sizeof(std::int64_t));
     std::vector<std::int64_t> ids;
     std::string block;

@@ -48,7 +48,7 @@ double NumberAt(const RecordingRow& row, const TraceColumn& column, int componen
   return NumberAt<double>(bytes, component);
 }
 
-/** Time and position come first, for readers. */
+/** Orders the columns with time and position first, for human readers. */
 std::vector<TraceColumn> OrderColumns()
 {
   std::vector<TraceColumn> columns = GetRecordingColumns();

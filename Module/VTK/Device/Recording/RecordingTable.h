@@ -15,7 +15,7 @@ class FileReplacement;
 class JournalReader;
 
 ///@{
-/** False if the journal can't be read to its end. */
+/** Writes the files. False if the journal can't be read to its end. */
 bool WriteRecordingTable(JournalReader& journal, FileReplacement& file);
 bool WriteRecordingFields(JournalReader& journal, FileReplacement& file);
 ///@}

@@ -48,7 +48,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   TissueRemoval* const removal = model ? model->Baked->Removal.get() : nullptr;
   if (this->AwaitsOther(removal))
   {
-    // The tick with which it begins may still come, with the removal that it has now.
+    // The recording's first tick may still come, with the present removal.
     this->Loop.KeepNothing();
     this->AwaitTick();
     this->Drain();
@@ -74,7 +74,7 @@ void TickCollector::Publish(std::shared_ptr<const HapticModel> model)
   {
     this->Loop.KeepTool();
   }
-  // If no reader asks for states, models must not pile up either.
+  // Even if no reader requests states, models must not pile up.
   for (auto& [id, reader] : this->Readers)
   {
     if (reader.Next < this->Forgotten && !this->States.empty())
@@ -115,7 +115,7 @@ std::vector<StateRow> TickCollector::TakeStates(int id)
   if (this->Readers.count(id) == 0)
   {
     const std::uint64_t generation = this->Loop.GetWrittenGeneration();
-    this->Drain(); // takes the states that only other readers want
+    this->Drain(); // takes the states that only other readers wait for
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Readers[id] = { this->Forgotten + this->States.size(), generation, generation };
     this->Loop.SetRecording(true);
@@ -146,7 +146,7 @@ void TickCollector::StopTaking(int id)
 
 const HapticModel* TickCollector::FindModel(std::uint64_t generation)
 {
-  // States come in order: no older ones will be asked for.
+  // States come in order, so nothing older will be requested.
   this->Forget(generation);
   const auto found = this->Models.find(generation);
   return found == this->Models.end() ? nullptr : found->second.Model.get();
@@ -166,7 +166,7 @@ void TickCollector::StartRecording(std::unique_ptr<HapticRecording> recording)
   }
   this->Recording = std::move(recording);
   this->Loop.SetRecording(true);
-  this->Loop.KeepTool(); // after it: the tick that keeps it is among those that come
+  this->Loop.KeepTool(); // last, so that the recording gets this tick
 }
 
 void TickCollector::AwaitTick() const
@@ -201,7 +201,7 @@ std::unique_ptr<HapticRecording> TickCollector::StopRecording()
 {
   this->Loop.SetRecording(!this->Readers.empty());
   this->Loop.KeepNothing();
-  // The tick that runs now belongs to it, too.
+  // The tick that runs now belongs to the recording, too.
   this->AwaitTick();
   this->Drain();
   const std::lock_guard<std::mutex> lock(this->Mutex);

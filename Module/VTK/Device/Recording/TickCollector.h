@@ -23,7 +23,7 @@
 namespace VolumeHaptics
 {
 
-/** All functions are for the owner; the keeper thread may also call Drain. */
+/** Collects ticks. All functions are for the owner; the keeper thread may also call Drain. */
 class TickCollector
 {
 public:
@@ -35,29 +35,32 @@ public:
 
   /** Gives the loop a model, and keeps it for as long as a state of its ticks may be read. */
   void Publish(std::shared_ptr<const HapticModel> model);
-  /** The model that was last published; null before the first. */
+  /** Returns the model that was published last; null before the first one. */
   const HapticModel* GetLatestModel() const
   {
     return this->Models.empty() ? nullptr : this->Models.rbegin()->second.Model.get();
   }
-  /** Whether the loop uses that model. */
+  /** Whether the loop uses the model that was published last. */
   bool IsLatestUsed() const
   {
     return !this->Models.empty() && this->Loop.GetAcknowledged() >= this->Models.rbegin()->first;
   }
-  /** The model of a generation that the owner may still find in a state; null before the first. */
+  /**
+   * Returns the model of a generation, as long as the owner may find that generation in a state;
+   * null before the first one.
+   */
   const HapticModel* FindModel(std::uint64_t generation);
 
   ///@{
-  /** Takes over a recording that was started; Drain fills it until it is handed back. */
+  /** Accepts a recording that was started; Drain fills it until it is handed back. */
   void StartRecording(std::unique_ptr<HapticRecording> recording);
   std::unique_ptr<HapticRecording> StopRecording();
-  /** To be called now and then: a recording may wait for a copy of what was removed. */
+  /** Checks whether a recording waits for a copy of the removed tissue; call this now and then. */
   void FollowRecording();
   bool IsRecording() const { return this->Recording != nullptr; }
   /** See HapticRecording::SetHashes; a recording is under way. */
   void SetRecordingHashes(const RecordingHashes& hashes) { this->Recording->SetHashes(hashes); }
-  /** The reason if the recording has failed; empty while there is none. */
+  /** Explains why the recording has failed; empty if it has not. */
   std::string GetRecordingTrouble() const
   {
     return this->Recording ? this->Recording->GetTrouble() : std::string();
@@ -66,44 +69,44 @@ public:
 
   ///@{
   /**
-   * All states since a reader's last call, oldest first, for a display that must not miss one. The
-   * first call begins to keep them, and StopTaking ends that. Each reader gets all states. If a
-   * reader does not take them for MostStates ticks, it loses the oldest.
+   * All states since a reader's last call, oldest first, for a display that must not miss one.
+   * States are kept from the first call on until StopTaking. Each reader gets all states. A reader
+   * that takes none for MostStates ticks loses the oldest states.
    */
   std::vector<StateRow> TakeStates(int reader);
   void StopTaking(int reader);
   ///@}
   static constexpr std::size_t MostStates = 86000; // 20 MB
 
-  /** Takes all ticks that the loop has written. */
+  /** Collects all ticks that the loop has written. */
   void Drain();
 
 private:
-  /** Whether a recording waits for its first tick, with another removal than that. */
+  /** Whether a recording waits for its first tick with a removal other than this one. */
   bool AwaitsOther(const TissueRemoval* removal);
-  /** Of the model that was last published; null if nothing is removed. */
+  /** Returns the removal of the model that was published last; null if nothing is removed. */
   TissueRemoval* GetLatestRemoval() const;
-  /** Waits for the end of the tick that runs now, up to 0.1 s. */
+  /** Waits for the end of the tick that runs now, at most 0.1 s. */
   void AwaitTick() const;
-  /** Drops the states that all readers have got. Call it under the mutex. */
+  /** Drops the states that all readers have received. Call it under the mutex. */
   void ForgetStates();
-  /** Drops the models of older generations, which no reader can ask for any more. */
+  /** Drops the models of older generations, which no reader can request any more. */
   void Forget(std::uint64_t generation);
 
   ServoLoop& Loop;
-  std::mutex Mutex; // between the owner and the keeper; the loop never takes it
+  std::mutex Mutex; // shared by the owner and the keeper; the loop never locks it
   std::unique_ptr<HapticRecording> Recording;
-  std::uint64_t LostBefore = 0; // ticks lost before the recording began
+  std::uint64_t LostBefore = 0; // number of ticks lost before the recording began
   struct Reader
   {
-    std::uint64_t Next = 0;            // the number of states before the first one to take
+    std::uint64_t Next = 0;            // number of states before the first one to take
     std::uint64_t TakenGeneration = 0; // generation of the last state taken
     std::uint64_t FirstUntaken = 0;    // lower bound of the generations of states to take
   };
   std::map<int, Reader> Readers; // written by the owner, under the mutex
   std::deque<StateRow> States;
-  std::uint64_t Forgotten = 0; // the number of dropped states
-  /** Used by the owner: models by generation, from that of the last state asked for. */
+  std::uint64_t Forgotten = 0; // number of dropped states
+  /** For the owner: models by generation, from the generation of the last state requested. */
   std::map<std::uint64_t, PublishedTouch> Models;
 };
 
