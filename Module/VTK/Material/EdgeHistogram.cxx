@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 constexpr std::size_t MostCounted = 200000; // voxels
-/** Some milliseconds of work in the background. */
+/** Number of voxels that take some milliseconds of work in the background. */
 constexpr std::size_t CountedAtOnce = 1024;
 
 } // namespace
@@ -60,7 +60,7 @@ void CountEdges(
       histogram.Shares[cell] += 1.0;
     }
   }
-  // Where nothing changes there are so many that edges would be too pale beside them.
+  // Voxels without change are so many that edges would look too pale beside them.
   constexpr int edges = EdgeHistogram::Columns * EdgeHistogram::Rows / 8;
   const double most =
     std::max(1.0, *std::max_element(histogram.Shares.begin() + edges, histogram.Shares.end()));

@@ -13,13 +13,16 @@ namespace
 {
 constexpr double MostVoxels = 1e6;
 constexpr std::size_t MostLines = 50000;
-/** Of a large volume: 36 rows of samples are read around each block to estimate its gradients. */
+/**
+ * Number of rows read in a large volume: around each block, 36 rows of samples are read to estimate
+ * its gradients.
+ */
 constexpr std::int64_t MostRows = 512;
 constexpr std::int64_t MostVoxelsInARow = 2048;
-/** Some milliseconds of work in the background. */
+/** Number of voxels that take some milliseconds of work in the background. */
 constexpr std::size_t VoxelsAtOnce = 4096;
 constexpr std::size_t LinesAtOnce = 128;
-/** Half of the time of a search looks for steep voxels. */
+/** Fraction of a search's time that is spent on finding steep voxels. */
 constexpr double SteepShare = 0.5;
 
 /** Mixes the bits of a number, as the finalizer of MurmurHash3 (public domain) does. */
@@ -30,7 +33,7 @@ std::uint64_t Scramble(std::uint64_t number)
   return number ^ (number >> 33);
 }
 
-/** Returns a number below `room`, and takes it out of `random`. */
+/** Returns a number below `room`, and removes it from `random`. */
 std::int64_t Draw(std::uint64_t& random, std::int64_t room)
 {
   const auto count = static_cast<std::uint64_t>(room);
@@ -39,7 +42,7 @@ std::int64_t Draw(std::uint64_t& random, std::int64_t room)
   return drawn;
 }
 
-/** The voxels of one row in each of at most MostRows equal columns along the first axis. */
+/** Picks the voxels of one row in each of at most MostRows equal columns along the first axis. */
 std::vector<Vector3> ScatterRows(const VolumeView& view)
 {
   const std::int64_t* const n = view.Dimensions;
@@ -55,7 +58,7 @@ std::vector<Vector3> ScatterRows(const VolumeView& view)
   {
     const std::int64_t j = column % along;
     const std::int64_t k = column / along;
-    // The first of the column's rows, and the first of the next column's.
+    // The first row of this column, and the first row of the next one.
     const std::int64_t firstRow[2] = { n[1] * j / along, n[1] * (j + 1) / along };
     const std::int64_t firstSlice[2] = { n[2] * k / across, n[2] * (k + 1) / across };
     std::uint64_t random = Scramble(static_cast<std::uint64_t>(column) + 1);

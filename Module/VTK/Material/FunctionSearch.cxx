@@ -20,9 +20,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The histogram shows slopes up to this times the largest one of a boundary. */
+/** Largest slope in the histogram, as a multiple of the largest slope of a boundary. */
 constexpr double SlopeRoom = 1.25;
-/** The share of the time that looks for functions; then edges are counted. */
+/** Fraction of the time that is spent on finding functions; after that, edges are counted. */
 constexpr double ProposalShare = 0.8;
 
 EdgeHistogram MakeFrame(const SearchedData& data, double mostSlope)
@@ -152,7 +152,7 @@ void FunctionSearch::EndUnless(vtkImageData* image)
 {
   if (image != this->SearchedImage)
   {
-    this->Search.Forget(); // if it is still wanted, the other image is looked at
+    this->Search.Forget(); // if this search is still wanted, it starts again with the other image
     this->IsWanted = this->IsWanted && image;
   }
   if (image != this->CountedImage)

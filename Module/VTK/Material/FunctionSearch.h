@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The functions that an image suggests, and its edges, for vtkHapticFunctionEditor: at once, or in
- * the background while a hand goes on to feel.
+ * Finds the functions that an image suggests, and its edges, for vtkHapticFunctionEditor: at once,
+ * or in the background while a hand continues to feel.
  */
 #ifndef FunctionSearch_h
 #define FunctionSearch_h
@@ -24,52 +24,55 @@ class vtkTable;
 namespace VolumeHaptics
 {
 
-/** A component of an image, and the range of values of its histogram of edges. */
+/** A component of an image, and the value range of its histogram of edges. */
 struct SearchedData
 {
   vtkImageData* Image = nullptr;
   int Component = 0;
   double Values[2] = { 0.0, 1.0 };
-  double SlopeScale = 1.0; ///< of boundaries, from scalar units
+  double SlopeScale = 1.0; ///< factor from scalar units to the boundaries' values
 };
 
 struct FoundFunctions
 {
-  std::optional<MaterialProposal> Proposal; ///< none: Error tells why
+  std::optional<MaterialProposal> Proposal; ///< empty if there is none; Error says why
   std::string Error;
-  EdgeHistogram Edges; ///< with the kernel that the proposal suggests
+  EdgeHistogram Edges; ///< counted with the kernel that the proposal suggests
 };
 
-/** For the owner's thread. Data that have changed meanwhile are looked at again. */
+/**
+ * Searches on a worker. Call it from the owner's thread. Data that change meanwhile are searched
+ * again.
+ */
 class FunctionSearch
 {
 public:
-  /** Waits for the end of the search. */
+  /** Searches at once, and waits for the end of the search. */
   static FoundFunctions FindNow(const SearchedData& data);
 
   ///@{
   /**
    * Begin() starts a search in the background; false, with the reason and the cure in `error`, if
-   * the image can't be looked at. Follow() returns once what was found.
+   * the image can't be searched. Follow() returns the result once.
    */
   bool Begin(const SearchedData& data, std::string& error);
   std::optional<FoundFunctions> Follow(const SearchedData& data);
   bool IsUnderWay() const { return this->IsWanted; }
-  /** Ends it, and does not wait. */
+  /** Ends the search without waiting for it. */
   void Drop();
   ///@}
 
   /**
-   * The edges of the data, with the boundaries and the kernel's radius of an older proposal; null
-   * until they are counted, in the background.
+   * Returns the edges of the data, with the boundaries and the kernel's radius of an older
+   * proposal; null until they are counted in the background.
    */
   const EdgeHistogram* FollowEdges(
     const SearchedData& data, vtkTable* boundaries, int kernelRadius);
 
-  /** Waits until no work goes on with another image, which the program may remove. */
+  /** Ends the work on any other image, which the program may remove, and waits for it. */
   void EndUnless(vtkImageData* image);
 
-  /** 0 to 1; 1 if nothing is under way. */
+  /** Progress of the search, 0 to 1; 1 if no search is under way. */
   double GetProgress() const;
 
 private:
@@ -78,8 +81,8 @@ private:
   static DataKey MakeKey(const SearchedData& data);
 
   bool IsWanted = false;
-  const vtkImageData* SearchedImage = nullptr; // only compared
-  const vtkImageData* CountedImage = nullptr;  // only compared
+  const vtkImageData* SearchedImage = nullptr; // only compared, not dereferenced
+  const vtkImageData* CountedImage = nullptr;  // only compared, not dereferenced
   KeyedWork<DataKey, FoundFunctions> Search;
   KeyedWork<EdgeKey, EdgeHistogram> Count;
 };

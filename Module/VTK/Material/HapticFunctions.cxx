@@ -25,12 +25,13 @@ struct Node
   double Sharpness;
 };
 
-/** Adds vertices of a curve strictly between two given ones if the chord is too far off. */
+/** Adds vertices of a curve between two given vertices if the chord is too far from the curve. */
 void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b, double height,
   int depth, Polyline& line)
 {
   // Below the documented bounds, because the chord is checked at three positions only. A value that
-  // is tiny against the piece's height must be accurate, too, except for the last digits near zero.
+  // is tiny compared with the piece's height must be accurate, too, except for the last digits near
+  // zero.
   constexpr double share = 0.6;
   const double value = std::min(std::abs(a.Y), std::abs(b.Y));
   const double tolerance =
@@ -53,7 +54,7 @@ void Subdivide(vtkPiecewiseFunction* function, const Vertex& a, const Vertex& b,
   Subdivide(function, middle, b, height, depth - 1, line);
 }
 
-/** The position at which a piece changes from its first to its second half. */
+/** Returns the position at which a piece changes from its first to its second half. */
 double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
 {
   constexpr double margin = 1e-5; // as in vtkPiecewiseFunction
@@ -62,10 +63,10 @@ double FindMiddle(vtkPiecewiseFunction* function, const Node& a, const Node& b)
                                                  : a.X + midpoint * (b.X - a.X);
 }
 
-/** The piece between two nodes, without its end vertices. */
+/** Adds the piece between two nodes, without its end vertices. */
 void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Polyline& line)
 {
-  // The same limits as in vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
+  // The limits of vtkPiecewiseFunction: nearly 0 is linear, nearly 1 is a step.
   constexpr double linear = 0.01;
   constexpr double step = 0.99;
   if (!(a.X < b.X) || a.Y == b.Y)
@@ -75,7 +76,7 @@ void AddPiece(vtkPiecewiseFunction* function, const Node& a, const Node& b, Poly
   const double middle = FindMiddle(function, a, b);
   if (a.Sharpness > step)
   {
-    // At the step itself the function already has its right-hand value.
+    // At the step itself, the function already has the value of its right side.
     const double before = std::nextafter(middle, a.X);
     line.push_back({ before, a.Y });
     line.push_back({ before, b.Y });
@@ -121,7 +122,7 @@ std::string FindFunctionFault(const Polyline& line, double maximum, const std::s
 {
   for (const Vertex& vertex : line)
   {
-    // Also false for NaN.
+    // The condition is also false for NaN.
     if (!(vertex.Y >= 0.0 && vertex.Y <= maximum && std::isfinite(vertex.Y) &&
           std::isfinite(vertex.X)))
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The functions that properties, modes and tools own, and the polylines that the core bakes.
+ * Functions that properties, modes and tools own, and the polylines that the core bakes from them.
  */
 #ifndef HapticFunctions_h
 #define HapticFunctions_h
@@ -19,20 +19,21 @@ namespace VolumeHaptics
 {
 
 /**
- * Chord error allowed on a curved piece, as a share of the piece's height, and of the value there.
+ * Chord error allowed on a curved piece, as a fraction of the piece's height and of the value
+ * there.
  */
 constexpr double CurveTolerance = 1e-4;
 constexpr double CurveValueTolerance = 1e-3;
 
 /**
- * The function as a polyline: exact for linear pieces and steps, within CurveTolerance for curved
- * pieces. A function without points gives the constant `emptyValue`.
+ * Converts a function to a polyline: exactly for linear pieces and steps, within CurveTolerance for
+ * curved pieces. A function without points gives the constant `emptyValue`.
  */
 Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 
 /**
- * An error that names the first point of a function whose value is negative, above a maximum or not
- * finite, and the cure; empty if there is none.
+ * Returns an error that names the first point of a function whose value is negative, above a
+ * maximum or not finite, with the cure; empty if there is no such point.
  *
  * @param what such as "Strength of a vtkHapticVortexMode"
  * @param allowed such as "0 N or more"
@@ -41,13 +42,13 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
 std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);
 
-/** The function that an object owns, which is made when it is first asked for. */
+/** Returns the function that an object owns; creates it on the first call. */
 vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned);
 
 /**
- * Makes a function the same as another one, in place, with all of its nodes: vtkPiecewiseFunction's
+ * Makes a function equal to another one, in place, with all of its nodes: vtkPiecewiseFunction's
  * DeepCopy() loses one of two nodes at one position, and the logarithmic scale. A function that is
- * the same already is not modified.
+ * equal already is not modified.
  */
 void CopyFunction(vtkPiecewiseFunction* source, vtkPiecewiseFunction* target);
 

@@ -23,7 +23,7 @@ constexpr SetupFileKind PresetKind{ "VTK Volume Haptics preset", 1, "preset",
   "that vtkHapticProperty::WritePreset() wrote", "write the preset again" };
 constexpr std::size_t LargestPreset = 1 << 20; // bytes; usually thousands
 
-/** A preset is for any component, and for data that is stored in any way. */
+/** Keys that presets omit: a preset applies to any component, and to data stored in any way. */
 constexpr const char* DataKeys[] = { "Component", "ScalarShift", "ScalarScale" };
 
 void RemoveDataKeys(Json::Value& root)
@@ -34,7 +34,7 @@ void RemoveDataKeys(Json::Value& root)
   }
 }
 
-/** False, with the fault and the cure, if a text is no preset. */
+/** Parses a preset. False, with the fault and the cure, if the text is none. */
 bool ParsePreset(const std::string& text, Json::Value& root, std::string& error)
 {
   if (!ParseSetupFile(text, PresetKind, root, error))
@@ -72,7 +72,7 @@ bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::
   writing.Writing = true;
   PassMaterials(SetupNode(writing, &root, {}), [property] { return property; });
   RemoveDataKeys(root);
-  // A preset that could not be read again must not replace one that can.
+  // A preset that could not be read again must not replace a valid one.
   SetupPass reading;
   PassMaterials(SetupNode(reading, &root, {}), [property] { return property; });
   if (!reading.Error.empty())
@@ -121,7 +121,7 @@ bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::s
   }
   RemoveDataKeys(root);
   SetupPass pass;
-  // A new property, so that what the file lacks gets its default.
+  // A new property gets the defaults of what the file lacks.
   const vtkNew<vtkHapticProperty> read;
   PassMaterials(SetupNode(pass, &root, {}), [&read] { return read.Get(); });
   if (!pass.Error.empty())

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Materials of one's own as files: see vtkHapticProperty::WritePreset and ReadPreset.
+ * Writes and reads the user's own materials as files: see vtkHapticProperty::WritePreset and
+ * ReadPreset.
  */
 #ifndef HapticPresetFile_h
 #define HapticPresetFile_h
@@ -14,11 +15,14 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** Whether the name of a preset, which may be null, is that of a file. */
+/** Whether the name of a preset, which may be null, names a file. */
 bool IsPresetFile(const char* name);
 
 ///@{
-/** False, with an error that names the file and the cure; then nothing has changed. */
+/**
+ * Write and read a preset. False, with an error that names the file and the cure; then nothing has
+ * changed.
+ */
 bool WritePresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
 bool ReadPresetFile(const std::string& file, vtkHapticProperty* property, std::string& error);
 ///@}

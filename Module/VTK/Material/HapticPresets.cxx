@@ -30,24 +30,24 @@ struct Preset
 {
   const char* Name;
   std::vector<Tissue> Tissues;
-  /** Gradient magnitude, per millimetre, at which a surface begins to be felt. */
+  /** Gradient magnitude, per millimetre, from which on a surface begins to be felt. */
   double DistinctnessStart;
-  double DistinctnessFull; ///< from which on it is felt fully; 0: distinctness from the noise
+  double DistinctnessFull; ///< gradient at which it is felt fully; 0: distinctness from the noise
   int Side;
   bool IsOfLabels = false;
-  bool IsOfImage = false; ///< the image tells what is solid
+  bool IsOfImage = false; ///< whether the image shows what is solid
 };
 
 /** More newtons than any device exerts. */
 constexpr double Impenetrable = 1e6;
-/** More newtons than a hand on a desktop device pushes with. */
+/** Newtons beyond those that a hand on a desktop device pushes with. */
 constexpr double Solid = 12.0;
 
 /**
- * The stiffness of everything: most desktop devices hold it. A change of stiffness would be felt as
- * relief, and as a step of the force where V(x_s) wanders from one tissue to another. Air has it,
- * too: on a ramp from 0, noise would read a stiffness near 0 beside a drag, which would leave the
- * proxy far behind.
+ * Stiffness of everything: most desktop devices can render it. A change of stiffness would be felt
+ * as relief, and as a step of the force where V(x_s) wanders from one tissue to another. Air has
+ * this stiffness, too: on a ramp from 0, noise would yield a stiffness near 0 beside a drag, and
+ * the drag would leave the proxy far behind.
  */
 constexpr double K = 400.0;
 
@@ -55,13 +55,13 @@ const std::vector<Preset>& Presets()
 {
   // Strengths rise with the value, or stay, over ramps as wide as noise and the slope of a blurred
   // edge make V(x_s) wander: tens of HU. Only friction, which changes the force by a few percent,
-  // falls and rises again for fluid. Soft tissues have one drag: inside a tissue nothing else is
-  // felt, and a few HU of noise on a ramp between two drags would be grains. So has the lung, which
-  // has no walls of its own: its noise and its emphysema reach the values of air, and a drag above
-  // 0.05 N, from which on falls are felt, would come and go with them. Distinctness starts at 16
-  // HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for 20 HU of white noise, 1 mm
-  // voxels and the default kernel, and twice that where neighbours share their noise, as those of
-  // CT do. So noise is not felt as surfaces.
+  // falls and rises again for fluid. Soft tissues share one drag: inside a tissue only the drag is
+  // felt, and a few HU of noise on a ramp between two drags would feel like grains. The lung has
+  // one drag, too, and no walls of its own: its noise and its emphysema reach the values of air,
+  // and a drag above 0.05 N, from which on a drop of the force is felt, would come and go with
+  // them. Distinctness starts at 16 HU/mm: 3.4 standard deviations of the gradient are 8 HU/mm for
+  // 20 HU of white noise, 1 mm voxels and the default kernel, and twice as much where the noise of
+  // neighbours is correlated, as in CT. So noise is not felt as surfaces.
   static const std::vector<Preset> presets = {
     { "CT contrast",
       {
@@ -74,11 +74,12 @@ const std::vector<Preset>& Presets()
         { "bone", 350, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // Fat is met from outside only, where it lies under skin: it has the stiffness of both. So have
-    // the half-filled voxels of the skin, and those of skin, fat and muscle that have the values of
-    // fluid; to a finger that goes off a slope, their friction is that of skin. The skin's values
-    // reach 37 HU in a head CT: an organ's stiffness begins above. What holds nothing has the
-    // stiffness of an organ, that springs begin without slack.
+    // Fat is met only from outside, where it lies under skin: it has the stiffness of both
+    // together. The half-filled voxels of the skin, and voxels of skin, fat and muscle with the
+    // values of fluid, have it, too; to a finger that leaves a slope, their friction is that of
+    // skin. The skin's values reach 37 HU in a head CT: the stiffness of organs begins above.
+    // Values without surface strength have the stiffness of an organ, so that springs begin without
+    // slack.
     { "CT physical",
       {
         { "air", -1024, -955, 28, 0.00, 0.00, 0.00 },
@@ -90,8 +91,9 @@ const std::vector<Preset>& Presets()
         { "cartilage", 100, 300, 200, 0.30, 0.03, 1.50 },
         { "bone", 310, 3071, 1000, 0.32, 0.00, Impenetrable },
       },
-      20, 52, vtkHapticProperty::HIGHER }, // its drag hides less
-    // Vessels with medium have the values of spongy bone: those of cortical bone are bone here.
+      20, 52, vtkHapticProperty::HIGHER }, // its low drag hides less
+    // Vessels with medium have the values of spongy bone, so bone begins at the values of cortical
+    // bone.
     { "CT angiography",
       {
         { "air", -1024, -955, K, 0.00, 0.00, 0.0 },
@@ -102,8 +104,8 @@ const std::vector<Preset>& Presets()
         { "bone", 650, 3071, K, 0.30, 0.00, Solid },
       },
       16, 48, vtkHapticProperty::HIGHER },
-    // Lung has one drag from emphysema to vessels, and no walls; fluid is not told apart in the
-    // noise of a chest.
+    // The lung has one drag from emphysema to vessels, and no walls; fluid can't be distinguished
+    // in the noise of a chest.
     { "CT chest",
       {
         { "air", -1024, -985, K, 0.00, 0.00, 0.0 },
@@ -115,8 +117,8 @@ const std::vector<Preset>& Presets()
       },
       16, 48, vtkHapticProperty::HIGHER },
     // Surfaces are felt from both sides here. Two surfaces of opposite sides are often a few voxels
-    // apart (scalp and skull): distinctness rises slowly, so that the one does not take over from
-    // the other in a step.
+    // apart (scalp and skull): distinctness rises slowly, so that one surface does not replace the
+    // other in a step.
     { "MRI",
       {
         { "background", 0, 12, K, 0.00, 0.00, 0.0 },
@@ -126,11 +128,11 @@ const std::vector<Preset>& Presets()
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
       3, 70, vtkHapticProperty::BOTH },
-    // One hard material of any unit: its surfaces are where the gradient is beyond the noise, and
-    // what they lead into is no background.
+    // One hard material in any unit: its surfaces are where the gradient exceeds the noise and
+    // leads into something other than background.
     { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
       false, true },
-    // All labels but 0 have one material: the numbers of labels say nothing of their tissues.
+    // All labels but 0 have one material: a label's number says nothing about its tissue.
     { "Labels",
       {
         { "no label", 0, 0.25, K, 0.00, 0.00, 0.0 },
@@ -141,7 +143,7 @@ const std::vector<Preset>& Presets()
   return presets;
 }
 
-/** Whether a preset is in Hounsfield units. */
+/** Whether a preset uses Hounsfield units. */
 bool IsOfCT(const std::string& name)
 {
   return name.compare(0, 3, "CT ") == 0;
@@ -212,8 +214,8 @@ bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force)
   {
     return false;
   }
-  // Of a lumbar puncture: Documentation/method.md#the-needle. The values of fluid are also those
-  // between fat and muscle, where a dip would be a loss of resistance that is not there.
+  // Forces of a lumbar puncture: Documentation/method.md#the-needle. The values of fluid also occur
+  // between fat and muscle, where a dip would be a false loss of resistance.
   constexpr double cutting[][2] = { { -955.0, 0.0 }, { -900.0, 0.04 }, { -300.0, 0.04 },
     { -150.0, 0.1 }, { -80.0, 0.1 }, { 20.0, 0.3 } }; // HU, N
   Empty(force);

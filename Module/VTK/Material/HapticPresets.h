@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The named materials of vtkHapticProperty::ApplyPreset.
+ * Named materials of vtkHapticProperty::ApplyPreset.
  */
 #ifndef HapticPresets_h
 #define HapticPresets_h
@@ -18,17 +18,17 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** If there is no such preset, returns false and changes nothing. */
+/** Fills a property from a preset. Returns false and changes nothing if there is no such preset. */
 bool FillFromPreset(const char* name, vtkHapticProperty* property);
 
 /**
- * The force with which a needle cuts (N), for the presets of CT. If the name is of none of them,
- * returns false and changes nothing.
+ * Fills the force with which a needle cuts (N), for the presets of CT. Returns false and changes
+ * nothing for any other name.
  */
 bool FillCuttingForce(const char* name, vtkPiecewiseFunction* force);
 
 vtkSmartPointer<vtkStringArray> MakePresetNames();
-/** The names, quoted and separated by commas. */
+/** Lists the names, quoted and separated by commas. */
 std::string ListPresets();
 
 } // namespace VolumeHaptics

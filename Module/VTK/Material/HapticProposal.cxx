@@ -33,13 +33,18 @@ namespace VolumeHaptics
 {
 namespace
 {
-constexpr int SearchRadius = 2; // of the kernel that looks for edges (voxels)
+constexpr int SearchRadius = 2; // radius of the kernel that searches for edges (voxels)
 constexpr std::int64_t LeastPoints = PointsNeeded(SearchRadius);
-/** Edges rise within a voxel by at least this share of the range; less is shading or rounding. */
+/**
+ * Smallest rise of an edge within a voxel, as a fraction of the range; less is shading or rounding.
+ */
 constexpr double LeastSlopeShare = 0.003;
 constexpr double NoiseThreshold = 3.4; // standard deviations, at which a noise ramp starts
 constexpr double FlatNoise = 2.0;      // standard deviations
-/** The background has noise that edges are found in if they are so many of all edges. */
+/**
+ * Smallest fraction of all edges that noisy edges must make up for the background to count as
+ * noisy.
+ */
 constexpr double LeastNoise = 0.003;
 
 std::string NameOf(vtkDataArray* scalars)
@@ -48,7 +53,7 @@ std::string NameOf(vtkDataArray* scalars)
   return std::string("array \"") + (name ? name : "(unnamed)") + "\"";
 }
 
-/** Where a plateau ends and an edge begins, by the noise and the range of the values. */
+/** Computes where a plateau ends and an edge begins, from the noise and the range of the values. */
 EdgeThresholds MakeThresholds(double noise, const double range[2], const GradientKernel& kernel)
 {
   const Polyline ramp = MakeNoiseRamp(noise, kernel, Affine3{});
@@ -62,7 +67,9 @@ EdgeThresholds MakeThresholds(double noise, const double range[2], const Gradien
   return thresholds;
 }
 
-/** Where the values of the background end, dark or bright, if the value outside is one of them. */
+/**
+ * Returns where the values of a dark or bright background end, if the value outside belongs to it.
+ */
 std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outside)
 {
   vtkDataArray* const scalars = input.Image->GetPointData()->GetScalars();
@@ -76,7 +83,7 @@ std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outsi
   }
   if (volume.Whole.IsThere)
   {
-    return {}; // a region tells no bright one
+    return {}; // a region can't show a bright background
   }
   const BackgroundLevel bright = BackgroundLevel::Find([&](std::int64_t i)
     { return -scalars->GetComponent(i, input.Component); },
@@ -85,7 +92,7 @@ std::optional<double> FindBackgroundEnd(const ProposalInput& input, double outsi
                                                         : std::nullopt;
 }
 
-/** @param toValue from scalars, or their slopes, to the values of the property */
+/** @param toValue maps scalars, or their slopes, to the values of the property */
 template <typename ToValue>
 void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue& toValue)
 {
@@ -98,7 +105,7 @@ void Replace(vtkPiecewiseFunction* function, const Polyline& line, const ToValue
   }
 }
 
-/** The boundaries as vtkHapticProperty::GetProposedBoundaries documents them. */
+/** Makes the table that vtkHapticProperty::GetProposedBoundaries documents. */
 vtkSmartPointer<vtkTable> MakeBoundaryTable(
   const MaterialProposal& proposal, vtkHapticProperty* property)
 {
@@ -140,7 +147,7 @@ bool ReadProposalInput(vtkImageData* image, int component, ProposalInput& input,
   input.Image = vtkSmartPointer<vtkImageData>::New();
   input.Image->ShallowCopy(image);
   input.Component = component;
-  // Samples that are no numbers are left out: they have no edges.
+  // Samples that are not numbers are left out: they have no edges.
   OutsideSamples outside = FindOutside(image, scalars, component);
   const bool hasHoles = std::exchange(outside.AreNonFinite, false);
   const vtkSmartPointer<vtkDataArray> filled = CopyFilled(outside, scalars, component);
@@ -212,7 +219,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     facts.BackgroundEnd = FindBackgroundEnd(input, facts.Outside);
     if (facts.BackgroundEnd)
     {
-      // Streaks and other noise that neighbours share, which the figure of the noise leaves.
+      // Streaks and other correlated noise, which the estimate of the noise does not include.
       const auto isNoise = [&](const EdgeLine& line)
       { return facts.Covers(line.Low) && facts.Covers(line.High); };
       const auto count = std::count_if(lines.begin(), lines.end(), isNoise);
@@ -242,7 +249,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
     }
     message << "No edge between two materials stands out in the " << NameOf(scalars)
             << " of the input image";
-    // Smoothing helps against noise alone: it makes edges that are too wide still wider.
+    // Smoothing helps only against noise: it widens edges that are too wide already.
     const bool isNoisy =
       !boundaries.empty() || thresholds.Least > LeastSlopeShare * (range[1] - range[0]);
     if (isNoisy)
@@ -265,7 +272,7 @@ bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property)
 {
   const double k = MaterialProposal::Stiffness;
-  // Its axes stay what they are.
+  // Moves FoundShift into ScalarShift, so that the functions' axes stay the same.
   property->SetScalarShift(property->GetScalarShift() + property->GetFoundShift());
   property->NoteShift(0.0);
   property->ShiftFromImageOff();
@@ -289,7 +296,7 @@ void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* prope
     const std::string name = i == proposal.Background
       ? "outside"
       : "material " + std::to_string(i < proposal.Background ? i + 1 : i);
-    // Where the functions are constant.
+    // Named only where the functions are constant.
     property->AddTissue(name.c_str(), toValue(proposal.SurfaceStrength[2 * i].X),
       toValue(proposal.SurfaceStrength[2 * i + 1].X));
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The functions that the edges of an image suggest (vtkHapticProperty::ProposeFromImage).
+ * Proposes functions from the edges of an image (vtkHapticProperty::ProposeFromImage).
  */
 #ifndef HapticProposal_h
 #define HapticProposal_h
@@ -21,29 +21,31 @@ class vtkHapticProperty;
 namespace VolumeHaptics
 {
 
-/** A component of an image, as a search looks at it, perhaps on another thread. */
+/** A component of an image, as a search reads it, perhaps on another thread. */
 struct ProposalInput
 {
-  vtkSmartPointer<vtkImageData> Image; ///< an own one, with the arrays of the other
+  vtkSmartPointer<vtkImageData> Image; ///< a new image that shares the arrays of the user's image
   int Component = 0;
   HapticVolume Volume;
 };
 
-/** False, with the reason and the cure in `error`, if there is nothing to look at. */
+/**
+ * Reads the input. False, with the reason and the cure in `error`, if there is nothing to search.
+ */
 bool ReadProposalInput(
   vtkImageData* image, int component, ProposalInput& input, std::string& error);
 
 /**
- * Looks at a bounded number of an image's voxels. False, with the reason and the cure in `error`,
+ * Examines a bounded number of an image's voxels. False, with the reason and the cure in `error`,
  * if there is nothing to propose, or the search was cancelled.
  */
 bool ProposeFromVolume(const ProposalInput& input, const SearchPart& part,
   MaterialProposal& proposal, std::string& error);
 
-/** Sets the five functions of a property, in place, its side and its table of boundaries. */
+/** Sets, in place, the five functions of a property, its side and its table of boundaries. */
 void FillFromProposal(const MaterialProposal& proposal, vtkHapticProperty* property);
 
-/** Sets the same from a property that was filled before. */
+/** Sets what FillFromProposal() sets, from a property that it filled before. */
 void CopyProposal(vtkHapticProperty* proposed, vtkHapticProperty* property);
 
 } // namespace VolumeHaptics

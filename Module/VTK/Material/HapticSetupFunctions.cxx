@@ -21,7 +21,7 @@ std::vector<NumberRow> GetNodes(F* function, int size, std::size_t columns)
   return rows;
 }
 
-/** In place, and with all nodes even if two of them are at one position. */
+/** Fills a function in place, with all nodes even if two of them are at one position. */
 template <typename F, typename A>
 void SetNodes(F* function, const std::vector<NumberRow>& rows, A&& add)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Transfer functions in a setup, for writing and for reading alike.
+ * Writes and reads transfer functions in a setup.
  */
 #ifndef HapticSetupFunctions_h
 #define HapticSetupFunctions_h
@@ -18,7 +18,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** A function in a node of its own; the getter may create it. */
+/** Passes a function in its own node; the getter may create the function. */
 void PassFunction(
   SetupNode node, const NumberRange& values, const std::function<vtkPiecewiseFunction*()>& get);
 void PassColors(SetupNode node, const std::function<vtkColorTransferFunction*()>& get);

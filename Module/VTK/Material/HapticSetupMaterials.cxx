@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** An object with a range for each name. */
+/** Passes an object with a range for each tissue's name. */
 void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>& get)
 {
   if (!materials.IsWriting() && !materials.Has("Tissues"))
@@ -46,7 +46,7 @@ void PassTissues(SetupNode& materials, const std::function<vtkHapticProperty*()>
       name.c_str(), 2, [] { return NumberRow(2); }, [](const NumberRow&) {});
     if (range.empty())
     {
-      return; // the error is told
+      return; // the error is reported
     }
     std::string error;
     node.Require(name.c_str(), tissues.Add({ name, range[0], range[1] }, error) >= 0,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The materials of a vtkHapticProperty in setups and presets, for writing and for reading alike.
+ * Writes and reads the materials of a vtkHapticProperty in setups and presets.
  */
 #ifndef HapticSetupMaterials_h
 #define HapticSetupMaterials_h
@@ -17,8 +17,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Functions, settings and tissues. The getter is called again for each change of functions and
- * tissues.
+ * Passes functions, settings and tissues. The getter is called again for each change of functions
+ * and tissues.
  */
 void PassMaterials(SetupNode node, const std::function<vtkHapticProperty*()>& get);
 

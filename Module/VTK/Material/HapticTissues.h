@@ -16,7 +16,7 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
-/** A range of values (scalar units), both ends included, that has a name. */
+/** A named range of values (scalar units), both ends included. */
 struct NamedTissue
 {
   std::string Name;
@@ -29,11 +29,11 @@ struct NamedTissue
   }
 };
 
-/** Tissues in rising order, which do not overlap. */
+/** Tissues in ascending order without overlaps. */
 class HapticTissues
 {
 public:
-  /** The number of the new tissue; -1, with the reason and the cure, if it can't be added. */
+  /** Adds a tissue. Returns its number; -1, with the reason and the cure, if it can't be added. */
   int Add(const NamedTissue& tissue, std::string& error);
   void Clear() { this->All.clear(); }
   bool operator==(const HapticTissues& other) const { return this->All == other.All; }
@@ -41,12 +41,12 @@ public:
   int GetSize() const { return static_cast<int>(this->All.size()); }
   const NamedTissue& Get(int tissue) const { return this->All[static_cast<std::size_t>(tissue)]; }
 
-  /** The value of a function in the middle of a tissue; `empty` is that without points. */
+  /** Returns the value of a function in the middle of a tissue; `empty` if it has no points. */
   double GetValue(vtkPiecewiseFunction* function, int tissue, double empty) const;
   /**
-   * Makes a function constant in a tissue. Between it and the next ones it changes linearly, and
-   * these keep their values. Before the first tissue and behind the last one, the function goes on
-   * with the value of that tissue, unless it has points there.
+   * Makes a function constant in a tissue. Between this tissue and its neighbours the function
+   * changes linearly, and the neighbours keep their values. Before the first tissue and after the
+   * last one, the function continues with the value of that tissue, unless it has points there.
    */
   void SetValue(vtkPiecewiseFunction* function, int tissue, double value, double empty) const;
 
@@ -55,7 +55,7 @@ private:
 };
 
 ///@{
-/** The tissues of a property. Those that it has already do not modify it. */
+/** Get and set the tissues of a property. Setting equal tissues does not modify it. */
 HapticTissues GetTissues(vtkHapticProperty* property);
 void SetTissues(vtkHapticProperty* property, const HapticTissues& tissues);
 ///@}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Work on many voxels, on all cores at once or in the background.
+ * Runs work on many voxels, on all cores at once or in the background.
  */
 #ifndef SearchPart_h
 #define SearchPart_h
@@ -18,12 +18,12 @@
 namespace VolumeHaptics
 {
 
-/** A part of a search, which the caller waits for (no monitor) or which is in the background. */
+/** A part of a search: the caller waits for it (no monitor), or it runs in the background. */
 struct SearchPart
 {
   WorkMonitor* Monitor = nullptr;
   ///@{
-  /** The progress of the whole at its begin and end. */
+  /** Progress of the whole search at the beginning and the end of this part. */
   double Begin = 0.0;
   double End = 1.0;
   ///@}
@@ -32,8 +32,8 @@ struct SearchPart
 };
 
 /**
- * Calls look(first, end) for all numbers below `count`: on all cores, or with a monitor on this
- * thread alone, which has a low priority, in pieces. False if it was cancelled.
+ * Calls look(first, end) for all numbers below `count`: on all cores, or, with a monitor, in pieces
+ * on this thread alone, which has a low priority. False if it was cancelled.
  */
 template <typename Look>
 bool LookAtAll(std::size_t count, std::size_t piece, const SearchPart& part, Look&& look)

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHapticProperty);
 namespace
 {
 
-/** What a function without points stands for. */
+/** Returns the constant that a function without points stands for. */
 double GetDefault(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
 {
   const auto* const function = std::find_if(std::begin(VolumeHaptics::PropertyFunctions),

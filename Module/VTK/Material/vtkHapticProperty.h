@@ -4,9 +4,10 @@
  * @class   vtkHapticProperty
  * @brief   the feel of a volume's tissues
  *
- * The haptic sibling of vtkVolumeProperty: transfer functions turn the scalar value into a
- * material, and the gradient magnitude into how distinct a surface is (table 1 of Lundin, Ynnerman
- * and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002):
+ * Describes how a volume feels, as vtkVolumeProperty describes how it looks: transfer functions
+ * turn the scalar value into a material, and the gradient magnitude into how distinct a surface is
+ * (table 1 of Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric
+ * Density Data", 2002):
  *
  *   Stiffness        k (N/m, >= 0, default 500), of the value inside the surface, V(x_s)
  *   Friction         mu (>= 0, default 0), of the value inside the surface, V(x_s)
@@ -20,7 +21,7 @@
  * The viscosity is a Coulomb drag ("3-D friction"): R newtons against any motion. Below 0.001 N/m
  * of stiffness nothing is felt.
  *
- * Presets fill all of them. Presets of one's own are files:
+ * Presets fill all of these functions. Your own presets are files:
  *
  *   property->ApplyPreset("CT contrast");
  *   property->SetTissueSurfaceStrength(2, 1.4); // of fat; or edit the functions
@@ -122,7 +123,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Sets NoiseRamp; called by the baker. Does not change MTime. */
+  /** Sets NoiseRamp without changing MTime. The baker calls it. */
   void NoteNoiseRamp(double start, double full);
 #endif
 
@@ -205,7 +206,7 @@ public:
   ///@}
 
   ///@{
-  /** The value of the functions for a scalar of the image, and back. */
+  /** Convert a scalar of the image to the value of the functions, and back. */
   double ScalarToValue(double scalar)
   {
     return (scalar + this->ScalarShift + this->FoundShift) * this->ScalarScale;
@@ -217,7 +218,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Sets FoundShift; called by the baker. Does not change MTime. */
+  /** Sets FoundShift without changing MTime. The baker calls it. */
   void NoteShift(double shift)
   {
     this->FoundShift = shift;
@@ -283,19 +284,19 @@ public:
    */
   bool ApplyPreset(const char* name);
 
-  /** The names that ApplyPreset understands, besides those of files. */
+  /** Get the names that ApplyPreset accepts, besides names of files. */
   static vtkStringArray* GetPresetNames();
 
   ///@{
   /**
-   * A preset of one's own as a file (JSON, readable), to keep and to share: the five functions to
-   * the bit, the tissues, the surface side, DistinctnessFromNoise, DistinctnessPerMillimeter,
-   * ScalarsAreLabels, SolidFromImage and ShiftFromImage, but neither the component, the visibility
-   * nor ScalarShift and ScalarScale, which belong to the data. WritePreset replaces an existing
-   * file only after the whole new one is on the disk. ReadPreset fills the functions in place; what
-   * the file lacks gets its default. Both return false, with an error that names the file and the
-   * cure, if that fails; nothing has changed then. Give the file a name that ends in ".json", so
-   * that ApplyPreset() takes it.
+   * Write and read your own preset as a file (readable JSON), to keep and to share: the five
+   * functions to the bit, the tissues, the surface side, DistinctnessFromNoise,
+   * DistinctnessPerMillimeter, ScalarsAreLabels, SolidFromImage and ShiftFromImage, but neither the
+   * component, the visibility nor ScalarShift and ScalarScale, which belong to the data.
+   * WritePreset replaces an existing file only after the whole new one is on the disk. ReadPreset
+   * fills the functions in place; what the file lacks gets its default. On failure, both return
+   * false, with an error that names the file and the cure, and change nothing. Give the file a name
+   * that ends in ".json", so that ApplyPreset() accepts it.
    */
   bool WritePreset(const char* file);
   bool ReadPreset(const char* file);
@@ -303,12 +304,12 @@ public:
 
   ///@{
   /**
-   * Names for ranges of the functions' values, from low to high (both included). They are for
+   * Name ranges of the functions' values, from low to high (both included). The names are for
    * people: vtkHapticFunctionEditor draws them as bands and edits their materials by sliders, but
-   * forces do not depend on them. Tissues are numbered from 0, in rising order of their values.
-   * AddTissue returns the number of the new one; -1, with an error, if the name is empty or
-   * occurs already, or if the values overlap those of another tissue. Presets and proposals bring
-   * tissues of their own. Default: none.
+   * forces do not depend on them. Tissues are numbered from 0, in ascending order of their values.
+   * AddTissue returns the number of the new tissue; -1, with an error, if the name is empty or
+   * occurs already, or if the values overlap another tissue. Presets and proposals set their own
+   * tissues. Default: none.
    */
   int AddTissue(const char* name, double low, double high);
   void RemoveAllTissues();
@@ -319,10 +320,10 @@ public:
 
   ///@{
   /**
-   * The material of a tissue. Set makes the function constant from the tissue's lowest value to its
-   * highest one; from there to the next tissues, which stay as they are, it changes linearly. Get
-   * returns the function's value in the middle of the tissue. A tissue that does not exist is an
-   * error; Get then returns 0.
+   * Set and get the material of a tissue. Set makes the function constant from the tissue's lowest
+   * value to its highest one; from there to the neighbouring tissues, which stay unchanged, it
+   * changes linearly. Get returns the function's value in the middle of the tissue. A tissue that
+   * does not exist is an error; Get then returns 0.
    */
   void SetTissueStiffness(int tissue, double stiffness);
   double GetTissueStiffness(int tissue);
@@ -336,17 +337,17 @@ public:
 
   /**
    * Fill all five functions, in place, and set the surface side from the edges of an image, for
-   * data of any unit: see Documentation/materials.md. Looks at about a million voxels of the active
-   * point scalars' Component, which takes about a second whatever the image's size; where a hand is
-   * not to wait for that, vtkHapticFunctionEditor::BeginProposal does it in the background.
+   * data of any unit: see Documentation/materials.md. Examines about a million voxels of the active
+   * point scalars' Component, which takes about a second whatever the image's size. If a hand must
+   * not wait for this, vtkHapticFunctionEditor::BeginProposal does it in the background.
    *
    * The values on both sides of the edges become materials of one stiffness, told apart by strength
    * (3 N for the largest rise; 12 N for one that lies behind another material), friction and drag.
-   * Distinctness keeps the weakest of these edges, and neither noise nor shading. Take the result
-   * as a beginning, and edit it.
+   * Distinctness keeps the weakest of these edges, but neither noise nor shading. Use the result as
+   * a beginning, and edit it.
    *
-   * The functions are of the values that ScalarShift and ScalarScale say; a FoundShift becomes the
-   * ScalarShift, and ShiftFromImage is off.
+   * The functions use the values that ScalarShift and ScalarScale define; a FoundShift becomes the
+   * ScalarShift, and ShiftFromImage is turned off.
    *
    * Returns false, with an error and no change, if there is no edge to propose from: no or constant
    * scalars, an image of less than 5 points along an axis, or nothing but noise.
@@ -354,18 +355,18 @@ public:
   bool ProposeFromImage(vtkImageData* image);
 
   /**
-   * The KernelRadius (voxels) that suits what ProposeFromImage found: at least two standard
-   * deviations of the edges' blur, so that V(x_s) has reached the material inside; 2 to 5, or 1 if
-   * the image is not large enough. 0 before the first proposal.
+   * Get the KernelRadius (voxels) that suits the edges that ProposeFromImage found: at least two
+   * standard deviations of the edges' blur, so that V(x_s) has reached the material inside; 2 to 5,
+   * or 1 if the image is not large enough. 0 before the first proposal.
    */
   vtkGetMacro(ProposedKernelRadius, int);
 
   /**
-   * The boundaries that ProposeFromImage found, the most important one first; nullptr before the
-   * first proposal. Columns: Low and High, the functions' values on both sides; Width, the standard
-   * deviation s of the blurred step (world units), V = Low + (High - Low) Phi(x / s); Slope, the
-   * largest gradient magnitude that a kernel of ProposedKernelRadius finds, per world unit; Share,
-   * of the area of all edges.
+   * Get the boundaries that ProposeFromImage found, the most important one first; nullptr before
+   * the first proposal. Columns: Low and High, the functions' values on both sides; Width, the
+   * standard deviation s of the blurred step (world units), V = Low + (High - Low) Phi(x / s);
+   * Slope, the largest gradient magnitude that a kernel of ProposedKernelRadius finds, per world
+   * unit; Share, the fraction of the area of all edges.
    */
   vtkTable* GetProposedBoundaries();
 
@@ -387,12 +388,12 @@ public:
   ///@}
 
   /**
-   * Copy everything; functions point by point, and tissues, but the visibility and the boundaries
+   * Copy everything: functions point by point, and tissues; but the visibility and the boundaries
    * of the last proposal by reference.
    */
   void DeepCopy(vtkHapticProperty* source);
 
-  /** Includes every function and the volume property of the visibility. */
+  /** Includes the change times of every function and of the volume property of the visibility. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Measurements as markups of 3D Slicer (.mrk.json), by its published schema, version 1.0.3.
+ * @file Writes and reads measurements as markups of 3D Slicer (.mrk.json), by its published schema,
+ * version 1.0.3.
  *
  * | measurement | markup |
  * | --- | --- |
- * | points, one after the other, of which the same is known | one Fiducial, a control point each |
+ * | consecutive points with the same known quantities | one Fiducial, a control point each |
  * | distance, angle, path | Line, Angle, Curve |
  * | area | ClosedCurve along its longest border, with the triangles in the member volumeHaptics |
  *
@@ -14,8 +14,8 @@
  * not known at each of them is left out. Lengths are in
  * millimetres or micrometres, and in the coordinate system of the world.
  *
- * Read are also ClosedCurves of other programs, as paths that end where they begin. Planes, regions
- * of interest, and markups that lack points are left out, with a note.
+ * ClosedCurves of other programs are read as paths that end where they begin. Planes, regions of
+ * interest, and markups that lack points are left out, with a note.
  */
 #ifndef MarkupsJson_h
 #define MarkupsJson_h
@@ -32,14 +32,14 @@ namespace VolumeHaptics
 struct MarkupsFrame
 {
   double MetersPerWorldUnit = 1e-3;
-  bool IsRAS = false; ///< else LPS
+  bool IsRAS = false; ///< LPS if false
 };
 
 std::string WriteMarkups(const std::vector<Measurement>& measurements, const MarkupsFrame& frame);
 
 /**
- * False, with the reason and the cure, if the text is no file of markups. The notes tell what was
- * left out, one a line.
+ * Reads markups. False, with the reason and the cure, if the text is no file of markups. The notes
+ * say what was left out, one in each line.
  */
 bool ReadMarkups(const std::string& text, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes, std::string& error);

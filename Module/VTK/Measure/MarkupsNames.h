@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The names that files of markups have, for writing and reading.
+ * Names in files of markups, for writing and reading.
  */
 #ifndef MarkupsNames_h
 #define MarkupsNames_h
@@ -12,10 +12,10 @@
 namespace VolumeHaptics
 {
 
-/** Of our own; the schema allows members that it does not name. */
+/** Name of this library's own member; the schema allows members that it does not name. */
 inline constexpr const char* OwnMember = "volumeHaptics";
 
-/** The names of what was felt, as a sample has them in this order. */
+/** Names of the quantities that were felt, in the order of a sample. */
 inline constexpr const char* SampleNames[] = { "time", "force x", "force y", "force z",
   "surface value" };
 inline constexpr const char* SampleUnits[] = { "s", "N", "N", "N", "" };

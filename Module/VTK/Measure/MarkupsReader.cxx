@@ -16,25 +16,25 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of what was felt, only forces have a direction. */
+/** Whether mirrored axes change a quantity: of what was felt, only forces have a direction. */
 bool IsMirrored(int number)
 {
   return number == 1 || number == 2;
 }
 
-/** "markups[2].controlPoints[0].position", for errors. */
+/** Returns a path such as "markups[2].controlPoints[0].position", for errors. */
 std::string At(const std::string& path, Json::ArrayIndex i)
 {
   return path + "[" + std::to_string(i) + "]";
 }
 
-/** Throws this; it never leaves ReadMarkups. */
+/** Thrown while reading; it never leaves ReadMarkups(). */
 struct MarkupsError
 {
   std::string Text;
 };
 
-/** A text, or the first one of a code such as ["mm", "UCUM", "millimeter"]. */
+/** Returns a text, or the first text of a code such as ["mm", "UCUM", "millimeter"]. */
 std::string CodeOf(const Json::Value& value, const std::string& missing)
 {
   if (value.isString())
@@ -69,7 +69,7 @@ public:
     this->Scale = isSame ? 1.0 : meters / frame.MetersPerWorldUnit;
   }
 
-  /** The points that are defined, with their labels and what was felt there. */
+  /** Reads the points that are defined, with their labels and what was felt there. */
   void ReadControlPoints()
   {
     const Json::Value& all = this->Markup["controlPoints"];
@@ -99,7 +99,7 @@ public:
     }
   }
 
-  /** The triangles of an area that this project wrote. */
+  /** Reads the triangles of an area that this library wrote. */
   void ReadTriangles()
   {
     const Json::Value& own = this->Markup[OwnMember];
@@ -127,7 +127,7 @@ public:
   }
 
   Measurement Read;
-  std::vector<std::string> Labels; ///< of the points
+  std::vector<std::string> Labels; ///< labels of the points
 
 private:
   Vector3 ReadPosition(const Json::Value& position, const std::string& path) const
@@ -141,7 +141,7 @@ private:
       this->Sign * this->Scale * position[1].asDouble(), this->Scale * position[2].asDouble() };
   }
 
-  /** Of the lists that have a number for each control point; nothing if there is none. */
+  /** Reads the lists that have a number for each control point; empty if there is none. */
   std::vector<MeasuredSample> ReadSamples(Json::ArrayIndex count) const
   {
     std::vector<MeasuredSample> samples;
@@ -170,11 +170,11 @@ private:
 
   const Json::Value& Markup;
   const std::string Path;
-  double Sign = 1.0;  ///< of x and y
+  double Sign = 1.0;  ///< sign of x and y
   double Scale = 1.0; ///< world units per unit of the file
 };
 
-/** Appends what a markup is; a note if that is nothing. */
+/** Appends what a markup stands for; adds a note if it stands for nothing known. */
 void ReadMarkup(const Json::Value& markup, const std::string& path, const MarkupsFrame& frame,
   std::vector<Measurement>& measurements, std::string& notes)
 {
@@ -270,7 +270,7 @@ bool ReadMarkups(const std::string& text, const MarkupsFrame& frame,
   }
   if (!notes.empty())
   {
-    notes.pop_back(); // the last end of a line
+    notes.pop_back(); // removes the last line end
   }
   measurements = std::move(found);
   return true;

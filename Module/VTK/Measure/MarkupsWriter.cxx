@@ -25,7 +25,7 @@ const char* ValueName(MeasuredKind kind)
   return kind == MeasuredKind::Angle ? "angle" : (kind == MeasuredKind::Area ? "area" : "length");
 }
 
-/** Which numbers are known of what was felt at a point, as bits. */
+/** Returns as bits which quantities that were felt at a point are known. */
 int FindKnown(const Measurement& point)
 {
   MeasuredSample sample = point.Samples.empty() ? MeasuredSample() : point.Samples[0];
@@ -43,7 +43,7 @@ public:
   explicit MarkupsWriter(const MarkupsFrame& frame)
     : Frame(frame)
     , IsMicro(FindLengthUnit(frame.MetersPerWorldUnit).Name == std::string("um"))
-    // Exactly 1 for a world in these units.
+    // The scale is exactly 1 for a world in these units.
     , Scale(this->IsMicro || std::abs(frame.MetersPerWorldUnit - 1e-3) <= 1e-12
           ? 1.0
           : frame.MetersPerWorldUnit / 1e-3)
@@ -119,7 +119,7 @@ private:
     added["id"] = std::to_string(points.size() + 1);
     added["label"] = label;
     added["position"] = this->Position(point);
-    added["positionStatus"] = "defined"; // some versions take a point without it for undefined
+    added["positionStatus"] = "defined"; // some versions treat a point without it as undefined
     points.append(added);
   }
 
@@ -144,7 +144,9 @@ private:
                                        : (kind == MeasuredKind::Area ? length + "2" : length);
   }
 
-  /** A list of numbers has one for each point: what is not known at any is left out. */
+  /**
+   * Writes lists with a number for each point; a quantity that is unknown at any point is left out.
+   */
   static void AddSamples(Json::Value& markup, std::vector<MeasuredSample> samples)
   {
     for (int i = 0; i < SampleNumbers; ++i)

@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** In the order of vtkHapticMeasurements::KindType. */
+/** Kinds in the order of vtkHapticMeasurements::KindType. */
 enum class MeasuredKind
 {
   Point,
@@ -29,7 +29,7 @@ enum class MeasuredKind
 };
 inline constexpr int MeasuredKinds = 5;
 
-/** What was felt at a point; NaN: not known. */
+/** What was felt at a point; NaN stands for unknown. */
 struct MeasuredSample
 {
   static constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
@@ -44,28 +44,28 @@ struct Measurement
   MeasuredKind Kind = MeasuredKind::Point;
   std::string Name;
   std::vector<Vector3> Points;               ///< world
-  std::vector<MeasuredSample> Samples;       ///< of every point, or none
-  std::vector<std::array<int, 3>> Triangles; ///< of an area
+  std::vector<MeasuredSample> Samples;       ///< one for every point, or none at all
+  std::vector<std::array<int, 3>> Triangles; ///< triangles of an area
 
   /**
-   * World units, squared world units or degrees; of a point the value that was felt there. NaN if
-   * there is none.
+   * Computes the value: world units, squared world units or degrees; for a point, the value that
+   * was felt there. NaN if there is none.
    */
   double Measure() const;
 };
 
-/** "Point", "Distance" and so on. */
+/** Returns "Point", "Distance" and so on. */
 const char* GetKindName(MeasuredKind kind);
-/** False if there is no such kind; case does not matter. */
+/** Finds a kind by its name; false if there is no such kind; case does not matter. */
 bool FindKind(std::string_view name, MeasuredKind& kind);
 
 /**
- * How the points of a kind are wrong, and the cure; empty if they are not. Coordinates have to be
- * finite, and triangles to have points that exist.
+ * Returns the fault in the points of a measurement, and the cure; empty if there is none.
+ * Coordinates have to be finite, and triangles must refer to existing points.
  */
 std::string FindFault(const Measurement& measurement);
 
-/** The number of points of a kind; 0: any, but one at least. */
+/** Returns the number of points of a kind; 0 stands for any number, but at least one. */
 int CountPoints(MeasuredKind kind);
 
 } // namespace VolumeHaptics

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Measurements in files, whose ending tells the format: .csv, .vtp, or .json for markups.
+ * Writes and reads files of measurements. The ending selects the format: .csv, .vtp, or .json for
+ * markups.
  */
 #ifndef MeasurementFiles_h
 #define MeasurementFiles_h
@@ -16,12 +17,12 @@
 namespace VolumeHaptics
 {
 
-/** Whole or not at all; false, with the reason and the cure, if that fails. */
+/** Writes the file completely or not at all; false, with the reason and the cure, on failure. */
 bool WriteMeasurements(const std::string& file, const std::vector<Measurement>& measurements,
   const MarkupsFrame& frame, std::string& error);
 
 /**
- * False, with the reason and the cure, if the file can't be read. The notes tell what of it was
+ * Reads a file. False, with the reason and the cure, if it can't be read. The notes say what was
  * left out.
  */
 bool ReadMeasurements(const std::string& file, const MarkupsFrame& frame,

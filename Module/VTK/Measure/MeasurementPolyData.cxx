@@ -36,7 +36,7 @@ constexpr const char* NumberArray = "Measurement";
 constexpr const char* NameField = "MeasurementName";
 constexpr const char* KindField = "MeasurementKind";
 
-/** Whether a number is finite: VTK can't read a file with an array in which none is. */
+/** Whether any number is finite: VTK can't read back a file with an array in which none is. */
 bool HasNumber(vtkDoubleArray* array)
 {
   const double* const begin = array->GetPointer(0);
@@ -44,7 +44,7 @@ bool HasNumber(vtkDoubleArray* array)
     begin, begin + array->GetNumberOfValues(), [](double number) { return std::isfinite(number); });
 }
 
-/** Points and cells, with what was felt at the points. */
+/** Makes points and cells, with what was felt at the points. */
 class ShapeMaker
 {
 public:
@@ -57,7 +57,7 @@ public:
     this->Values->SetName(ValueArray);
   }
 
-  /** Its points, and no cells yet. Returns the number of the first one. */
+  /** Adds a measurement's points without cells. Returns the number of the first point. */
   vtkIdType Add(const Measurement& measurement)
   {
     const vtkIdType first = this->Points->GetNumberOfPoints();
@@ -75,7 +75,7 @@ public:
   }
 
   ///@{
-  /** The cells of a measurement whose points begin at `first`. */
+  /** Add the cells of a measurement whose points begin at `first`. */
   void AddVertex(vtkIdType first) { this->Verts->InsertNextCell(1, &first); }
   void AddLine(const Measurement& measurement, vtkIdType first)
   {
@@ -127,7 +127,7 @@ bool IsVertex(const Measurement& measurement)
   return measurement.Points.size() == 1 && measurement.Triangles.empty();
 }
 
-/** A point array of a name, if it has a tuple for each point. */
+/** Returns a point array by its name, if it has a tuple for each point. */
 vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
 {
   vtkDataArray* const array = shape->GetPointData()->GetArray(name);
@@ -137,7 +137,7 @@ vtkDataArray* FindArray(vtkPolyData* shape, const char* name, int components)
     : nullptr;
 }
 
-/** What was felt at points of a shape. */
+/** Reads what was felt at points of a shape. */
 class ShapeSamples
 {
 public:
@@ -163,7 +163,7 @@ private:
   vtkDataArray* Values;
 };
 
-/** Drops samples of which nothing is known. */
+/** Drops the samples if nothing is known about any of them. */
 void DropUnknown(Measurement& measurement)
 {
   const auto isKnown = [](const MeasuredSample& s)
@@ -195,7 +195,7 @@ void ReadTriangles(vtkPolyData* shape, Measurement& area)
   }
 }
 
-/** Which cells belong to which measurement, by the array of numbers. */
+/** Finds which cells belong to which measurement, by the array of numbers. */
 bool FindCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkIdType>>& cells,
   std::string& error)
 {
@@ -221,13 +221,13 @@ bool FindCells(vtkPolyData* all, std::size_t count, std::vector<std::vector<vtkI
   return true;
 }
 
-/** Points of some cells; those of triangles only once. */
+/** Reads the points of some cells; points that triangles share only once. */
 Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtkIdType>& cells)
 {
   const ShapeSamples samples(all);
   Measurement read;
   read.Kind = kind;
-  std::vector<int> numberOf; // of the points of an area
+  std::vector<int> numberOf; // numbers of an area's points
   numberOf.resize(
     kind == MeasuredKind::Area ? static_cast<std::size_t>(all->GetNumberOfPoints()) : 0, -1);
   vtkNew<vtkIdList> points;
@@ -262,7 +262,7 @@ Measurement ReadCells(vtkPolyData* all, MeasuredKind kind, const std::vector<vtk
   return read;
 }
 
-/** Whether all cells have points that are there, which VTK's readers do not look after. */
+/** Whether all cells refer to existing points, which VTK's readers do not check. */
 bool HasPointsOfCells(vtkPolyData* all)
 {
   for (vtkCellArray* const cells :
@@ -344,7 +344,7 @@ void CopyToPolyData(
     units->InsertNextValue(GetUnit(measurement.Kind, metersPerWorldUnit));
     values->InsertNextValue(GetValue(measurement, metersPerWorldUnit));
   }
-  // A polydata counts its vertices first, then its lines, then its triangles.
+  // A polydata numbers its vertices first, then its lines, then its triangles.
   vtkNew<vtkIntArray> numbers;
   numbers->SetName(NumberArray);
   const auto count = static_cast<int>(measurements.size());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Measurements as polydata: see vtkHapticMeasurements::CopyToPolyData.
+ * Converts measurements to polydata and back: see vtkHapticMeasurements::CopyToPolyData.
  */
 #ifndef MeasurementPolyData_h
 #define MeasurementPolyData_h
@@ -17,20 +17,20 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** The shape of one measurement: a vertex, a line or triangles, with what was felt. */
+/** Makes the shape of one measurement: a vertex, a line or triangles, with what was felt. */
 void CopyShape(const Measurement& measurement, vtkPolyData* shape);
 
 /**
- * The points of a shape in their order, or of an area its triangles, with Time, Force and
- * SurfaceValue of the points if it has them.
+ * Reads the points of a shape in their order, or the triangles of an area, with Time, Force and
+ * SurfaceValue of the points if the shape has them.
  */
 Measurement ReadShape(MeasuredKind kind, vtkPolyData* shape);
 
-/** All of them, with names, values and units. */
+/** Writes all measurements, with names, values and units. */
 void CopyToPolyData(
   const std::vector<Measurement>& measurements, double metersPerWorldUnit, vtkPolyData* all);
 
-/** False, with the reason and the cure, if the polydata is not what CopyToPolyData makes. */
+/** Reads polydata. False, with the reason and the cure, if CopyToPolyData can't have made it. */
 bool ReadPolyData(vtkPolyData* all, std::vector<Measurement>& measurements, std::string& error);
 
 } // namespace VolumeHaptics

@@ -39,14 +39,14 @@ enum Column
   Columns
 };
 
-/** As MakeKey leaves them. */
+/** Titles of the columns in the form that MakeKey() yields. */
 constexpr const char* Keys[Columns] = { "measurement", "name", "kind", "point", "x", "y", "z",
   "time", "forcex", "forcey", "forcez", "surfacevalue" };
 
 constexpr const char* Titles = "measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),"
                                "force y (N),force z (N),surface value\n";
 
-/** Lines of the table; what is not known is an empty cell. */
+/** Lines of the table; unknown quantities are empty cells. */
 class TableLines
 {
 public:
@@ -97,7 +97,7 @@ std::string MakeHead(std::size_t number, const Measurement& measurement, double 
   return head.str();
 }
 
-/** The place of each column in the rows; -1 for one that is not there. */
+/** Index of each column in the rows; -1 if it is missing. */
 struct TableColumns
 {
   explicit TableColumns(const std::vector<std::string>& titles)
@@ -125,7 +125,7 @@ private:
   int Place[Columns];
 };
 
-/** Makes measurements of rows that belong together. */
+/** Makes measurements of the rows that belong together. */
 class TableReader
 {
 public:
@@ -229,8 +229,8 @@ private:
   const TableColumns Place;
   const bool AllowsCommas;
   std::string GroupOfLast;
-  std::map<std::string, std::size_t> PointOfId; ///< of an area
-  std::vector<int> Corners;                     ///< of a triangle that is not complete
+  std::map<std::string, std::size_t> PointOfId; ///< numbers of an area's points
+  std::vector<int> Corners;                     ///< corners of a triangle that is not complete yet
 };
 
 bool IsKnown(const MeasuredSample& sample)

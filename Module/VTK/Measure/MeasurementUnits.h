@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Values of measurements in units, and as texts. Lengths are in the unit of the world if it has a
- * name, else in millimetres.
+ * Values of measurements with units, as numbers and as texts. Lengths use the unit of the world if
+ * it has a name, otherwise millimetres.
  */
 #ifndef MeasurementUnits_h
 #define MeasurementUnits_h
@@ -17,17 +17,17 @@ namespace VolumeHaptics
 
 struct LengthUnit
 {
-  const char* Name;    ///< as in UCUM
-  double PerWorldUnit; ///< 1 to the bit if it is that of the world
+  const char* Name;    ///< name in UCUM
+  double PerWorldUnit; ///< exactly 1 if it is the unit of the world
 };
 
 LengthUnit FindLengthUnit(double metersPerWorldUnit);
 
-/** "mm", "deg", "mm2", or empty, as in UCUM. */
+/** Returns "mm", "deg", "mm2", or an empty text, as in UCUM. */
 std::string GetUnit(MeasuredKind kind, double metersPerWorldUnit);
-/** In that unit; NaN if there is no value. */
+/** Returns the value in the unit of GetUnit(); NaN if there is no value. */
 double GetValue(const Measurement& measurement, double metersPerWorldUnit);
-/** The value and its unit for people, such as "42.5 mm"; empty if there is no value. */
+/** Describes the value and its unit for display, such as "42.5 mm"; empty if there is no value. */
 std::string DescribeValue(const Measurement& measurement, double metersPerWorldUnit);
 
 } // namespace VolumeHaptics

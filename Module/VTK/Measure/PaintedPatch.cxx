@@ -30,10 +30,10 @@ namespace
 {
 
 constexpr int BlockSize = 8; ///< voxels
-/** How far beyond the radius the surface may be from the hand, in voxels. */
+/** Distance beyond the radius that the surface may have from the hand (voxels). */
 constexpr double Reach = 3.0;
 
-/** From a position to the line between two others, squared. */
+/** Squared distance from a position to the line between two others. */
 double SquaredDistance(const Vector3& position, const Vector3& from, const Vector3& to)
 {
   const Vector3 line = to - from;
@@ -67,7 +67,7 @@ bool PaintedPatch::IsOf(vtkImageData* image) const
 template <typename F>
 void PaintedPatch::Visit(const Vector3& from, const Vector3& to, double distance, F&& visit)
 {
-  // The box of both balls, in index coordinates.
+  // Computes the box around both balls, in index coordinates.
   double least[3];
   double most[3];
   std::fill_n(least, 3, std::numeric_limits<double>::max());
@@ -140,7 +140,8 @@ void PaintedPatch::Mesh(const Block& block, Part& part) const
     extent[2 * a] = whole[2 * a] + BlockSize * block[static_cast<std::size_t>(a)];
     extent[2 * a + 1] = std::min(extent[2 * a] + BlockSize, whole[2 * a + 1]);
   }
-  // In index coordinates of the whole, so that blocks share the points of their borders to the bit.
+  // Uses index coordinates of the whole image, so that the points on common borders of blocks are
+  // equal to the bit.
   vtkNew<vtkImageData> samples;
   samples->SetExtent(extent);
   vtkNew<vtkDoubleArray> values;
@@ -219,14 +220,14 @@ bool PaintedPatch::LeadTo(const Vector3& position)
   }
   const Vector3 to = *nearest;
   const Vector3 from = this->Last.value_or(to);
-  // In short pieces, so that no block is made that is far from the line.
+  // Visits short pieces, so that no block far from the line is made.
   const int pieces =
     1 + static_cast<int>(std::min(1e5, Norm(to - from) / (BlockSize * this->Voxel)));
   for (int piece = 0; piece < pieces; ++piece)
   {
     const Vector3 begin = from + (static_cast<double>(piece) / pieces) * (to - from);
     const Vector3 end = from + (static_cast<double>(piece + 1) / pieces) * (to - from);
-    // One voxel more, for the triangles that the border cuts.
+    // Adds one voxel for the triangles that the border cuts.
     this->Visit(begin, end, this->Radius + this->Voxel,
       [&](Part& part)
       {
@@ -259,7 +260,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
     distances->SetName("Distance");
     for (const double squared : part.Distances)
     {
-      // Beyond the border only its neighbours count.
+      // Beyond the border, only its direct neighbours count.
       distances->InsertNextValue(std::min(std::sqrt(squared), 1e3 * this->Radius));
     }
     vtkNew<vtkPolyData> shared;
@@ -291,7 +292,7 @@ vtkSmartPointer<vtkPolyData> PaintedPatch::Cut() const
   {
     return cut;
   }
-  // What the brush has not come to by the surface is not painted.
+  // A part that the brush has not reached along the surface is not painted.
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(triangles->GetOutput());
   locator->BuildLocator();

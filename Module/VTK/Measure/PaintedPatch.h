@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The part of an isosurface over which a brush was led.
+ * Cuts out the part of an isosurface over which a brush was moved.
  */
 #ifndef PaintedPatch_h
 #define PaintedPatch_h
@@ -26,9 +26,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A point of the isosurface is painted if it is nearer than the radius, straight through space, to
- * the line that the brush took on the surface: from one position's nearest point of the surface to
- * the next one's. So a dab on a plane or on a sphere has the area pi r^2, and a straight stroke of
+ * Paints the isosurface. A point of it is painted if its straight distance to the brush's line on
+ * the surface is below the radius; this line joins the surface points nearest to the brush's
+ * positions. So a dab on a plane or on a sphere has the area pi r^2, and a straight stroke of
  * length L on a plane 2 r L + pi r^2. A part that is not connected with the brush's line, such as
  * the other side of a thin wall, is not painted.
  *
@@ -38,24 +38,24 @@ namespace VolumeHaptics
 class PaintedPatch
 {
 public:
-  /** Of the image's point scalars of an array; the radius is in world units. */
+  /** Paints on the isosurface of an image's point scalars; the radius is in world units. */
   PaintedPatch(
     vtkImageData* image, vtkDataArray* scalars, int component, double value, double radius);
   ~PaintedPatch();
 
   /**
-   * Leads the brush to a position in the world. False if no part of the surface is within the
-   * radius plus three voxels: nothing is painted then, and the next position begins a new line.
+   * Moves the brush to a position in the world. False if no part of the surface is within the
+   * radius plus three voxels: then nothing is painted, and the next position begins a new line.
    */
   bool LeadTo(const Vector3& position);
 
-  /** The next position begins a new line. */
+  /** Makes the next position begin a new line. */
   void Lift() { this->Last.reset(); }
 
-  /** Whether an image has its samples where this one had them. */
+  /** Whether an image has its samples at the same positions as this one's. */
   bool IsOf(vtkImageData* image) const;
 
-  /** The triangles that are painted; empty if there are none. */
+  /** Returns the painted triangles; empty if there are none. */
   vtkSmartPointer<vtkPolyData> Cut() const;
 
 private:
@@ -64,25 +64,25 @@ private:
   {
     vtkNew<vtkPolyData> Surface; ///< world
     vtkNew<vtkStaticCellLocator> Locator;
-    std::vector<double> Distances; ///< squared, of each point to the brush's line
+    std::vector<double> Distances; ///< squared distance of each point to the brush's line
   };
 
-  /** Calls with each part that is within a distance of two positions. */
+  /** Calls a function for each part within a distance of two positions. */
   template <typename F>
   void Visit(const Vector3& from, const Vector3& to, double distance, F&& visit);
   Part& Get(const Block& block);
   void Mesh(const Block& block, Part& part) const;
   std::optional<Vector3> FindNearest(const Vector3& position);
 
-  vtkNew<vtkImageData> Image; ///< the structure alone: that of the given one may change
+  vtkNew<vtkImageData> Image; ///< geometry only: that of the user's image may change
   vtkSmartPointer<vtkDataArray> Scalars;
   const int Component;
   const double Value;
   const double Radius;
-  double Voxel = 1.0; ///< the smallest spacing
+  double Voxel = 1.0; ///< smallest spacing
   std::map<Block, Part> Parts;
-  std::optional<Vector3> Last;  ///< on the surface
-  std::vector<Vector3> Visited; ///< on the surface
+  std::optional<Vector3> Last;  ///< last position on the surface
+  std::vector<Vector3> Visited; ///< positions on the surface
 };
 
 } // namespace VolumeHaptics

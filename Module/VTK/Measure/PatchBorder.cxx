@@ -13,7 +13,7 @@ namespace VolumeHaptics
 std::vector<Vector3> FindBorder(const Measurement& area)
 {
   using Edge = std::pair<int, int>;
-  std::set<Edge> edges; // directed as triangles have them
+  std::set<Edge> edges; // with the direction that triangles give them
   for (const std::array<int, 3>& t : area.Triangles)
   {
     for (int i = 0; i < 3; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The border of an area: edges that belong to one triangle.
+ * Finds the border of an area: edges that belong to only one triangle.
  */
 #ifndef PatchBorder_h
 #define PatchBorder_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The points of the longest closed line along the border, in order, the first not again at the end.
- * Of a closed surface, which has no border, its first triangle.
+ * Returns the points of the longest closed line along the border, in order, without the first point
+ * again at the end. A closed surface has no border; it gives its first triangle.
  */
 std::vector<Vector3> FindBorder(const Measurement& area);
 

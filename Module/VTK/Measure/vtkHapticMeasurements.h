@@ -4,8 +4,8 @@
  * @class   vtkHapticMeasurements
  * @brief   points, distances, angles, paths and areas that were measured by touch
  *
- * A list of measurements, each with a name, points in the world, and a value that follows from
- * them. It needs neither a window nor a device:
+ * Keeps a list of measurements, each with a name, points in the world, and a value that follows
+ * from them. It needs neither a window nor a device:
  *
  *   measurements->AddDistance(a, b);
  *   measurements->GetValue(0);                // 42.5
@@ -13,21 +13,21 @@
  *
  * | kind | points | value |
  * | --- | --- | --- |
- * | POINT | 1 | that of the surface which was felt there, if any (the volume's unit) |
- * | DISTANCE | 2 | the straight line between them |
- * | ANGLE | 3 | the angle at the second one (degrees) |
+ * | POINT | 1 | the value of the surface that was felt there, if any (the volume's unit) |
+ * | DISTANCE | 2 | the length of the straight line between them |
+ * | ANGLE | 3 | the angle at the second point (degrees) |
  * | PATH | any | the length of the line through them |
- * | AREA | any, of triangles | the sum of the triangles |
+ * | AREA | any, of triangles | the total area of the triangles |
  *
  * Lengths and areas are in the unit of the world if that is mm, um, cm, m, nm or km, else in mm.
  *
  * By hand, vtkInteractorStyleHaptic::SetMeasurements fills it with keys, and
- * vtkHapticMeasurementRepresentation shows it. Points placed by hand are those of the proxy, which
- * a surface holds, and not of the tip, which is inside. At a sharp edge, as in CT, the
- * solver PRECISE holds the proxy halfway up the edge, within a tenth of a voxel; at a gradual
- * transition, up to a kernel radius in front of what is felt. PAPER holds it some voxels in front
- * of an edge, SURFACE_PROXY its radius (SetProxyRadius) in front of the isosurface. A distance
- * across a body is too long by twice this gap.
+ * vtkHapticMeasurementRepresentation shows it. Points placed by hand are positions of the proxy,
+ * which a surface holds, not of the tip, which is inside. At a sharp edge, as in CT, the solver
+ * PRECISE holds the proxy halfway up the edge, within a tenth of a voxel; at a gradual transition,
+ * up to a kernel radius in front of what is felt. PAPER holds it some voxels in front of an edge,
+ * SURFACE_PROXY its radius (SetProxyRadius) in front of the isosurface. A distance across a body is
+ * too long by twice this gap.
  *
  * Each point may carry what was felt there: the time (s), the force on the hand (N, world axes) and
  * the value in the surface.
@@ -99,18 +99,22 @@ public:
 
   /**
    * Append the area that a brush paints on the isosurface of the active point scalars of a 3D
-   * image. A point of the isosurface is painted if its straight-line distance (not that along the
-   * surface) to the brush's line is below the radius (world units, above 0). The brush's line joins
-   * the points of the surface that are nearest to the positions of the path; positions farther away
-   * than the radius plus three voxels are skipped. Parts that no painted surface connects with that
-   * line, such as the far side of a thin wall, are left out. A single position on a plane or sphere
-   * paints pi r^2. Returns -1, with an error, if an argument is unusable or nothing is painted.
+   * image. A point of the isosurface is painted if its straight-line distance (not the distance
+   * along the surface) to the brush's line is below the radius (world units, above 0). The brush's
+   * line joins the points of the surface that are nearest to the positions of the path; positions
+   * farther away than the radius plus three voxels are skipped. Parts that no painted surface
+   * connects with that line, such as the far side of a thin wall, are left out. A single position
+   * on a plane or sphere paints pi r^2. Returns -1, with an error, if an argument is unusable or
+   * nothing is painted.
    */
   vtkIdType AddPaintedArea(vtkImageData* image, double isoValue, vtkPolyData* path, double radius,
     const char* name = nullptr);
 
   ///@{
-  /** The list. An index that does not exist is an error, and gives 0, nothing or false. */
+  /**
+   * Read and edit the list. An index that does not exist is an error, and gives 0, nothing or
+   * false.
+   */
   vtkIdType GetNumberOfMeasurements();
   int GetKind(vtkIdType index);
   static const char* GetKindName(int kind);
@@ -122,8 +126,8 @@ public:
 
   ///@{
   /**
-   * The value, NaN for a point where nothing was felt; its unit as in UCUM: "mm", "mm2", "deg" or
-   * empty; and name and value for people, such as "Distance 1: 42.5 mm".
+   * Get the value, NaN for a point where nothing was felt; its unit as in UCUM: "mm", "mm2", "deg"
+   * or empty; and name and value for people, such as "Distance 1: 42.5 mm".
    */
   double GetValue(vtkIdType index);
   std::string GetUnit(vtkIdType index);
@@ -131,21 +135,21 @@ public:
   ///@}
 
   ///@{
-  /** The points of a measurement (world). */
+  /** Get the points of a measurement (world). */
   vtkIdType GetNumberOfPoints(vtkIdType index);
   void GetPoint(vtkIdType index, vtkIdType point, double x[3]) VTK_SIZEHINT(x, 3);
   ///@}
 
   /**
-   * The shape of a measurement, with the arrays Time, Force and SurfaceValue if something was felt:
-   * a vertex, a line or triangles.
+   * Get the shape of a measurement, with the arrays Time, Force and SurfaceValue if something was
+   * felt: a vertex, a line or triangles.
    */
   void GetShape(vtkIdType index, vtkPolyData* shape);
 
   ///@{
   /**
-   * Undo the last change of the list, and do it again. False if there is none. 100 changes are
-   * kept.
+   * Undo the last change of the list, and redo it. False if there is no such change. 100 changes
+   * are kept.
    */
   bool Undo();
   bool Redo();
@@ -153,9 +157,9 @@ public:
 
   ///@{
   /**
-   * What is being measured, for displays: the points that there are already, or the path or area as
-   * it grows. It is no part of the list, files or changes, and nullptr ends it. The text tells the
-   * value so far, and what is missing, such as "Distance: 1 of 2 points".
+   * Set what is being measured, for displays: the points so far, or the path or area as it grows.
+   * It does not belong to the list, the files or the changes; nullptr ends it. The text gives the
+   * value so far, and says what is missing, such as "Distance: 1 of 2 points".
    */
   void SetUnfinished(int kind, vtkPolyData* shape);
   void GetUnfinished(vtkPolyData* shape);
@@ -165,11 +169,11 @@ public:
 
   ///@{
   /**
-   * All measurements as polydata: vertices, lines and triangles with the cell array Measurement
-   * (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is known; and the
-   * field arrays MeasurementName, MeasurementKind, MeasurementValue and MeasurementUnit.
-   * ReadPolyData replaces the list by such polydata; false, with an error and no change, if it is
-   * something else.
+   * Copy all measurements to polydata: vertices, lines and triangles with the cell array
+   * Measurement (the index); the point arrays Time, Force and SurfaceValue, NaN where nothing is
+   * known; and the field arrays MeasurementName, MeasurementKind, MeasurementValue and
+   * MeasurementUnit. ReadPolyData replaces the list by such polydata; false, with an error and no
+   * change, for any other polydata.
    */
   void CopyToPolyData(vtkPolyData* data);
   bool ReadPolyData(vtkPolyData* data);
@@ -177,8 +181,8 @@ public:
 
   ///@{
   /**
-   * Write a file, which replaces an existing one only when all of it is on the disk, and replace
-   * the list by that of a file. False, with an error and no change, if that fails.
+   * Write the list to a file, or replace the list by a file's list. An existing file is replaced
+   * only when the whole new one is on the disk. False, with an error and no change, on failure.
    */
   bool WriteFile(VTK_FILEPATH const char* path);
   bool ReadFile(VTK_FILEPATH const char* path);

@@ -25,7 +25,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The line of some points; all points in their order if there are no ids. */
+/** Makes a line of some points; of all points in their order if there are no ids. */
 GuidePath::Line LineOf(vtkPolyData* path, vtkIdType count, const vtkIdType* ids)
 {
   GuidePath::Line line;
@@ -91,13 +91,13 @@ bool ReadPath(vtkPolyData* path, double rounding, ModeDescription& d, std::strin
   return true;
 }
 
-/** Meshes that models use, so that one that has not changed is not prepared again. */
+/** Keeps track of the meshes that models use, so that unchanged meshes are not prepared again. */
 class MeshesInUse
 {
 public:
   std::shared_ptr<const GuideMesh> Get(vtkPolyData* surface, double rounding, std::string& error)
   {
-    // Times of change are unique: data that stands at the place of others has another one.
+    // Times of change are unique, so that new data at an old address get another key.
     const Key key{ surface, surface->GetMTime(), rounding };
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (const auto known = this->Meshes[key].lock())

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The lines and surfaces of vtkHapticGuideMode.
+ * Describes the lines and surfaces of vtkHapticGuideMode.
  */
 #ifndef GuideShapes_h
 #define GuideShapes_h
@@ -17,8 +17,8 @@ struct ModeDescription;
 
 /**
  * Describes the path, the surface or the distance field of a guide, and sets the kind. Corners are
- * rounded by `rounding` (world units). False, with the reason and the cure in `error`, if it has
- * none that can be felt, or more than one.
+ * rounded by `rounding` (world units). False, with the reason and the cure in `error`, unless the
+ * guide has exactly one of them, and it can be felt.
  */
 bool DescribeGuide(
   vtkHapticGuideMode* mode, double rounding, ModeDescription& d, std::string& error);

@@ -44,7 +44,7 @@ std::string ClassOf(const ModeKindRow& kind)
   return std::string("vtkHaptic") + kind.Name + "Mode";
 }
 
-/** The place of a mode's kind in GetModeKinds(); their number if it has none. */
+/** Returns the index of a mode's kind in GetModeKinds(); their number if it has none. */
 std::size_t IndexOfKind(vtkHapticMode* mode)
 {
   const auto& kinds = GetModeKinds();
@@ -85,7 +85,7 @@ vtkDataArray* FindArray(vtkHapticMode* mode, ModeInput input, vtkImageData* imag
   return active ? active : areScalars ? scalars : nullptr;
 }
 
-/** Holds a reference to an object; made and dropped outside the servo thread. */
+/** Holds a reference to an object; created and released outside the servo thread. */
 std::shared_ptr<const void> ShareObject(vtkObjectBase* object)
 {
   object->Register(nullptr);
@@ -190,7 +190,7 @@ private:
     bool isThere = LocateSamples(array, 0, dimensions, d.View.Volume, holder);
     if (!isThere || d.View.Volume.Stride[0] != components)
     {
-      // Components that are kept apart, or computed.
+      // Copies components that are stored separately, or computed.
       const auto copy = CopyArray(array);
       isThere = LocateSamples(copy, 0, dimensions, d.View.Volume, holder);
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From vtkHapticMode to the core's modes, with every check of their input.
+ * Converts vtkHapticMode to the core's modes, with every check of their input.
  */
 #ifndef HapticModes_h
 #define HapticModes_h
@@ -23,18 +23,18 @@ namespace VolumeHaptics
 
 using HapticModes = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
-/** The array of the first active mode that is about one; null if there is none. */
+/** Returns the array of the first active mode that has one; null if there is none. */
 vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image);
 
 /**
- * Describes modes on the samples of an image, of which `view` is one component. Arrays are viewed
- * without a copy, unless they keep their components apart. False, with the reason and the cure in
- * `error`, if one that is active can't be felt.
+ * Describes modes on the samples of an image; `view` is one component of it. Arrays are viewed
+ * without a copy, unless they store their components separately. False, with the reason and the
+ * cure in `error`, if an active mode can't be felt.
  */
 bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeView& view,
   std::vector<ModeDescription>& described, std::string& error);
 
-/** Whether a tick has time for these modes at once, the active ones and the others. */
+/** Whether a tick has time for all of these modes at once, whether they are active or not. */
 bool FitIntoATick(const HapticModes& modes);
 
 } // namespace VolumeHaptics

@@ -36,7 +36,9 @@ struct ModePreset
 {
   const char* Name;
   ModePointer (*Make)();
-  /** A second function that is a share of the strength that the image proposes; or null. */
+  /**
+   * Function that gets a fraction of the strength that the image proposes; null if there is none.
+   */
   vtkPiecewiseFunction* (*Second)(vtkHapticMode*);
   double Share;
   bool TouchesSurfaces;
@@ -80,7 +82,10 @@ const std::vector<ModePreset>& ModePresetRows()
   return *rows;
 }
 
-/** The first array with the components that a kind of mode is about; null if there is none. */
+/**
+ * Returns the first array with the number of components that a kind of mode needs; null if there is
+ * none.
+ */
 vtkDataArray* FindFirstArray(ModeInput input, vtkImageData* image)
 {
   vtkPointData* const data = image->GetPointData();
@@ -119,7 +124,7 @@ bool SuitImage(
   return ProposeStrength(mode, image, error);
 }
 
-/** Fills the second function with a share of the strength. */
+/** Fills the second function with a fraction of the strength. */
 void FillSecond(const ModePreset& preset, vtkHapticMode* mode)
 {
   vtkPiecewiseFunction* const strength = mode->GetStrength();

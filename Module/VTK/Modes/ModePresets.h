@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The named ways to feel of vtkVolumeHapticsAlgorithm::ApplyModePreset.
+ * Named presets of vtkVolumeHapticsAlgorithm::ApplyModePreset.
  */
 #ifndef ModePresets_h
 #define ModePresets_h
@@ -19,9 +19,9 @@ namespace VolumeHaptics
 {
 
 /**
- * The modes of a preset, with strengths that suit an image. Empty, with the reason and the cure in
- * `error`, if there is no such preset, or the image has nothing for it. Without an image, strengths
- * are 2 N everywhere.
+ * Makes the modes of a preset, with strengths that suit an image. Empty, with the reason and the
+ * cure in `error`, if there is no such preset, or the image has nothing for it. Without an image,
+ * strengths are 2 N everywhere.
  */
 HapticModes MakeModePreset(const char* name, vtkImageData* image, std::string& error);
 

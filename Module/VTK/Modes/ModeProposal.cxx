@@ -22,17 +22,17 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr double WholeHold = 2.0; ///< N
-/** Places that are looked at along an axis, at most: some thousand tell enough. */
+constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
+/** Largest number of positions along an axis that are examined: some thousand in all suffice. */
 constexpr std::int64_t MostLookups = 24;
-/** The share of the places whose measure is less than the one that counts as large. */
+/** Fraction of the positions whose measure lies below the one that counts as large. */
 constexpr double LargeShare = 0.95;
-/** Vessels are few. */
+/** The same fraction for ridges: vessels fill only little of a volume. */
 constexpr double LargeRidgeShare = 0.995;
 
 using Measure = std::function<double(const Vector3& index)>;
 
-/** A measure on a regular grid of places, of those where it is positive, in order. */
+/** Collects a measure on a regular grid of positions, where it is positive, in ascending order. */
 std::vector<double> CollectMeasure(const VolumeView& view, const Measure& measure)
 {
   std::vector<double> found;
@@ -68,7 +68,7 @@ double FirstRate(const Matrix3& j)
     .Value[0];
 }
 
-/** What the strength of a mode about vectors is a function of. */
+/** Returns the measure that the strength of a mode about vectors depends on. */
 Measure MeasureVectors(ModeKind kind, const VectorField& field)
 {
   return [kind, &field](const Vector3& index)
@@ -87,7 +87,9 @@ Measure MeasureVectors(ModeKind kind, const VectorField& field)
   };
 }
 
-/** How tubular the scalars are, as vtkHapticRidgeMode has it, by a kernel of 2 voxels. */
+/**
+ * Measures how tubular the scalars are, as vtkHapticRidgeMode defines it, by a kernel of 2 voxels.
+ */
 Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, bool isDark)
 {
   return [&scalars, sign = isDark ? -1.0 : 1.0, worldToIndex = Inverse(indexToWorld.Linear)](
@@ -118,7 +120,10 @@ void SetPoints(vtkHapticMode* mode, double none, double whole)
   strength->AddPoint(whole, WholeHold);
 }
 
-/** 0 up to a tenth of the measure that counts as large, whole from its half on. */
+/**
+ * Sets a strength of 0 up to a tenth of the measure that counts as large, and full from half of it
+ * on.
+ */
 bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double share)
 {
   if (found.empty())
@@ -144,7 +149,7 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
   const std::string kind = FindModeKind(mode).Name;
   if (kind == "Guide" || kind == "Surface")
   {
-    mode->SetStrength(nullptr); // that of a guide is the same everywhere
+    mode->SetStrength(nullptr); // the default of a guide is the same everywhere
     return true;
   }
   vtkDataArray* const own = FindModeArray({ mode }, image);
@@ -167,7 +172,7 @@ bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& erro
   bool isFound = true;
   if (d.Kind == ModeKind::TensorFollow)
   {
-    SetPoints(mode, 0.15, 0.4); // of the linear anisotropy, which has no unit
+    SetPoints(mode, 0.15, 0.4); // the linear anisotropy has no unit
   }
   else if (d.Kind == ModeKind::Ridge)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Strengths of modes that suit an image: see vtkHapticMode::ProposeFromImage.
+ * Proposes strengths of modes that suit an image: see vtkHapticMode::ProposeFromImage.
  */
 #ifndef ModeProposal_h
 #define ModeProposal_h
@@ -15,7 +15,10 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** Replaces the Strength of a mode. False, with the reason in `error`, if there is none. */
+/**
+ * Replaces the Strength of a mode. False, with the reason in `error`, if there is nothing to
+ * propose.
+ */
 bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& error);
 
 } // namespace VolumeHaptics

@@ -4,9 +4,10 @@
  * @class   vtkHapticGuideMode
  * @brief   a path or a surface that guides the hand
  *
- * A virtual fixture: the hand is drawn to the nearest place on a polyline, and held there, with the
- * Strength (N), a function of the distance from it (world units). It moves freely along the line. A
- * trace of vtkVolumeHapticsFilter, or a stream line of vtkStreamTracer, may be such a path.
+ * Guides the hand along a path or a surface (a virtual fixture): the hand is drawn to the nearest
+ * point of a polyline, and held there, with the Strength (N), a function of the distance from it
+ * (world units). It moves freely along the line. A trace of vtkVolumeHapticsFilter, or a stream
+ * line of vtkStreamTracer, may be such a path.
  *
  * Instead of a path, the guide may be a surface, or a level of a distance field:
  *
@@ -14,11 +15,11 @@
  *   guide->SetSideToOutside();    // or is only kept outside of it
  *   guide->SetDistance(2.0);      // or held 2 world units away from it
  *
- * Corners are rounded over a voxel as far as directions go, so that a hand outside of a corner
- * rests at it; places stay those of the line. Lines with many small corners feel rough: smooth
- * them, for example with vtkSplineFilter. Edges of a surface are rounded in the same way; its
- * polygons should all turn the same way, as vtkPolyDataNormals makes them. Beyond the border of a
- * surface that is open, its last plane goes on.
+ * Directions, not positions, are rounded over a voxel at corners, so that a hand outside of a
+ * corner rests at it. Lines with many small corners feel rough: smooth them, for example with
+ * vtkSplineFilter. Edges of a surface are rounded in the same way; its polygons should all turn the
+ * same way, as vtkPolyDataNormals makes them. Beyond the border of an open surface, its last plane
+ * continues.
  *
  * A distance field is read as a cubic B-spline of its samples, which lies higher than the samples
  * by a sixth of their second derivatives: on a sphere of r voxels by 1 / (3 r) voxels.
@@ -99,7 +100,7 @@ public:
   vtkGetMacro(Distance, double);
   ///@}
 
-  /** Includes the path, the surface and the distance field. */
+  /** Includes the change times of the path, the surface and the distance field. */
   vtkMTimeType GetMTime() override;
 
 protected:

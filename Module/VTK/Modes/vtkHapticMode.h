@@ -4,7 +4,7 @@
  * @class   vtkHapticMode
  * @brief   a way to feel the vectors, tensors or lines in a volume
  *
- * The method PRIMITIVES of vtkVolumeHapticsFilter feels what its modes say:
+ * Makes a feature of a volume felt with the method PRIMITIVES of vtkVolumeHapticsFilter:
  *
  *   vtkNew<vtkHapticVectorFollowMode> stream;
  *   stream->SetArrayName("velocity");
@@ -15,8 +15,8 @@
  *
  * Each mode holds the hand back in some directions, and lets it go in others. The spring between
  * proxy and tip has the CouplingStiffness of the filter. A mode holds with its Strength at most: if
- * the hand pulls more, the proxy gives way, with that force. The modes of a filter are felt
- * together, and the force is never more than the sum of their strengths.
+ * the hand pulls more, the proxy gives way, at that force. The modes of a filter are felt together,
+ * and the force is never more than the sum of their strengths.
  *
  *   vtkHapticVectorFollowMode  free along a flow, held across it; and, if wanted, pushed along
  *   vtkHapticVectorFrontMode   surfaces across a field, such as wave fronts or equipotentials
@@ -74,11 +74,12 @@ public:
   ///@}
 
   /**
-   * Sets the Strength to one that suits an image: 0 where that which it depends on (|v|, vorticity,
-   * rate of stretch, how tubular the scalars are) is a tenth of what is large in this image, and 2
-   * N from the half of it on. Large is what 95 % of the places with any have less of; of vessels,
-   * 99.5 %. A tensor's is 0 up to the anisotropy 0.15 and 2 N from 0.4 on; a guide's is the
-   * default. Returns false, with an error and no change, if the image has nothing for this mode.
+   * Set the Strength to one that suits an image. It depends on |v|, vorticity, rate of stretch, or
+   * how tubular the scalars are: it is 0 up to a tenth of the value that counts as large in this
+   * image, and 2 N from half of that value on. 95 % of the positions with a positive value lie
+   * below the large one; for vessels, 99.5 %. For a tensor, the Strength is 0 up to the anisotropy
+   * 0.15 and 2 N from 0.4 on; for a guide, it is the default. Returns false, with an error and no
+   * change, if the image has nothing for this mode.
    */
   bool ProposeFromImage(vtkImageData* image);
 
@@ -110,10 +111,10 @@ public:
   void SetAxesToImage() { this->SetAxes(IMAGE); }
   ///@}
 
-  /** What it is, for the user, such as "vector follow, velocity". */
+  /** Get a description for the user, such as "vector follow, velocity". */
   std::string GetText();
 
-  /** Includes the functions. */
+  /** Includes the change times of the functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

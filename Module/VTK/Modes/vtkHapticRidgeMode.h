@@ -4,9 +4,9 @@
  * @class   vtkHapticRidgeMode
  * @brief   the middle of vessels
  *
- * The touched scalars have a ridge where they fall to all sides but along one direction: the middle
- * of a vessel or nerve. The hand is drawn to the ridge, and held there, with the Strength (N), and
- * moves freely along it.
+ * Draws the hand to the middle of a vessel or nerve: a ridge, where the touched scalars fall to all
+ * sides but along one direction. The hand is held there with the Strength (N), and moves freely
+ * along the ridge.
  *
  * The strength is a function of how tubular the scalars are: with |h_1| <= |h_2| <= |h_3| the
  * eigenvalues of their Hessian, of |h_2| - |h_1|, in scalar units per square world unit. Noise has

@@ -4,9 +4,10 @@
  * @class   vtkHapticShearMode
  * @brief   the direction in which a flow stretches
  *
- * The hand moves freely in the direction in which the flow of the vectors stretches most: along the
- * first eigenvector of (J + J^T)/2, with J the Jacobian. Across it, it is held with the Strength
- * (N), a function of the rate of stretching (the eigenvalue, per world unit).
+ * Lets the hand move freely in the direction in which the flow of the vectors stretches most: along
+ * the first eigenvector of (J + J^T)/2, with J the Jacobian. Across this direction, the hand is
+ * held with the Strength (N), a function of the rate of stretching (the eigenvalue, per world
+ * unit).
  *
  * @sa vtkHapticMode
  */

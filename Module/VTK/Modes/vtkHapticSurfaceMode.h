@@ -4,13 +4,13 @@
  * @class   vtkHapticSurfaceMode
  * @brief   the surfaces of the scalars, beside other modes
  *
- * The law of the method PROXY as a mode: the material functions of vtkHapticProperty, or the label
- * table, give surface strength, friction and drag, while the stiffness is the CouplingStiffness. A
- * material without stiffness is not felt.
+ * Makes the surfaces of the scalars felt, with the law of the method PROXY: the material functions
+ * of vtkHapticProperty, or the label table, give surface strength, friction and drag, while the
+ * stiffness is the CouplingStiffness. A material without stiffness is not felt.
  *
- * As with the solver PAPER, surfaces begin where their distinctness does, and materials are those a
- * kernel radius to either side; other settings of the method PROXY don't count. Neither do
- * ArrayName, Strength and Axes.
+ * As with the solver PAPER, surfaces begin where their distinctness begins, and materials are read
+ * a kernel radius to either side. Other settings of the method PROXY don't count, nor do ArrayName,
+ * Strength and Axes.
  *
  * @sa vtkHapticMode
  */

@@ -4,14 +4,15 @@
  * @class   vtkHapticTensorFollowMode
  * @brief   follow the fibres of a tensor field
  *
- * With l_1 >= l_2 >= l_3 the eigenvalues of the tensor, negative ones taken as 0:
+ * Lets the hand move along fibres. With l_1 >= l_2 >= l_3 the eigenvalues of the tensor, negative
+ * ones taken as 0:
  *
- *   c_l = (l_1 - l_2)/l_1    how much there is one direction (diffusion along fibres)
- *   c_p = (l_2 - l_3)/l_1    how much there is one plane (sheets)
+ *   c_l = (l_1 - l_2)/l_1    how clear one direction is (diffusion along fibres)
+ *   c_p = (l_2 - l_3)/l_1    how clear one plane is (sheets)
  *
  * The hand moves freely along the first eigenvector, and is held across it with the Strength (N), a
- * function of c_l, from 0 to 1. Where c_l is 0, so should the strength be: the default of 2 N holds
- * there, too, in an arbitrary direction. Of tensors with 9 components (row by row), the symmetric
+ * function of c_l, from 0 to 1. Let the strength be 0 where c_l is 0: the default of 2 N holds
+ * there, too, in an arbitrary direction. If tensors have 9 components (row by row), their symmetric
  * part counts.
  *
  * @sa vtkHapticMode

@@ -4,10 +4,10 @@
  * @class   vtkHapticVectorFollowMode
  * @brief   follow a flow
  *
- * The hand moves freely along the vectors of the array, as if on a rail, and is held across them
- * with the Strength (N), a function of the magnitude of the vector. The proxy follows the field
- * line, however it turns, without drift. Let the strength be 0 where the magnitude is, since a
- * vector that vanishes has no direction.
+ * Lets the hand move freely along the vectors of the array, as if on a rail, and holds it across
+ * them with the Strength (N), a function of the magnitude of the vector. The proxy follows the
+ * field line, however it turns, without drift. Let the strength be 0 where the magnitude is 0,
+ * since a zero vector has no direction.
  *
  * @sa vtkHapticMode
  */

@@ -4,10 +4,10 @@
  * @class   vtkHapticVectorFrontMode
  * @brief   surfaces across a field
  *
- * Wherever the hand is, a surface across the vectors of the array holds it with the Strength (N), a
- * function of the magnitude of the vector: a wave front, or an equipotential. The hand slides along
- * it. If the hand pushes with more than the strength, it goes on to the next surface, with that
- * force.
+ * Holds the hand, wherever it is, on a surface across the vectors of the array, such as a wave
+ * front or an equipotential, with the Strength (N), a function of the magnitude of the vector. The
+ * hand slides along this surface. If it pushes with more than the strength, it moves on to the next
+ * surface, at that force.
  *
  * @sa vtkHapticMode
  */

@@ -4,10 +4,10 @@
  * @class   vtkHapticVortexMode
  * @brief   a tube around the axis of a vortex
  *
- * The curl omega of the vectors is the axis of their rotation. The hand moves freely towards the
- * axis, along it and around it, and is held back with the Strength (N), a function of the magnitude
- * of omega (per world unit), where it moves away from the axis. Within a tenth of a voxel of the
- * core line, on which the flow does not turn, the hand rests on the line itself.
+ * Holds the hand in a vortex. The curl omega of the vectors is the axis of their rotation. The hand
+ * moves freely towards the axis, along it and around it; if it moves away from the axis, it is held
+ * back with the Strength (N), a function of the magnitude of omega (per world unit). Within a tenth
+ * of a voxel of the core line, on which the flow does not turn, the hand rests on the line itself.
  *
  * @sa vtkHapticMode
  */

@@ -22,7 +22,7 @@ struct LabelNumber
 {
   const char* Name;
   void (vtkHapticLabelTable::*Set)(int, double);
-  double (vtkHapticLabelTable::*Get)(int); ///< -1: not set
+  double (vtkHapticLabelTable::*Get)(int); ///< returns -1 if not set
 };
 
 const LabelNumber LabelNumbers[] = {
@@ -45,7 +45,7 @@ bool ReadLabel(const std::string& text, int& label)
   return error == std::errc() && stop == end && std::to_string(label) == text;
 }
 
-/** The settings of a label; writing leaves out those that are not set. */
+/** Passes the settings of a label; writing leaves out those that are not set. */
 void PassLabel(
   SetupNode row, int label, vtkHapticLabelTable* table, bool hasFelt, bool hasForbidden)
 {
@@ -91,7 +91,7 @@ void PassLabel(
 
 void WriteTable(SetupNode node, vtkHapticLabelTable* table)
 {
-  // Which flags are set is told by the field data, -1 where one is not.
+  // The field data show which flags are set: -1 stands for one that is not.
   vtkNew<vtkFieldData> data;
   table->WriteFieldData(data);
   vtkDataArray* const felt = data->GetArray("LabelFelt");
@@ -113,7 +113,7 @@ void ReadTable(SetupNode node, vtkHapticLabelTable* table)
       "called by its label, a whole number from " +
         std::to_string(std::numeric_limits<int>::min()) + " to " +
         std::to_string(std::numeric_limits<int>::max()));
-    node.Then([=] { table->SetLabelName(label, table->GetLabelName(label)); }); // creates it
+    node.Then([=] { table->SetLabelName(label, table->GetLabelName(label)); }); // creates the entry
     PassLabel(node.Child(key), label, table, false, false);
   }
 }
@@ -144,7 +144,7 @@ void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter)
     node.Then([=] { table->RemoveAllLabels(); });
     ReadTable(node.Child("Table"), table);
   }
-  // At once, so that a table that is the same already is not modified.
+  // Compares at once, so that a table that is already equal is not modified.
   node.Then(
     [=]
     {

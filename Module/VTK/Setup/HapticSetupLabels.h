@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The label table in a setup, for writing and for reading alike.
+ * Writes and reads the label table in a setup.
  */
 #ifndef HapticSetupLabels_h
 #define HapticSetupLabels_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The entry Labels of the section Haptics: stand-off and labels of the filter's table. A filter
- * without a table has none, and gets one if the file has the entry.
+ * Passes the entry Labels of the section Haptics: stand-off and labels of the filter's table. A
+ * filter without a table writes no entry, and gets a table if the file has the entry.
  */
 void PassLabels(SetupNode& haptics, vtkVolumeHapticsFilter* filter);
 

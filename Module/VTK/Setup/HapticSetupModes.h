@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The modes of the method PRIMITIVES in a setup, for writing and for reading alike.
+ * Writes and reads the modes of the method PRIMITIVES in a setup.
  */
 #ifndef HapticSetupModes_h
 #define HapticSetupModes_h
@@ -15,9 +15,9 @@ namespace VolumeHaptics
 {
 
 /**
- * The entry Modes of the section Haptics. A filter without modes has none; one of a file replaces
- * those of the filter. Paths, surfaces and distance fields of guides are data, which no setup has:
- * a guide that stays at its place in the list keeps them.
+ * Passes the entry Modes of the section Haptics. A filter without modes writes no entry; an entry
+ * in a file replaces the filter's modes. Paths, surfaces and distance fields of guides are data,
+ * which setups do not hold: a guide that stays at its place in the list keeps them.
  */
 void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter);
 

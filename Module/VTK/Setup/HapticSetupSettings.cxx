@@ -24,12 +24,12 @@
 #include <cmath>
 #include <limits>
 
-// A setting of an object, with VTK's name for it.
+// Passes a setting of an object under VTK's name.
 #define PassNumberMacro(node, object, name, range)       \
   (node).Number(                                         \
     #name, range, [=] { return (object)->Get##name(); }, \
     [=](double number) { (object)->Set##name(number); })
-// The same, of one component.
+// Passes a component's setting under VTK's name.
 #define PassComponentMacro(node, object, component, name, range)  \
   (node).Number(                                                  \
     #name, range, [=] { return (object)->Get##name(component); }, \
@@ -43,7 +43,7 @@ namespace
 void PassProperty(SetupNode& node, vtkVolumeHapticsFilter* filter, vtkVolumeProperty* visible)
 {
   PassMaterials(node, [filter] { return filter->GetProperty(); });
-  // This setup could not restore the visibility of another property.
+  // This setup could not restore the visibility from another volume property.
   if (!node.IsWriting() || !filter->GetProperty()->GetVisibilityFrom() ||
     filter->GetProperty()->GetVisibilityFrom() == visible)
   {
@@ -95,7 +95,7 @@ void PassHaptics(SetupNode node, vtkVolumeHapticsFilter* filter, vtkVolumeProper
 {
   if (!node.IsWriting() && node.Has("ContactAlignment") && !node.Has("MaterialPlacement"))
   {
-    // A whole setup from before this setting.
+    // The file is a whole setup from before this setting.
     node.Then([=] { filter->SetMaterialPlacementToKernel(); });
   }
   PassSettings(node, static_cast<vtkVolumeHapticsAlgorithm*>(filter), FilterSettings);
@@ -123,7 +123,8 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
     part.Flag(
       "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
       [=](bool on) { property->SetDisableGradientOpacity(c, on); });
-    // The function below the one that VTK uses instead while gradient opacity is disabled.
+    // Passes the stored function: while gradient opacity is disabled, the getter returns another
+    // one.
     PassFunction(part.Child("GradientOpacity"), AnyNumber(),
       [=]
       {
@@ -131,7 +132,7 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
         {
           const int disabled = property->GetDisableGradientOpacity(c);
           property->SetDisableGradientOpacity(c, 0);
-          property->GetGradientOpacity(c); // this creates it
+          property->GetGradientOpacity(c); // creates the function
           property->SetDisableGradientOpacity(c, disabled);
         }
         return property->GetStoredGradientOpacity(c);

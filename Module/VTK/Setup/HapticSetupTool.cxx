@@ -46,7 +46,7 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
   }
   if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
   {
-    // As the shapes of guides, the mesh stays that of the filter: a setup has settings only.
+    // The mesh stays the filter's, like the shapes of guides: a setup holds settings only.
     auto* const before = vtkHapticPointShell::SafeDownCast(filter->GetTool());
     shell->SetMesh(before ? before->GetMesh() : nullptr);
     PassSettings(node, shell, PointShellSettings);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool in the hand in a setup, for writing and for reading alike.
+ * Writes and reads the tool in the hand in a setup.
  */
 #ifndef HapticSetupTool_h
 #define HapticSetupTool_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The entry Tool of the section Haptics, with its Kind, its settings and its functions. A filter
- * without a tool writes none; one of a file replaces that of the filter.
+ * Passes the entry Tool of the section Haptics, with its Kind, its settings and its functions. A
+ * filter without a tool writes no entry; an entry in a file replaces the filter's tool.
  */
 void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter);
 

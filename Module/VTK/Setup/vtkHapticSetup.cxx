@@ -25,9 +25,9 @@ using namespace VolumeHaptics;
 
 constexpr SetupFileKind SetupKind{ "VTK Volume Haptics setup", 1, "setup",
   "that vtkHapticSetup saved", "save the setup again" };
-constexpr std::size_t LargestFile = 16 << 20; // bytes; without labels, thousands
+constexpr std::size_t LargestFile = 16 << 20; // bytes; a setup without labels has thousands
 
-/** One pass over everything that a setup has. */
+/** Passes once over everything that a setup holds. */
 void PassSetup(vtkHapticSetup* setup, SetupPass& pass, Json::Value& root)
 {
   SetupNode node(pass, &root, {});
@@ -92,7 +92,7 @@ bool vtkHapticSetup::Save(const char* file)
   }
   vtkHapticLabelTable* const labels =
     this->VolumeHaptics ? this->VolumeHaptics->GetLabelTable() : nullptr;
-  constexpr std::size_t leastBytes = 24; // of a label in the file
+  constexpr std::size_t leastBytes = 24; // of each label in the file
   if (labels && leastBytes * static_cast<std::size_t>(labels->GetNumberOfLabels()) > LargestFile)
   {
     vtkErrorMacro(<< DescribeTooLarge(file));
@@ -102,7 +102,7 @@ bool vtkHapticSetup::Save(const char* file)
   SetupPass writing;
   writing.Writing = true;
   PassSetup(this, writing, root);
-  // A setup that could not be loaded again must not replace one that can.
+  // A setup that could not be loaded again must not replace a valid one.
   SetupPass reading;
   PassSetup(this, reading, root);
   if (!reading.Error.empty())

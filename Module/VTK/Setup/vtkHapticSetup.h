@@ -14,10 +14,10 @@
  *   setup->Save("liver.json");        // and later
  *   setup->Load("liver.json");        // then vtkHapticDevice::Publish
  *
- * Each of the four is optional: one that is not set is neither saved nor loaded. They are kept by
- * reference, and Load changes them and their functions in place.
+ * Each of the four objects is optional: an object that is not set is neither saved nor loaded. They
+ * are kept by reference, and Load changes them and their functions in place.
  *
- * In the file:
+ * The file contains:
  *
  *   Haptics        all settings of vtkVolumeHapticsFilter and of its vtkHapticProperty: the five
  *                  functions with midpoints and sharpness, the component, the surface side, and

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Lists of labels that other programs write, a line a label: names, most of them with colours.
+ * @file Reads lists of labels that other programs write, one line for each label: names, most of
+ * them with colours.
  *
  *   ITK-SNAP (label descriptions)   1   255   0   0   1  1  1   "Left ventricle"
  *   FreeSurfer (colour tables)      17  Left-Hippocampus  220 216 20 0
@@ -11,7 +11,7 @@
  * ITK-SNAP: label; red, green, blue, 0 to 255; opacity and two flags of its display, which are
  * ignored; a name in quotes. FreeSurfer: label; name; red, green, blue and transparency, which is
  * ignored. MRIcron: label; name; or after it one more number, which is ignored. Empty lines and
- * lines that begin with # mean nothing. If a label has two lines, the last one holds.
+ * lines that begin with # are ignored. If a label has two lines, the last one counts.
  *
  * MRIcron keeps colours in a file of 768 bytes: red of the labels 0 to 255, then green, then blue.
  */
@@ -27,22 +27,22 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** Whether the first line that means something is one of such a list. */
+/** Whether the first line that is not ignored belongs to such a list. */
 bool IsItkSnapTable(std::string_view text);
 bool IsFreeSurferTable(std::string_view text);
 bool IsNameList(std::string_view text);
 ///@}
 
 ///@{
-/** False, with the reason and the cure, and entries unchanged, if the text can't be read. */
+/** Read such a list. False, with the reason and the cure, and entries unchanged, if they can't. */
 bool ReadItkSnapTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);
 ///@}
 
-/** Whether bytes can be a file of colours: 768 of them. */
+/** Whether bytes can be a file of colours: there are 768 of them. */
 bool IsPalette(std::string_view bytes);
-/** The colours of the labels 0 to 255. */
+/** Reads the colours of the labels 0 to 255. */
 void ReadPalette(std::string_view bytes, LabelEntries& entries);
 
 } // namespace VolumeHaptics

@@ -86,7 +86,9 @@ std::optional<bool> ReadFlag(std::string_view text)
   return {};
 }
 
-/** Of three numbers: from 0 to 1 if none of them is larger, else from 0 to 255. */
+/**
+ * Converts three numbers to a colour: from 0 to 1 if none of them is larger, else from 0 to 255.
+ */
 std::optional<std::array<double, 3>> ReadColorNumbers(
   const std::optional<double>& r, const std::optional<double>& g, const std::optional<double>& b)
 {
@@ -129,7 +131,7 @@ public:
     for (const std::string& title : this->Titles)
     {
       Column meaning = FindColumn(title);
-      // The first column for labels is the one.
+      // Only the first column for labels counts.
       meaning = meaning == Column::Label && hasLabel ? Column::Other : meaning;
       hasLabel = hasLabel || meaning == Column::Label;
       this->Columns.push_back(meaning);
@@ -183,7 +185,7 @@ public:
   }
 
 private:
-  /** Returns what is wanted instead, or nullptr. */
+  /** Reads a cell. Returns what is wanted instead if it is invalid, otherwise nullptr. */
   const char* ReadCell(
     Column column, const std::string& cell, LabelEntry& entry, std::optional<double> (&parts)[3])
   {
@@ -249,7 +251,7 @@ private:
   bool AllowsCommas;
 };
 
-/** As #rrggbb, if that is the colour to the bit. */
+/** Writes a colour as #rrggbb if that is exact to the bit. */
 std::string WriteColor(const std::array<double, 3>& color)
 {
   std::ostringstream text;
@@ -326,7 +328,7 @@ std::string WriteCsv(const LabelEntries& entries)
   };
   const auto flag = [&text](const std::optional<bool>& value)
   { text << "," << (value ? (*value ? "1" : "0") : ""); };
-  // Only for those who use needles, or burrs.
+  // Written only for users of needles or burrs.
   const auto isUsed = [&entries](std::optional<double> LabelEntry::*member)
   {
     return std::any_of(entries.begin(), entries.end(),

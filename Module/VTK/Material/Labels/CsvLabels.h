@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Tables of labels as CSV: RFC 4180, whose first line names the columns.
+ * @file Reads and writes tables of labels as CSV (RFC 4180); the first line names the columns.
  *
  *   label,name,stiffness,friction,viscosity,strength,felt,forbidden,color
  *   5,liver,300,0.1,0.5,1.5,1,0,#dd8265
  *   52,aorta,,,,,1,1,
  *
- * A column for labels is needed, the others are not; the order is free. Columns with other names
+ * Only the column for labels is needed; the order of the columns is free. Columns with other names
  * are ignored, and an empty cell sets nothing. Besides commas, tabs and semicolons separate cells;
  * between semicolons, numbers may have decimal commas.
  *
@@ -40,10 +39,13 @@ namespace VolumeHaptics
 /** Whether the first line that is not empty has a column for labels. */
 bool IsCsv(std::string_view text);
 
-/** False, with the reason and the cure, and entries unchanged, if the text can't be read. */
+/**
+ * Reads a table. False, with the reason and the cure, and entries unchanged, if the text can't be
+ * read.
+ */
 bool ReadCsv(std::string_view text, LabelEntries& entries, std::string& error);
 
-/** A text that ReadCsv reads back to the bit. */
+/** Writes a text that ReadCsv reads back exactly to the bit. */
 std::string WriteCsv(const LabelEntries& entries);
 
 } // namespace VolumeHaptics

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rows and cells of CSV, as RFC 4180 has them.
+ * Reads and writes rows and cells of CSV (RFC 4180).
  */
 #ifndef CsvRows_h
 #define CsvRows_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** Rows of cells; cells in quotes may hold separators, ends of lines, and quotes as two. */
+/** Rows of cells. Cells in quotes may hold separators, ends of lines, and quotes written twice. */
 class CsvRows
 {
 public:
@@ -24,11 +24,11 @@ public:
   {
   }
 
-  /** The next row. False at the end of the text. */
+  /** Reads the next row. False at the end of the text. */
   bool Next(std::vector<std::string>& cells);
-  /** The line in which that row begins, from 1 on. */
+  /** Line in which the last row begins, counted from 1. */
   int GetLine() const { return this->RowLine; }
-  /** Whether a quote is opened and never closed. */
+  /** Whether a quote was opened but never closed. */
   bool IsCutOff() const { return this->CutOff; }
 
 private:
@@ -45,15 +45,20 @@ private:
   bool CutOff = false;
 };
 
-/** The comma, semicolon or tab that separates most cells of the first line that is not empty. */
+/**
+ * Returns the comma, semicolon or tab that separates most cells of the first line that is not
+ * empty.
+ */
 char FindSeparator(std::string_view text);
 
-/** The first line that is not empty. */
+/** Returns the first line that is not empty. */
 std::string_view FirstLine(std::string_view text);
 
 bool IsEmptyRow(const std::vector<std::string>& cells);
 
-/** A text as a cell, in quotes if separators, quotes, ends of lines or blanks need them. */
+/**
+ * Writes a text as a cell, in quotes if separators, quotes, ends of lines or blanks require them.
+ */
 std::string WriteCell(const std::string& text);
 
 } // namespace VolumeHaptics

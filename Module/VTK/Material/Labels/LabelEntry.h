@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One label of a table: what the table, the files of labels and field data have of it.
+ * One label of a table, as the table, the files of labels and field data describe it.
  */
 #ifndef LabelEntry_h
 #define LabelEntry_h

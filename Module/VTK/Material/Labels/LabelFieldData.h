@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * A table of labels as arrays of a vtkFieldData, with a tuple for each label.
+ * @file Reads and writes a table of labels as arrays of a vtkFieldData, with a tuple for each
+ * label.
  *
  * | array | type | where nothing is set |
  * | --- | --- | --- |
@@ -32,13 +32,13 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with the reason and the cure, and entries unchanged, if that fails. The stand-off has no
- * value if there is none.
+ * Reads the arrays. False, with the reason and the cure, and entries unchanged, on failure. The
+ * stand-off has no value if there is none.
  */
 bool ReadLabelFieldData(
   vtkFieldData* data, LabelEntries& entries, std::optional<double>& standOff, std::string& error);
 
-/** Adds the arrays, or replaces those with their names. */
+/** Adds the arrays, or replaces arrays of these names. */
 void WriteLabelFieldData(const LabelEntries& entries, double standOff, vtkFieldData* data);
 
 } // namespace VolumeHaptics

@@ -30,7 +30,7 @@ constexpr const char* KnownTables =
   "ITK-SNAP, a colour table of FreeSurfer, a .vti with a table, or a CSV file whose first line "
   "names the columns, such as label,name,stiffness";
 
-/** How many bytes of a file are needed, from those that are there. */
+/** Computes from the bytes that were read how many bytes of the file are needed. */
 std::size_t CountNeeded(std::string_view bytes)
 {
   if (IsNrrd(bytes))
@@ -73,7 +73,7 @@ bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& er
     const int got = gzread(opened.get(), chunk.get(), static_cast<unsigned>(ChunkOfLabels));
     int number = Z_OK;
     const std::string why = got <= 0 ? gzerror(opened.get(), &number) : "";
-    // A file that ends too early ends for zlib as a whole one does, but for this number.
+    // For zlib, a truncated file ends like a complete one, except for this error number.
     if (got < 0 || number == Z_BUF_ERROR)
     {
       error = "can't be read (" + (number == Z_ERRNO ? DescribeError(errno) : Printable(why)) +

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tables of labels from files of any known format, which the bytes tell.
+ * Reads tables of labels from files of any known format; the bytes show which it is.
  */
 #ifndef LabelFiles_h
 #define LabelFiles_h
@@ -16,17 +16,17 @@ namespace VolumeHaptics
 {
 
 /**
- * The part of a file that can have a table of labels, uncompressed: the head of an image file, or
- * all of a text. False, with the reason and the cure, if the file can't be read.
+ * Reads the part of a file that can hold a table of labels, uncompressed: the head of an image
+ * file, or all of a text. False, with the reason and the cure, if the file can't be read.
  */
 bool ReadLabelBytes(const std::string& file, std::string& bytes, std::string& error);
 
-/** Whether bytes begin as a VTK XML file does, whose field data LabelFieldData.h reads. */
+/** Whether bytes begin like a VTK XML file, whose field data LabelFieldData.h reads. */
 bool IsVtkFile(std::string_view bytes);
 
 /**
  * Reads a table of labels from the bytes of any other format. False, with the reason and the cure,
- * and entries unchanged, if that fails.
+ * and entries unchanged, on failure.
  */
 bool ReadLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 

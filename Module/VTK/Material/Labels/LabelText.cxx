@@ -115,7 +115,7 @@ std::optional<std::array<double, 3>> MakeColor(double red, double green, double 
 std::string MakeLabelName(std::string_view text)
 {
   const std::string bytes(text);
-  // Printable changes a text if and only if it is not UTF-8.
+  // Printable() changes a text if and only if it is not UTF-8.
   const bool isLatin = Printable(bytes) != bytes;
   std::string name;
   for (const char character : bytes)

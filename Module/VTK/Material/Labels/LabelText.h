@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Lines, words, numbers and names in files of labels.
+ * Parses lines, words, numbers and names in files of labels.
  */
 #ifndef LabelText_h
 #define LabelText_h
@@ -16,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** The lines of a text, which end as on Unix, Windows or old Macs. */
+/** Lines of a text, with the line ends of Unix, Windows or old Macs. */
 class LabelLines
 {
 public:
@@ -24,9 +24,9 @@ public:
     : Rest(text)
   {
   }
-  /** The next line without its end, and without blanks around it. False if there is none. */
+  /** Reads the next line without its end, and without blanks around it. False if there is none. */
   bool Next(std::string_view& line);
-  /** The number of that line, from 1 on. */
+  /** Number of the last line read, counted from 1. */
   int GetNumber() const { return this->Number; }
 
 private:
@@ -34,35 +34,35 @@ private:
   int Number = 0;
 };
 
-/** A text without blanks around it. */
+/** Removes the blanks around a text. */
 std::string_view Trim(std::string_view text);
 
-/** The words of a text, which blanks separate. */
+/** Splits a text into words at its blanks. */
 std::vector<std::string_view> SplitWords(std::string_view line);
 
-/** A text in lower case, without blanks, underscores, and what stands in parentheses. */
+/** Converts a text to lower case, without blanks, underscores, and texts in parentheses. */
 std::string MakeKey(std::string_view text);
 
-/** A finite number, in any locale with a decimal point, and with nothing around it but blanks. */
+/** Reads a finite number with a decimal point, in any locale; only blanks may surround it. */
 std::optional<double> ReadNumber(std::string_view text);
 
-/** A label. If there is none, the error says why, and what helps. */
+/** Reads a label. If there is none, the error gives the reason and the cure. */
 std::optional<int> ReadLabel(std::string_view text, std::string& error);
 
-/** Red, green and blue from 0 to 255, as a colour from 0 to 1. */
+/** Converts red, green and blue from 0 to 255 to a colour from 0 to 1. */
 std::optional<std::array<double, 3>> ReadByteColor(
   std::string_view red, std::string_view green, std::string_view blue);
 
-/** Three numbers as a colour, if all of them are from 0 to 1. */
+/** Makes a colour of three numbers, if all of them are from 0 to 1. */
 std::optional<std::array<double, 3>> MakeColor(double red, double green, double blue);
 
 /**
- * A text as UTF-8 without control characters. If it is not UTF-8, it is taken for ISO 8859-1, which
- * old programs write; control characters become blanks.
+ * Converts a text to UTF-8 without control characters. If it is not UTF-8, it is treated as ISO
+ * 8859-1, which old programs write; control characters become blanks.
  */
 std::string MakeLabelName(std::string_view text);
 
-/** The beginning of a text in quotes, for a message. */
+/** Returns the beginning of a text in quotes, for a message. */
 std::string Quote(std::string_view text);
 
 /** "Line 3: ", for a message. */

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Sizes and offsets, in bytes, that differ between the versions of NIfTI. */
+/** Sizes and offsets (bytes) that differ between the versions of NIfTI. */
 struct Version
 {
   std::size_t HeaderSize;
@@ -26,7 +26,7 @@ constexpr Version Versions[] = { { 348, 344, "n+1", "ni1" }, { 540, 4, "n+2", "n
 constexpr std::size_t ExtenderSize = 4;
 constexpr std::size_t ExtensionHeadSize = 8;
 
-/** An integer or a number of the file, whose bytes may be in the other order. */
+/** Reads a number of the file, whose bytes may be in the other order. */
 template <typename Number>
 Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
 {
@@ -44,7 +44,7 @@ Number Load(std::string_view bytes, std::size_t offset, bool isSwapped)
   return number;
 }
 
-/** The version of a file, or nullptr. */
+/** Returns the version of a file, or nullptr. */
 const Version* FindVersion(std::string_view bytes, bool& isSwapped)
 {
   for (const Version& version : Versions)
@@ -61,7 +61,7 @@ const Version* FindVersion(std::string_view bytes, bool& isSwapped)
   return nullptr;
 }
 
-/** The XML with labels among the extensions, or nothing. */
+/** Returns the XML with labels among the extensions; empty if there is none. */
 std::string_view FindXml(std::string_view extensions, bool isSwapped)
 {
   while (extensions.size() > ExtensionHeadSize)
@@ -76,7 +76,7 @@ std::string_view FindXml(std::string_view extensions, bool isSwapped)
     data.remove_prefix(ExtensionHeadSize);
     if (data.find("<LabelTable") != std::string_view::npos)
     {
-      // Extensions are filled up with zeros or blanks.
+      // Extensions are padded with zeros or blanks.
       return data.substr(0, data.find('\0'));
     }
   }
@@ -99,7 +99,7 @@ std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most)
   {
     return 0;
   }
-  // A header alone is all head.
+  // A file with only a header is read completely.
   double size = static_cast<double>(most);
   if (version == &Versions[0] && bytes.substr(version->Magic, 3) == version->Single)
   {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The tables of labels that NIfTI files carry between header and samples.
+ * @file Finds the tables of labels that NIfTI files carry between header and samples.
  *
  * TotalSegmentator, and programs of the Human Connectome Project, store a header extension in XML,
  * with an element <Label Key="5" Red="1" Green="0" Blue="0" Alpha="1">liver</Label> for each label.
@@ -17,10 +16,13 @@
 namespace VolumeHaptics
 {
 
-/** Whether bytes, uncompressed, begin as a NIfTI file of version 1 or 2 does. */
+/** Whether uncompressed bytes begin like a NIfTI file of version 1 or 2. */
 bool IsNifti(std::string_view bytes);
 
-/** The size of all that precedes the samples, from the first 540 bytes; at most what is given. */
+/**
+ * Computes the size of all that precedes the samples, from the first 540 bytes; at most what is
+ * given.
+ */
 std::size_t GetNiftiHeadSize(std::string_view bytes, std::size_t most);
 
 enum class NiftiTable

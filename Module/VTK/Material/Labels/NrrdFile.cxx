@@ -14,9 +14,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** By how much deflate can shrink zeros at most (zlib's technical details). */
+/** Largest factor by which deflate can shrink zeros (zlib's technical details). */
 constexpr double LargestCompression = 1032.0;
-constexpr std::size_t MostAtOnce = 1 << 24; // bytes for zlib, which counts with 32 bits
+constexpr std::size_t MostAtOnce = 1 << 24; // bytes per call of zlib, which counts with 32 bits
 
 } // namespace
 
@@ -40,7 +40,7 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
   }
   struct stat status;
   const double size = stat(name.c_str(), &status) == 0 ? static_cast<double>(status.st_size) : 0.0;
-  // Memory is asked for before the samples are read.
+  // The memory is allocated before the samples are read, so check the size first.
   if (static_cast<double>(file.Image.CountBytes()) > size * LargestCompression)
   {
     error = "it has fewer samples than its header says. Check that the file is complete.";
@@ -51,7 +51,7 @@ bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error)
 
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
 {
-  // Compressed samples begin behind the header; others are read with it.
+  // Compressed samples begin after the header; other samples are read together with it.
   const std::size_t begin = file.Image.IsCompressed ? file.Header.Size : 0;
   const GzipFile opened = OpenGzipFile(file.Name, begin, error);
   if (!opened)
@@ -83,7 +83,7 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
   {
     return false;
   }
-  // Behind compressed samples is their check sum, which zlib looks at when it gets there.
+  // After compressed samples comes their checksum, which zlib checks when it gets there.
   char rest = 0;
   int number = Z_OK;
   if (file.Image.IsCompressed && gzread(opened.get(), &rest, 1) <= 0)

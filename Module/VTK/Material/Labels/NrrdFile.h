@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A NRRD file with a segmentation on the disk.
+ * Reads a segmentation from a NRRD file.
  */
 #ifndef NrrdFile_h
 #define NrrdFile_h
@@ -22,12 +22,12 @@ struct NrrdFile
   NrrdImage Image;
 };
 
-/** Reads the header. False, with the reason and the cure, if that fails. */
+/** Reads the header. False, with the reason and the cure, on failure. */
 bool OpenNrrdFile(const std::string& name, NrrdFile& file, std::string& error);
 
 /**
  * Reads one label for each voxel into memory that holds zeros. False, with the reason and the cure,
- * if that fails.
+ * on failure.
  */
 bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error);
 

@@ -96,7 +96,7 @@ bool ReadEncoding(const NrrdHeader& header, NrrdImage& image, std::string& error
   return true;
 }
 
-/** The three numbers in parentheses. */
+/** Reads the three numbers in parentheses. */
 std::optional<std::array<double, 3>> ReadVector(std::string_view text)
 {
   text = Trim(text);
@@ -120,7 +120,7 @@ std::optional<std::array<double, 3>> ReadVector(std::string_view text)
   return vector;
 }
 
-/** Blanks within parentheses separate nothing. */
+/** Splits a text at its blanks, except within parentheses. */
 std::vector<std::string> SplitVectors(const std::string& text)
 {
   std::string joined;
@@ -141,7 +141,7 @@ std::vector<std::string> SplitVectors(const std::string& text)
   return words;
 }
 
-/** The axis of the layers, or the number of axes if there is none. */
+/** Returns the axis of the layers, or the number of axes if there is none. */
 std::size_t FindListAxis(const NrrdHeader& header, std::size_t axes)
 {
   const std::vector<std::string> directions = SplitVectors(Find(header.Fields, "space directions"));
@@ -197,7 +197,7 @@ double Determinant(const std::array<double, 9>& m)
     m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/** Signs that turn positions into left-posterior-superior. */
+/** Returns the signs that convert positions to left-posterior-superior. */
 std::array<double, 3> FindSigns(const NrrdHeader& header)
 {
   const std::string space = MakeKey(Find(header.Fields, "space"));
@@ -259,7 +259,7 @@ bool ReadFrame(const NrrdHeader& header, NrrdImage& image, std::size_t listAxis,
   return true;
 }
 
-/** A value of a sample as one of 64 bits. */
+/** Reads the value of a sample as a number of 64 bits. */
 std::int64_t LoadSample(const char* from, const NrrdImage& image)
 {
   unsigned char raw[sizeof(std::uint64_t)];
@@ -286,7 +286,7 @@ std::int64_t LoadSample(const char* from, const NrrdImage& image)
   }
 }
 
-/** From values in a layer to segments. */
+/** Maps values in a layer to segments. */
 class SegmentMap
 {
 public:
@@ -306,7 +306,7 @@ public:
     }
   }
 
-  /** The rank of a value, 0 for one without a segment, and its label. */
+  /** Returns the rank of a value and its label; 0 for a value without a segment. */
   int Rank(std::size_t layer, std::int64_t value, int& label)
   {
     const auto found = this->ByLayer[layer].find(value);

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The samples of a segmentation in a NRRD file: their geometry, and one label for each voxel.
+ * @file Reads the samples of a segmentation in a NRRD file: their geometry, and one label for each
+ * voxel.
  *
  * Overlapping segments are in layers, which are one more axis of the samples, in most files the
- * first one. In a voxel with several segments, the last of them in the file holds, as in 3D Slicer.
+ * first one. In a voxel with several segments, the last of them in the file counts, as in 3D
+ * Slicer.
  */
 #ifndef NrrdImage_h
 #define NrrdImage_h
@@ -21,16 +22,17 @@
 namespace VolumeHaptics
 {
 
-/** The samples, as the header describes them. Positions are left-posterior-superior, as in ITK. */
+/** Samples as the header describes them. Positions are left-posterior-superior, as in ITK. */
 struct NrrdImage
 {
   std::array<std::size_t, 3> Size{};
   std::size_t Layers = 1;
-  std::size_t Inner = 1; ///< samples from one layer of a voxel to the next
+  std::size_t Inner = 1; ///< number of samples from one layer of a voxel to the next
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Origin{};
-  std::array<double, 9> Directions{ 1, 0, 0, 0, 1, 0, 0, 0, 1 }; ///< of the axes, in columns
-  std::size_t SampleSize = 1;                                    ///< bytes
+  /** Directions of the axes, in columns. */
+  std::array<double, 9> Directions{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  std::size_t SampleSize = 1; ///< bytes
   bool IsSigned = false;
   bool IsSwapped = false;
   bool IsCompressed = false;
@@ -40,18 +42,18 @@ struct NrrdImage
 };
 
 /**
- * False, with the reason and the cure, if a header is not that of a segmentation, or if its samples
- * can't be read.
+ * Interprets a header. False, with the reason and the cure, if it does not belong to a
+ * segmentation, or if the samples can't be read.
  */
 bool ReadNrrdImage(const NrrdHeader& header, NrrdImage& image, std::string& error);
 
-/** Fills memory with the next bytes of the samples. Returns how many there were. */
+/** Fills memory with the next bytes of the samples. Returns their number. */
 using NrrdBytes = std::function<std::size_t(char*, std::size_t)>;
 
 /**
- * Reads one label for each voxel into memory that holds zeros. Values without a segment stay as
- * they are, if labels are the values; else they become 0. False, with the reason and the cure, if
- * that fails.
+ * Reads one label for each voxel into memory that holds zeros. Values without a segment stay
+ * unchanged if labels are the values; otherwise they become 0. False, with the reason and the cure,
+ * on failure.
  */
 bool ReadNrrdSamples(const NrrdHeader& header, const NrrdImage& image, const NrrdBytes& bytes,
   int* labels, std::string& error);

@@ -17,7 +17,7 @@ namespace
 constexpr std::string_view Magic = "NRRD000";
 constexpr std::string_view Prefix = "Segment";
 
-/** The backslashes of keys and values: \\ and \n. */
+/** Resolves the backslashes of keys and values: \\ and \n. */
 std::string Unescape(std::string_view text)
 {
   std::string result;

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The header of a NRRD file, and the segments that 3D Slicer and VolView keep in it (.seg.nrrd).
+ * @file Reads the header of a NRRD file, and the segments that 3D Slicer and VolView store in it
+ * (.seg.nrrd).
  *
  * A segment has a name, a colour, a layer and the value of its voxels there: SegmentN_Name, _Color,
- * _Layer and _LabelValue. Segments that overlap are in layers of their own, in which values may
- * occur again. Old files have neither layers nor values: segment N is layer N, with the value 1.
+ * _Layer and _LabelValue. Overlapping segments are in separate layers, and values may occur again
+ * in another layer. Old files have neither layers nor values: segment N is layer N, with the value
+ * 1.
  *
  * In the table, a segment's label is its value. If two segments of different layers share a value,
  * the label of every segment is N + 1 instead.
@@ -28,8 +29,8 @@ namespace VolumeHaptics
 struct NrrdSegment
 {
   int Layer = 0;
-  int Value = 1; ///< in its layer
-  int Label = 1; ///< in the table
+  int Value = 1; ///< value in its layer
+  int Label = 1; ///< label in the table
   LabelEntry Entry;
 };
 
@@ -37,20 +38,23 @@ struct NrrdHeader
 {
   std::map<std::string, std::string> Fields; ///< "field: description", in lower case
   std::map<std::string, std::string> Values; ///< "key:=value"
-  std::vector<NrrdSegment> Segments;         ///< in rising order of N
-  std::size_t Size = 0;                      ///< bytes, with the empty line at the end
+  std::vector<NrrdSegment> Segments;         ///< in ascending order of N
+  std::size_t Size = 0;                      ///< bytes, including the empty line at the end
 };
 
-/** Whether bytes begin as a NRRD file does. */
+/** Whether bytes begin like a NRRD file. */
 bool IsNrrd(std::string_view bytes);
 
 /**
- * Reads the header at the beginning of a file. False, with the reason and the cure, if that fails;
- * no segments are no error.
+ * Reads the header at the beginning of a file. False, with the reason and the cure, on failure; a
+ * header without segments is valid.
  */
 bool ReadNrrdHeader(std::string_view bytes, NrrdHeader& header, std::string& error);
 
-/** False, with the reason and the cure, and entries unchanged, if there are no segments. */
+/**
+ * Reads the segments. False, with the reason and the cure, and entries unchanged, if there are
+ * none.
+ */
 bool ReadNrrdLabels(std::string_view bytes, LabelEntries& entries, std::string& error);
 
 } // namespace VolumeHaptics

@@ -88,7 +88,7 @@ protected:
 private:
   void Fail(const std::string& reason) { this->Error = this->Error.empty() ? reason : this->Error; }
 
-  std::optional<int> Label; ///< the element that is open
+  std::optional<int> Label; ///< label of the open element
   std::string Name;
   std::string Ignored;
 };

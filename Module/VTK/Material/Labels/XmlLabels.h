@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The XML of labels in a NIfTI file: see NiftiLabels.h.
+ * Reads the XML of labels in a NIfTI file: see NiftiLabels.h.
  */
 #ifndef XmlLabels_h
 #define XmlLabels_h
@@ -15,7 +15,10 @@
 namespace VolumeHaptics
 {
 
-/** False, with the reason and the cure, and entries unchanged, if the text can't be read. */
+/**
+ * Reads the labels. False, with the reason and the cure, and entries unchanged, if the text can't
+ * be read.
+ */
 bool ReadXmlLabels(std::string_view xml, LabelEntries& entries, std::string& error);
 
 } // namespace VolumeHaptics

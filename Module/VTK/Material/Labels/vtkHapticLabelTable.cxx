@@ -34,11 +34,14 @@ class vtkHapticLabelTable::vtkInternals
 {
 public:
   LabelEntries Entries;
-  /** The labels in rising order, as long as IsListed. */
+  /** The labels in ascending order; valid while IsListed. */
   std::vector<int> Labels;
   bool IsListed = false;
 
-  /** Callers mostly ask for all of a label, label after label. */
+  /**
+   * Finds the entry of a label; quick for repeated calls, as callers mostly read one label after
+   * another.
+   */
   const LabelEntry* Find(int label) const
   {
     const auto end = this->Entries.end();
@@ -53,14 +56,14 @@ public:
     return this->Found == end ? nullptr : &this->Found->second;
   }
 
-  /** To be called if entries go. */
+  /** Call this when entries are removed. */
   void Forget()
   {
     this->Found = this->Entries.end();
     this->IsListed = false;
   }
 
-  /** Sets a member of an entry, which is created if needed. Returns whether that is a change. */
+  /** Sets a member of an entry, which is created if needed. Returns whether it changed. */
   template <typename Value>
   bool Change(int label, std::optional<Value> LabelEntry::*member, const Value& value)
   {
@@ -74,7 +77,7 @@ public:
     return true;
   }
 
-  /** Sets what the entries have. Returns whether that is a change. */
+  /** Sets the members that the given entries have. Returns whether anything changed. */
   bool Merge(LabelEntries&& entries)
   {
     bool isChange = false;
@@ -114,7 +117,8 @@ public:
   }
 
 private:
-  mutable LabelEntries::const_iterator Found = this->Entries.end(); ///< the last time
+  /** The entry that was found last. */
+  mutable LabelEntries::const_iterator Found = this->Entries.end();
 };
 
 namespace
@@ -123,7 +127,7 @@ namespace
 constexpr std::array<double, 3> MiddleGrey = { 0.5, 0.5, 0.5 };
 constexpr double NotSet = -1.0;
 
-/** The field data of a .vti. */
+/** Reads the field data of a .vti. */
 bool ReadFieldDataOf(const std::string& file, vtkFieldData* data, std::string& error)
 {
   vtkNew<vtkXMLImageDataReader> reader;
@@ -249,7 +253,7 @@ std::string vtkHapticLabelTable::GetLabelName(int label)
 void vtkHapticLabelTable::SetColor(int label, double red, double green, double blue)
 {
   const std::array<double, 3> color = { red, green, blue };
-  // Not a number is in no range.
+  // NaN is in no range.
   if (!std::all_of(color.begin(), color.end(), [](double c) { return c >= 0.0 && c <= 1.0; }))
   {
     vtkErrorMacro(<< "The colour of label " << label << " can't be " << red << ", " << green << ", "

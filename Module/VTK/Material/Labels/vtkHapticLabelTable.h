@@ -4,8 +4,8 @@
  * @class   vtkHapticLabelTable
  * @brief   names, colours and materials of the labels of a segmentation
  *
- * Transfer functions can't tell tissues with the same scalar values apart. A label image can, and
- * this table says what each of its labels feels like:
+ * Says what each label of a label image feels like. Transfer functions can't distinguish tissues
+ * with the same scalar values; labels can:
  *
  *   vtkNew<vtkHapticLabelTable> table;
  *   table->SetLabelName(5, "liver");
@@ -15,11 +15,12 @@
  *
  * Labels are integers of any sign; 0 has no special meaning, so that air, too, can have a material.
  * Whatever is not set for a label comes from the transfer functions of vtkHapticProperty: a label
- * with a name and a colour alone feels as if there were no label image, and a label whose stiffness
- * alone is set takes friction, viscosity and surface strength from the functions.
+ * with only a name and a colour feels as if there were no label image, and a label with only a
+ * stiffness gets friction, viscosity and surface strength from the functions.
  *
  * ReadFile reads names and colours that other programs store with their segmentations, and
- * materials from CSV files. Files add up: one may have the names, another one the materials.
+ * materials from CSV files. Files add up: one file may have the names, and another file the
+ * materials.
  *
  *   table->ReadFile("Liver.seg.nrrd");
  *   table->ReadFile("materials.csv"); // label,name,stiffness,friction,viscosity,strength
@@ -99,14 +100,14 @@ public:
   ///@}
 
   /**
-   * Forgets stiffness, friction, viscosity, surface strength, shaft friction and specific energy of
-   * a label; the transfer functions hold again.
+   * Remove stiffness, friction, viscosity, surface strength, shaft friction and specific energy of
+   * a label; the transfer functions apply again.
    */
   void RemoveMaterial(int label);
 
   /**
-   * Whether a label has any of stiffness, friction, viscosity, surface strength, shaft friction and
-   * specific energy.
+   * Get whether a label has any of stiffness, friction, viscosity, surface strength, shaft friction
+   * and specific energy.
    */
   bool HasMaterial(int label);
 
@@ -158,20 +159,20 @@ public:
 
   ///@{
   /**
-   * The labels of which anything is set, in rising order; index: from 0 on. An index that does not
-   * exist is an error, and returns 0.
+   * Get the labels for which anything is set, in ascending order; the index counts from 0. An index
+   * that does not exist is an error, and returns 0.
    */
   vtkIdType GetNumberOfLabels();
   int GetLabel(vtkIdType index);
   ///@}
 
   bool HasLabel(int label);
-  /** Forgets everything about a label. */
+  /** Remove everything about a label. */
   void RemoveLabel(int label);
   void RemoveAllLabels();
 
   /**
-   * Reads labels from a file. Its contents tell the format, not its name; gzip is fine:
+   * Read labels from a file. Its contents determine the format, not its name; gzip is allowed:
    *
    * - 3D Slicer and VolView, segmentation (.seg.nrrd): names and colours. If overlapping segments
    *   of different layers have the same value, segment N gets the label N + 1;
@@ -184,28 +185,28 @@ public:
    *   friction, viscosity (N), strength (N), shaft (N/m), felt, forbidden (1 or 0), and color
    *   (`\#rrggbb`). Only label is needed, other columns are ignored, and empty cells set nothing.
    *
-   * What the file has of a label replaces what the table had of it; everything else stays. Texts
-   * are UTF-8, or ISO 8859-1 if they are not. Returns false, with an error and no change, if the
-   * file can't be read.
+   * What the file says about a label replaces what the table says about it; everything else stays.
+   * Texts are UTF-8, or ISO 8859-1 if they are not. Returns false, with an error and no change, if
+   * the file can't be read.
    */
   bool ReadFile(VTK_FILEPATH const char* path);
 
-  /** Writes a CSV that ReadFile reads. False, with an error, if that fails. */
+  /** Write a CSV that ReadFile reads. False, with an error, on failure. */
   bool WriteFile(VTK_FILEPATH const char* path);
 
   ///@{
   /**
-   * The table as arrays with a tuple for each label, so that an image carries it in its field data:
-   * Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction, LabelViscosity,
-   * LabelSurfaceStrength, LabelShaftFriction, LabelSpecificEnergy, LabelFelt, LabelForbidden, -1
-   * where nothing is set; and LabelStandOff, one number. Only Label is needed to read them, which
-   * changes the table as ReadFile does; false, with an error and no change, if that fails.
+   * Read or write the table as arrays with a tuple for each label, so that an image can carry it in
+   * its field data: Label; LabelName; LabelColor (3 components); LabelStiffness, LabelFriction,
+   * LabelViscosity, LabelSurfaceStrength, LabelShaftFriction, LabelSpecificEnergy, LabelFelt,
+   * LabelForbidden, -1 where nothing is set; and LabelStandOff, one number. Reading needs only
+   * Label, and changes the table as ReadFile does; false, with an error and no change, on failure.
    */
   bool ReadFieldData(vtkFieldData* data);
   void WriteFieldData(vtkFieldData* data);
   ///@}
 
-  /** Copies everything. */
+  /** Copy everything. */
   void DeepCopy(vtkHapticLabelTable* source);
 
 protected:

@@ -4,23 +4,23 @@
  * @class   vtkHapticSegmentationReader
  * @brief   reads a segmentation of 3D Slicer or VolView (.seg.nrrd), overlapping segments included
  *
- * One file has both the label image and the names and colours of its labels:
+ * Reads both the label image and the names and colours of its labels from one file:
  *
  *   vtkNew<vtkHapticSegmentationReader> reader;
  *   reader->SetFileName("Liver.seg.nrrd");
  *   filter->SetLabelConnection(reader->GetOutputPort());
  *   filter->SetLabelTable(reader->GetLabelTable());
  *
- * The output has one label (int) a voxel. Segments that overlap are in layers, which vtkNrrdReader
- * doesn't read: where they do, the last of them in the file holds, as in 3D Slicer. Labels are the
- * values of the file; if two segments of different layers share a value, segment N has the label
- * N + 1 (see vtkHapticLabelTable::ReadFile). Any other label map in a NRRD file is read as well.
+ * The output has one label (int) a voxel. Overlapping segments are in layers, which vtkNrrdReader
+ * doesn't read: where segments overlap, the last of them in the file counts, as in 3D Slicer.
+ * Labels are the values of the file; if two segments of different layers share a value, segment N
+ * has the label N + 1 (see vtkHapticLabelTable::ReadFile). Any other label map in a NRRD file is
+ * read as well.
  *
- * Origin, spacing and direction are those of the file, turned into left-posterior-superior. An
- * image that was read by a reader that leaves the file's directions out, as some of VTK's do, lies
- * elsewhere.
+ * Origin, spacing and direction are those of the file, converted to left-posterior-superior. Some
+ * of VTK's readers ignore a file's directions; an image from such a reader lies elsewhere.
  *
- * A file that can't be read is one error that names it and the cure, and an empty output.
+ * A file that can't be read gives one error that names the file and the cure, and an empty output.
  *
  * @sa vtkHapticLabelTable, vtkVolumeHapticsFilter
  */
