@@ -67,7 +67,7 @@ struct CoarseSums
   std::vector<float> Counts;
 };
 
-/** Boxes that are read at once, and where each coarse voxel's samples lie. */
+/** Plans which boxes are read at once, and where each coarse voxel's samples lie. */
 class CoarsePlan
 {
 public:
@@ -111,7 +111,7 @@ public:
     }
     return voxels;
   }
-  /** In samples from the first one. */
+  /** Returns a box, in samples from the volume's first one. */
   std::array<std::int64_t, 6> GetBox(std::int64_t number) const
   {
     const std::int64_t place[3] = { number % this->Boxes[0],
@@ -174,7 +174,7 @@ public:
   std::int64_t Step = 1;
 
 private:
-  /** What is outside is averaged as it is felt. */
+  /** Finds what is outside, so that it is averaged with the value that is felt. */
   static OutsideSamples Survey(const LargeVolume& volume)
   {
     VolumeSurvey survey(volume);
@@ -192,7 +192,7 @@ private:
   OutsideSamples Outside;
   std::array<std::int64_t, 3> BoxSize{};
   std::array<std::int64_t, 3> Boxes{};
-  bool IsSparse = false; ///< of a box, only the row in its middle is read
+  bool IsSparse = false; ///< whether only the middle row of a box is read
 };
 
 template <typename T>
@@ -254,7 +254,7 @@ vtkSmartPointer<vtkImageData> AverageVolume(
   std::copy_n(place.Origin, 3, origin);
   for (int axis = 0; axis < 3; ++axis)
   {
-    // The first voxel lies in the middle of its samples.
+    // The first coarse voxel lies in the middle of its samples.
     const double index = volume.Extent[2 * axis] + 0.5 * (step - 1.0);
     for (int row = 0; row < 3; ++row)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Images of all of a large volume with coarser voxels.
+ * Makes coarse images of all of a large volume.
  */
 #ifndef CoarseImage_h
 #define CoarseImage_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** Where a volume lies, as that of vtkImageData. */
+/** Geometry of a volume, as in vtkImageData. */
 struct VolumePlace
 {
   const double* Origin;
@@ -26,16 +26,17 @@ struct VolumePlace
 };
 
 /**
- * Means of cubes of n^3 samples, at most as many as are wanted. A volume in chunks is read chunk by
- * chunk, several at once; of another one the row in the middle of each n^2 is read, and the means
- * are of these. Throws std::runtime_error if a read fails, std::bad_alloc.
+ * Averages cubes of n^3 samples to a coarse image, with at most as many voxels as wanted. A volume
+ * in chunks is read chunk by chunk, several at once; of any other volume only the middle row of
+ * each n^2 rows is read, and the means are of these samples. Throws std::runtime_error if a read
+ * fails, std::bad_alloc.
  */
 vtkSmartPointer<vtkImageData> AverageVolume(
   const LargeVolume& volume, const VolumePlace& place, vtkIdType mostVoxels);
 
 /**
- * Reads the finest one of the coarser levels of a file that is no larger than wanted, with its
- * place in the world; null if there is none. Throws as AverageVolume.
+ * Reads the finest coarser level of a file that is no larger than wanted, with its geometry; null
+ * if there is none. Throws like AverageVolume().
  */
 vtkSmartPointer<vtkImageData> ReadCoarserLevel(const LargeFile& file, vtkIdType mostVoxels);
 

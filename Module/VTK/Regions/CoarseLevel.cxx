@@ -21,12 +21,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The samples before and behind a place on an axis, and the share of the latter. */
+/** The samples before and after a position on an axis, and the weight of the latter. */
 struct AxisPlace
 {
   AxisPlace(double at, std::int64_t last)
   {
-    // Also for a number that is none.
+    // The condition also covers NaN.
     const double inside = at > 0.0 ? std::min(at, static_cast<double>(last)) : 0.0;
     this->Before = std::min(static_cast<std::int64_t>(inside), std::max<std::int64_t>(last - 1, 0));
     this->Behind = std::min(this->Before + 1, last);
@@ -42,7 +42,8 @@ void PutRow(const std::vector<double>& values, T* samples)
 {
   if constexpr (std::is_integral_v<T>)
   {
-    // The largest integers of 64 bits are no doubles; the next lower doubles are.
+    // The largest 64-bit integers are not representable as doubles; the next lower doubles are
+    // used.
     const auto least = static_cast<double>(std::numeric_limits<T>::lowest());
     const double most = std::nextafter(static_cast<double>(std::numeric_limits<T>::max()), 0.0);
     const double limit =
@@ -64,7 +65,7 @@ std::shared_ptr<const CoarseLevel> CoarseLevel::Make(
 {
   std::shared_ptr<CoarseLevel> level(new CoarseLevel);
   vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  constexpr int kernelRadius = 0; // none is placed in it
+  constexpr int kernelRadius = 0; // no kernel is placed in it
   HapticVolume volume;
   if (!scalars)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A coarse image in memory that stands in for samples of a large volume which are late.
+ * A coarse image in memory that stands in for late samples of a large volume.
  */
 #ifndef CoarseLevel_h
 #define CoarseLevel_h
@@ -22,20 +22,21 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** Never changes, so that threads share it. The owner drops the last reference. */
+/** Never changes, so that threads can share it. The owner releases the last reference. */
 class CoarseLevel
 {
 public:
   /**
-   * The first component of an image's scalars, for a volume that lies in the same world; what is
-   * outside is filled, unless they are labels. Null, with the cure in `error`, if there is none.
+   * Makes the level from the first component of an image's scalars, for a volume in the same world.
+   * Outside samples are filled, unless the scalars are labels. Null, with the cure in `error`, if
+   * there are no scalars.
    */
   static std::shared_ptr<const CoarseLevel> Make(
     vtkImageData* image, bool areLabels, const Affine3& indexToWorld, std::string& error);
 
   /**
    * Fills a box of the volume, x fastest, with samples of a VTK type: trilinear between the samples
-   * of the image, and beyond them as at its border; rounded if the type is of integers.
+   * of the image, and as at its border beyond them; rounded for integer types.
    */
   void Fill(const BoxExtent& box, int scalarType, void* samples) const;
 
@@ -46,7 +47,7 @@ private:
 
   VolumeView View;
   vtkSmartPointer<vtkDataArray> Holder;
-  Affine3 FromVolume; ///< from an index of the volume to one of View
+  Affine3 FromVolume; ///< maps an index of the volume to an index of View
 };
 
 } // namespace VolumeHaptics

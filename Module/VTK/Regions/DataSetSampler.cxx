@@ -26,7 +26,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The copy, and what averages its cell arrays. */
+/** Number of copies in memory at once: the copy, and the result of averaging its cell arrays. */
 constexpr std::size_t CopiesAtOnce = 2;
 
 bool CanBeSampled(vtkDataArray* array)
@@ -52,7 +52,7 @@ std::string ListArrays(vtkDataSet* part)
   return list;
 }
 
-/** Adds an array of all parts; false if one of them lacks it. */
+/** Adds an array that all parts have; false if a part lacks it. */
 bool AddSampled(
   const std::vector<vtkDataSet*>& parts, const std::string& name, std::vector<SampledArray>& arrays)
 {
@@ -132,7 +132,7 @@ std::shared_ptr<DataSetSampler> DataSetSampler::Make(
   sampler->Data = averaged;
   parts = FindParts(averaged);
   vtkPointData* const arrays = parts.front()->GetPointData();
-  // A composite data set has its active arrays in its parts, as a data set has.
+  // A composite data set has its active arrays in its parts.
   std::vector<SampledArray> fields;
   vtkDataArray* const active[] = { arrays->GetScalars(), arrays->GetVectors(),
     arrays->GetTensors() };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples of a data set that is no image, on a regular grid.
+ * Samples a data set that is not an image on a regular grid.
  */
 #ifndef DataSetSampler_h
 #define DataSetSampler_h
@@ -21,7 +21,7 @@ class vtkDataObject;
 namespace VolumeHaptics
 {
 
-/** An array of which each sample has all components; names as in the data set. */
+/** An array whose samples have all components; names as in the data set. */
 struct SampledArray
 {
   std::string Name;
@@ -29,7 +29,7 @@ struct SampledArray
 };
 
 /**
- * Has a copy of the data, with its cell arrays averaged to the points, and resamples boxes of the
+ * Holds a copy of the data, with its cell arrays averaged to the points, and resamples boxes of the
  * grid by VTK's probe. Any thread may read, one after another.
  */
 class DataSetSampler
@@ -39,8 +39,8 @@ public:
    * Copies a vtkDataSet, or the volumes of a vtkCompositeDataSet.
    *
    * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
-   * @param spacing of the grid; 0: the edge of a cube as large as a cell is on average
-   * Null, with the reason and the cure in `error`, if the data have no volume or no array.
+   * @param spacing spacing of the grid; 0 stands for the edge of a cube as large as the average
+   * cell Null, with the reason and the cure in `error`, if the data have no volume or no array.
    */
   static std::shared_ptr<DataSetSampler> Make(vtkDataObject* data,
     const std::vector<std::string>& wanted, double spacing, std::string& error);
@@ -48,17 +48,20 @@ public:
   DataSetSampler(const DataSetSampler&) = delete;
   DataSetSampler& operator=(const DataSetSampler&) = delete;
 
-  /** The scalars first: those of the data, or if there are none, the magnitude of the next. */
+  /**
+   * The sampled arrays. The first holds the scalars of the data or, if there are none, the
+   * magnitude of the second array.
+   */
   const std::vector<SampledArray>& GetArrays() const { return this->Arrays; }
   int CountValues() const;
   const SamplingGrid& GetGrid() const { return this->Grid; }
-  /** The smallest scalar, which stands for those outside of all cells. */
+  /** The smallest scalar, which replaces the scalars outside of all cells. */
   double GetLeastScalar() const { return this->LeastScalar; }
 
   /**
    * Writes the samples of a box, one array after another, each with its components side by side.
-   * Outside of all cells, scalars are NaN, and vectors and tensors are 0. Throws
-   * std::runtime_error if that fails.
+   * Outside of all cells, scalars are NaN, and vectors and tensors are 0. Throws std::runtime_error
+   * on failure.
    */
   void Read(const int box[6], float* samples);
 
@@ -69,7 +72,7 @@ private:
   std::vector<SampledArray> Arrays;
   SamplingGrid Grid;
   double LeastScalar = 0.0;
-  bool HasOwnScalars = true; ///< if not, the first array is the magnitude of the second
+  bool HasOwnScalars = true; ///< if false, the first array is the magnitude of the second
   std::mutex Mutex;          ///< the probe fills caches of the data
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A reader of vtkHapticRegionSource behind Python's ctypes.
+ * Passes a reader of vtkHapticRegionSource through Python's ctypes.
  */
 #include "vtkHapticRegionSource.h"
 
@@ -11,7 +11,7 @@
 
 namespace
 {
-/** A reader behind Python's ctypes. */
+/** A reader that Python's ctypes calls. */
 struct ForeignReader
 {
   ForeignReader(vtkHapticRegionRead read, vtkHapticRegionRelease release, void* context)

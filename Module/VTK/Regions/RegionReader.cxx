@@ -41,11 +41,11 @@ struct RegionReader::Work
   std::optional<VolumeFacts> Facts;
   std::optional<RegionSamples> Arrived;
   std::string Trouble;
-  bool IsLost = false;      ///< the thread has ended without being told to
-  std::int64_t Revival = 0; ///< ServoClock: when another one may begin
+  bool IsLost = false;      ///< whether the thread has ended although it was not told to
+  std::int64_t Revival = 0; ///< when another thread may begin (ServoClock)
   ///@}
   ///@{
-  /** Of the thread alone. */
+  /** For the thread alone. */
   Milliseconds Delay{ 0 };
   OutsideSamples Outside;
   ///@}
@@ -53,12 +53,12 @@ struct RegionReader::Work
   void RunToEnd();
   void Run();
   bool Survey();
-  /** The next order; none if it is time to end. */
+  /** Waits for the next order; none if the thread must end. */
   std::optional<BoxExtent> AwaitOrder();
   std::optional<RegionSamples> Read(const BoxExtent& region, std::string& error) const;
-  /** Notes why a read failed, and waits a while. False if it is time to end. */
+  /** Stores why a read failed, and waits a while. False if the thread must end. */
   bool NoteFailure(const std::string& error);
-  /** Notes that a reader ends the thread; called while that unwinds. */
+  /** Records that a reader ends the thread; called while the thread unwinds. */
   void NoteLoss() noexcept;
 };
 
@@ -184,7 +184,8 @@ void RegionReader::Work::Run()
 
 void RegionReader::Work::RunToEnd()
 {
-  // A reader can end its thread: pthread_exit() unwinds it, and Python calls that at its end.
+  // A reader can end its thread: pthread_exit() unwinds it, and Python calls pthread_exit() at its
+  // end.
   struct End
   {
     Work& Of;
@@ -204,7 +205,7 @@ void RegionReader::Work::RunToEnd()
       this->Run();
       goesOn = false;
     }
-    catch (const std::bad_alloc&) // in a message: there may be memory later
+    catch (const std::bad_alloc&) // while making a message: there may be memory later
     {
       goesOn = this->NoteFailure(std::string());
     }
@@ -235,7 +236,7 @@ RegionReader::~RegionReader()
 {
   if (this->Process != ServoClock::GetProcess())
   {
-    // The thread, and perhaps a lock of the mutex, belong to the parent.
+    // The thread, and perhaps a lock of the mutex, belong to the parent process.
     (void)this->Thread.release();
     (void)new std::shared_ptr<Work>(std::move(this->Shared));
     return;
@@ -247,7 +248,7 @@ RegionReader::~RegionReader()
   this->Shared->Wake.notify_all();
   if (!this->Thread->joinable())
   {
-    return; // it was lost, and there was no other one
+    return; // the thread was lost, and no other one was started
   }
   if (this->Shared->Volume->IsAwaited)
   {
@@ -278,7 +279,7 @@ void RegionReader::Revive()
 {
   if (this->Process != ServoClock::GetProcess())
   {
-    return; // see the destructor
+    return; // the process was forked: see the destructor
   }
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
@@ -299,7 +300,7 @@ void RegionReader::Revive()
   catch (const std::system_error&)
   {
     const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
-    this->Shared->IsLost = true; // there may be a thread later
+    this->Shared->IsLost = true; // the system may give a thread later
   }
 }
 

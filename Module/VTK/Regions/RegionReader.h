@@ -25,7 +25,7 @@ struct FreeMemory
   void operator()(void* memory) const { std::free(memory); }
 };
 
-/** Samples that have been written, so that their pages are in memory. */
+/** Samples that have been written once, so that their pages are in memory. */
 struct RegionSamples
 {
   BoxExtent Extent;
@@ -33,41 +33,43 @@ struct RegionSamples
 };
 
 /**
- * First the thread surveys the volume (VolumeSurvey.h). Then it reads the region that was ordered
- * last; regions that were ordered before and have not been begun are left out. A read that failed
- * is tried again, after a time that doubles from 50 ms to 2 s, until it succeeds or another region
- * is ordered. If the reader ends the thread itself (pthread_exit), another one goes on after such a
- * time.
+ * Reads regions on a thread of its own. First the thread surveys the volume (VolumeSurvey.h). Then
+ * it reads the region that was ordered last; earlier orders that it has not begun are dropped. A
+ * failed read is repeated, after a time that doubles from 50 ms to 2 s, until it succeeds or
+ * another region is ordered. If the reader ends the thread itself (pthread_exit), a new thread
+ * continues after such a time.
  *
- * All functions are for the owner (the GUI thread), and none of them waits for a read but the
- * destructor: it waits for the one that is under way, and for no other. If the volume is not
- * awaited (LargeVolume::IsAwaited), it waits for none.
+ * All functions are for the owner (the GUI thread), and none of them waits for a read except the
+ * destructor, which waits only for the read that is under way. If the volume is not awaited
+ * (LargeVolume::IsAwaited), the destructor does not wait either.
  */
 class RegionReader
 {
 public:
-  /** With facts, nothing is surveyed. Throws std::system_error if the system gives no thread. */
+  /**
+   * With given facts, nothing is surveyed. Throws std::system_error if the system gives no thread.
+   */
   RegionReader(std::shared_ptr<const LargeVolume> volume, const std::optional<VolumeFacts>& facts);
   ~RegionReader();
   RegionReader(const RegionReader&) = delete;
   RegionReader& operator=(const RegionReader&) = delete;
 
   void Order(const BoxExtent& region);
-  /** The facts, once they are known. */
+  /** Returns the facts, once they are known. */
   std::optional<VolumeFacts> GetFacts() const;
-  /** The last region that has come since the last call, if there is one. */
+  /** Returns the last region that has arrived since the last call, if there is one. */
   std::optional<RegionSamples> Take();
-  /** Why the last read failed; empty if it did not. */
+  /** Returns why the last read failed; empty if it did not. */
   std::string GetTrouble() const;
 
 private:
   struct Work;
 
   void Begin();
-  /** Lets another thread go on in the place of one that a reader has ended. */
+  /** Starts a new thread if a reader has ended the last one. */
   void Revive();
 
-  std::shared_ptr<Work> Shared; ///< with the thread
+  std::shared_ptr<Work> Shared; ///< shared with the thread
   std::unique_ptr<std::thread> Thread;
   const std::int64_t Process;
 };

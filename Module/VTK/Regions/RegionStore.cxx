@@ -25,13 +25,13 @@ namespace
 {
 
 constexpr BoxExtent NoRegion = { 0, -1, 0, -1, 0, -1 };
-/** The shortest time (s) over which the tip's velocity is measured. */
+/** Shortest time (s) over which the tip's velocity is measured. */
 constexpr double VelocityTime = 0.01;
-/** Samples of a region of the coarse level: some ten milliseconds of work. */
+/** Samples in a region of the coarse level: about ten milliseconds of work. */
 constexpr vtkIdType MostStandInSamples = 1 << 20;
-/** The share of the force that is felt on the coarse level. */
+/** Fraction of the force that is felt on the coarse level. */
 constexpr double StandInShare = 0.5;
-/** If the owner was busy for longer (s), that says nothing about the next time. */
+/** A longer interval (s) means that the owner was busy, and predicts nothing for the next one. */
 constexpr double LongestInterval = 0.5;
 
 vtkSmartPointer<vtkDataArray> NewSamples(int type, vtkIdType values = 0)
@@ -91,7 +91,7 @@ void RegionStore::NoteFacts(const VolumeFacts& facts)
 {
   this->Facts = facts;
   vtkTimeStamp stamp;
-  stamp.Modified(); // a number that no other volume has
+  stamp.Modified(); // becomes a number that no other volume has
   this->WholeTime = stamp.GetMTime();
   this->Notice = DescribeOutside(facts.Outside, NewSamples(this->Volume->ScalarType));
 }
@@ -156,7 +156,7 @@ void RegionStore::WriteFacts(vtkImageData* image, bool isFilled) const
 
 bool RegionStore::Holds(const BoxExtent& region, const double tip[3]) const
 {
-  // The longest spring may ask for more than a region of so many samples ever has.
+  // The longest spring may need more room than any region of this many samples has.
   return this->Planner->FindRoom(tip, region.data()) + this->Planner->GetSpringLength() >= 0.0;
 }
 
@@ -187,13 +187,13 @@ bool RegionStore::TakeRegion(const double tip[3], double interval)
   }
   if (this->Ordered == come->Extent)
   {
-    // It may have been wanted ever since the look before it was ordered.
+    // The region may have been wanted ever since the poll before the order.
     this->Planner->AddLatency(interval + ServoClock::SecondsSince(this->OrderTime) + this->UseTime);
     this->Ordered.reset();
   }
   if (this->StandsIn && this->Holds(this->Region, tip) && !this->Holds(come->Extent, tip))
   {
-    return false; // the hand has been there
+    return false; // the hand has left that place
   }
   this->Show(std::move(*come), false);
   return true;
@@ -224,7 +224,7 @@ bool RegionStore::FollowStandIn(const double tip[3])
   this->Planner->SetMaximumVoxels(most);
   if (isThere)
   {
-    this->StandIns.Forget(); // the same box may be wanted again
+    this->StandIns.Forget(); // the same box may be requested again
     this->StandIns.Follow(box,
       [box, level = this->Coarse, volume = this->Volume](
         WorkMonitor&) -> std::optional<std::shared_ptr<RegionSamples>>
@@ -264,7 +264,7 @@ void RegionStore::Order(const double tip[3])
   const vtkIdType most = this->Planner->GetMaximumVoxels();
   if (most < this->OrderedMost)
   {
-    this->Ordered.reset(); // there may be no memory for it
+    this->Ordered.reset(); // there may be no memory for the order
   }
   const BoxExtent here = this->Ordered.value_or(this->StandsIn ? NoRegion : this->Region);
   BoxExtent wanted;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The facts and the samples of a large volume that are in memory, and the region that is read next.
+ * Keeps the facts and the samples of a large volume that are in memory, and chooses the region that
+ * is read next.
  */
 #ifndef RegionStore_h
 #define RegionStore_h
@@ -31,7 +32,7 @@ class vtkImageData;
 namespace VolumeHaptics
 {
 
-/** The settings of a source from which its volume is made. */
+/** Settings of a source that define its volume. */
 struct LargeVolumeKey
 {
   BoxExtent Extent{};
@@ -51,12 +52,12 @@ struct LargeVolumeKey
   }
 };
 
-/** From what the coarse level is made; by default there is none. */
+/** What the coarse level is made from; by default there is none. */
 struct CoarseKey
 {
   const void* Image = nullptr;
   vtkMTimeType Time = 0;
-  Affine3 IndexToWorld{}; ///< of the volume
+  Affine3 IndexToWorld{}; ///< geometry of the volume
 
   bool operator==(const CoarseKey& other) const
   {
@@ -65,59 +66,59 @@ struct CoarseKey
   }
 };
 
-/** For the thread of the owner. */
+/** Keeps a volume's region. For the thread of the owner. */
 class RegionStore
 {
 public:
   RegionStore();
   ~RegionStore();
 
-  /** Whether there is a volume, made of these settings. */
+  /** Whether there is a volume, made with these settings. */
   bool IsOf(const LargeVolumeKey& key) const { return this->Volume && this->Key == key; }
-  /** Forgets all about the volume before. */
+  /** Replaces the volume, and discards everything about the last one. */
   void SetVolume(const LargeVolumeKey& key, std::shared_ptr<const LargeVolume> volume);
   const LargeVolume* GetVolume() const { return this->Volume.get(); }
-  /** Ends the thread, and forgets the volume and the coarse level. */
+  /** Ends the thread, and discards the volume and the coarse level. */
   void Clear();
-  /** The level that stands in for samples that are late; null for none. */
+  /** Sets the level that stands in for late samples; null for none. */
   void SetCoarseLevel(const CoarseKey& key, std::shared_ptr<const CoarseLevel> level);
   bool HasCoarseLevel(const CoarseKey& key) const { return this->CoarseOf == key; }
 
   vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
 
   /**
-   * Takes what has come, and orders what is wanted for a tip at a time (s). Returns whether the
-   * resident region has changed.
+   * Takes the region that has arrived, and orders the one that a tip needs at a time (s). Returns
+   * whether the resident region has changed.
    */
   bool Follow(const double tip[3], double time);
 
-  /** How long (s) it takes until a region that has come can be felt. */
+  /** Sets how long (s) it takes until a region that has arrived can be felt. */
   void SetUseTime(double seconds) { this->UseTime = seconds; }
 
-  /** All values of the resident samples, as they were read; null before there are any. */
+  /** Returns all values of the resident samples, as they were read; null before there are any. */
   vtkDataArray* GetSamples() const { return this->Samples; }
   const BoxExtent& GetRegion() const { return this->Region; }
-  /** Whether the resident samples are those of the coarse level. */
+  /** Whether the resident samples belong to the coarse level. */
   bool IsStandIn() const { return this->StandsIn; }
   bool IsWaiting() const { return this->Ordered.has_value(); }
   bool IsSurveyed() const { return this->Facts.has_value(); }
-  /** Why the last read failed; empty if it did not. */
+  /** Returns why the last read failed; empty if it did not. */
   const std::string& GetTrouble() const { return this->Trouble; }
-  /** Tells once what is taken for outside; else an empty text. */
+  /** Returns once what is treated as outside, then an empty text. */
   std::string TakeNotice() { return std::exchange(this->Notice, {}); }
 
-  /** Reads a region into a new array, here and now; null, with an error, if that fails. */
+  /** Reads a region into a new array within this call; null, with an error, on failure. */
   vtkSmartPointer<vtkDataArray> Read(const BoxExtent& region, std::string& error);
-  /** Writes the facts about the whole, as far as they are known. Read() fills no samples. */
+  /** Writes the facts about the whole volume, as far as they are known. Read() fills no samples. */
   void WriteFacts(vtkImageData* image, bool isFilled) const;
 
 private:
   bool Survey(std::string& error);
   void NoteFacts(const VolumeFacts& facts);
   bool TakeRegion(const double tip[3], double interval);
-  /** Makes a region of the coarse level if the resident one lacks samples for the tip. */
+  /** Makes a region of the coarse level if the resident region lacks samples for the tip. */
   bool FollowStandIn(const double tip[3]);
-  /** Whether a region has all samples for a hand that presses no deeper than the tip is. */
+  /** Whether a region has all samples that a hand at the tip can read. */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);
@@ -130,22 +131,22 @@ private:
   vtkMTimeType WholeTime = 0;
   vtkSmartPointer<vtkDataArray> Samples;
   BoxExtent Region;
-  bool StandsIn = false; ///< Samples are of the coarse level
+  bool StandsIn = false; ///< whether Samples belong to the coarse level
   CoarseKey CoarseOf;
   std::shared_ptr<const CoarseLevel> Coarse;
   std::optional<BoxExtent> StandInOrdered;
   KeyedWork<BoxExtent, std::shared_ptr<RegionSamples>> StandIns;
   std::optional<BoxExtent> Ordered;
-  vtkIdType OrderedMost = 0;  // with which voxels at most
-  std::int64_t OrderTime = 0; // ServoClock
-  std::int64_t LookTime = 0;  // ServoClock
+  vtkIdType OrderedMost = 0;  // limit on the voxels of the ordered region
+  std::int64_t OrderTime = 0; // time of the order (ServoClock)
+  std::int64_t LookTime = 0;  // time of the last poll (ServoClock)
   double UseTime = 0.0;       // s
   std::array<double, 3> Tip{};
   std::array<double, 3> Velocity{};
   double TipTime = 0.0; // s
   std::string Trouble;
   std::string Notice;
-  std::unique_ptr<RegionReader> Thread; // last: it ends first
+  std::unique_ptr<RegionReader> Thread; // the last member, so that it is destroyed first
 };
 
 } // namespace VolumeHaptics

@@ -19,14 +19,17 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Samples of a region as a rule: some milliseconds of reading, for hundreds of ticks. */
+/** Usual number of samples in a region: some milliseconds of reading, for hundreds of ticks. */
 constexpr double UsualSamples = 1 << 20;
-/** Samples of a region at most: 256 MiB of 16 bits. A tip that jumps may need so many at once. */
+/**
+ * Largest number of samples in a region: 256 MiB of 16 bits. A tip that jumps may need so many at
+ * once.
+ */
 constexpr double MostSamplesOfRegion = 1 << 27;
-/** The smallest width of a region: kernels fit into it. */
+/** Smallest width of a region, so that kernels fit into it. */
 constexpr double LeastWidth = 2.0 * 16.0 + 1.0;
 
-/** The samples (indices from 0) within a distance of a tick's own, along an axis of n samples. */
+/** Samples (indices from 0) within a distance of a tick's position, along an axis of n samples. */
 struct AxisSpan
 {
   AxisSpan(double low, double high, double margin, double n)
@@ -35,7 +38,7 @@ struct AxisSpan
     const double reach = std::max(margin, least);
     this->First = std::clamp(std::floor(low - reach), 0.0, n - 1.0);
     this->Last = std::clamp(std::ceil(high + reach), 0.0, n - 1.0);
-    // Beyond the volume, a tick reads what is at its border.
+    // Beyond the volume, a tick reads the samples at its border.
     this->First = std::max(std::min(this->First, this->Last - LeastWidth + 1.0), 0.0);
     this->Last = std::min(std::max(this->Last, this->First + LeastWidth - 1.0), n - 1.0);
   }
@@ -45,7 +48,10 @@ struct AxisSpan
   double Last;
 };
 
-/** The region with a box, a margin for its residency, and some spare voxels around that. */
+/**
+ * Makes a region of a box, a margin for its residency, and some spare voxels around that. Returns
+ * its number of samples.
+ */
 double MakeRegion(const ReadBox& box, double spare, const int whole[6], int region[6])
 {
   const double low[3] = { box.Low.X, box.Low.Y, box.Low.Z };
@@ -63,7 +69,9 @@ double MakeRegion(const ReadBox& box, double spare, const int whole[6], int regi
   return count;
 }
 
-/** The largest region of UsualSamples at most, or else the smallest one that has the box. */
+/**
+ * Finds the largest region of at most UsualSamples, or else the smallest one that contains the box.
+ */
 double FindRegion(const ReadBox& box, const int whole[6], int region[6])
 {
   constexpr double most = 256.0; // spare voxels

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The models of the regions along a path through a large volume.
+ * Finds models of the regions along a path through a large volume.
  */
 #ifndef RegionsAlongPath_h
 #define RegionsAlongPath_h
@@ -23,16 +23,19 @@ namespace VolumeHaptics
 class HapticModel;
 struct ServoState;
 
-/** A region that a path needs can't be had; the text tells why, and the cure. */
+/**
+ * Thrown if a region that a path needs can't be read or baked; the text has the reason and the
+ * cure.
+ */
 struct RegionLost : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
 /**
- * Gives each tick a model of a region that has all samples which the tick can read, so that its
- * force is that of the whole volume, to the bit. A region is larger than its first tick needs: it
- * lasts until the path leaves it.
+ * Finds for each tick a model of a region with all samples that the tick can read, so that its
+ * force equals that of the whole volume, to the bit. A region is larger than its first tick needs,
+ * and is used until the path leaves it.
  */
 class RegionsAlongPath
 {
@@ -44,9 +47,12 @@ public:
 
   ///@{
   /** Throw RegionLost. */
-  /** A model of a corner of the volume. */
+  /** Returns a model of a corner of the volume. */
   std::shared_ptr<const HapticModel> Begin() const;
-  /** The model for a tick to a tip (device): the given one, if it has all samples. */
+  /**
+   * Returns the model for a tick that moves to a tip (device): the given one, if it has all
+   * samples.
+   */
   std::shared_ptr<const HapticModel> Find(
     std::shared_ptr<const HapticModel> model, const ServoState& state, const Vector3& tip) const;
   ///@}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The facts about a large volume, from some of its samples.
+ * Computes the facts about a large volume from some of its samples.
  */
 #ifndef VolumeSurvey_h
 #define VolumeSurvey_h
@@ -20,31 +20,31 @@
 namespace VolumeHaptics
 {
 
-/** See the field arrays of vtkHapticRegionFilter. */
+/** The facts that the field arrays of vtkHapticRegionFilter carry. */
 struct VolumeFacts
 {
   double Noise = 0.0;
   double BorderValue = 0.0;
-  OutsideSamples Outside; ///< with which each region is filled
+  OutsideSamples Outside; ///< outside samples, to be filled in each region
   BackgroundLevel Solid;
   StoredShift Shift;
 };
 
 /**
  * Reads the boxes from which the noise is estimated (NoiseEstimate.h), one after another: 512
- * blocks of 5^3 samples and the corners. If the volume is not large, that is all of it, in boxes of
- * a million samples at most. The result is that of the whole in memory, to the bit.
+ * blocks of 5^3 samples and the corners. A volume that is not large is read completely, in boxes of
+ * at most a million samples. The result equals that of the whole volume in memory, to the bit.
  */
 class VolumeSurvey
 {
 public:
-  /** The volume has to live longer. */
+  /** The volume must outlive the survey. */
   explicit VolumeSurvey(const LargeVolume& volume);
 
   bool IsDone() const { return this->Next == this->Boxes.size(); }
-  /** Reads a box. False, with an error, if that fails; it may be tried again. */
+  /** Reads a box. False, with an error, on failure; it may be tried again. */
   bool Advance(std::string& error);
-  /** If it is done. */
+  /** Returns the facts, once all boxes are read. */
   VolumeFacts GetFacts() const;
 
 private:
@@ -54,7 +54,7 @@ private:
   const LargeVolume& Volume;
   std::vector<BoxExtent> Boxes;
   std::size_t Next = 0;
-  std::vector<char> Bytes; // of the last box
+  std::vector<char> Bytes; // bytes of the last box
   NoiseSamples Samples;
 };
 

@@ -251,7 +251,7 @@ int vtkHapticRegionFilter::RequestData(
   inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   if (!this->ClipRegion(whole, region))
   {
-    return 0; // as RequestInformation has said
+    return 0; // RequestInformation() has reported the error
   }
   vtkMTimeType time = std::max(piece->GetMTime(), this->GetInputArrayInformation(0)->GetMTime());
   time = array ? std::max(time, array->GetMTime()) : time;
@@ -266,7 +266,7 @@ int vtkHapticRegionFilter::RequestData(
     this->Outside.clear();
     for (VolumeHaptics::NoiseSamples& component : samples)
     {
-      // Of all pieces: this process may have none, and no array.
+      // Found in all pieces: this process may have no piece, and no array.
       const auto outside = VolumeHaptics::AreScalars(static_cast<int>(samples.size()))
         ? VolumeHaptics::FindOutside(component)
         : VolumeHaptics::OutsideSamples{};

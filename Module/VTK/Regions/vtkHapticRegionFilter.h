@@ -14,37 +14,36 @@
  *
  *   HapticWholeExtent   6 integers; the extent of the whole volume
  *   HapticNoise         scalar units, one number a component, 0 or more; standard deviation of the
- *                       noise of the whole, from which vtkHapticProperty takes
- *                       DistinctnessFromNoise
+ *                       noise of the whole, which vtkHapticProperty uses for DistinctnessFromNoise
  *   HapticBorderValue   scalar, one number a component; stands in for samples that are NaN or
- *                       infinite: the first finite corner of the whole. If a corner is not, or
- *                       has a number for missing values, all such samples are outside: the region
- *                       has the least value inside there
+ *                       infinite: the first finite corner of the whole. If a corner is not finite,
+ *                       or has a number for missing values, all such samples are outside, and are
+ *                       filled with the least value inside
  *   HapticSolid         optional, three numbers a component for vtkHapticProperty's SolidFromImage:
- *                       the value at which the background of the whole ends, the one from which on
- *                       it is solid, equal to the first if there is none, and the one that noise of
- *                       the background rarely exceeds
+ *                       the value at which the background of the whole ends, the value from which
+ *                       on the whole is solid (equal to the first if there is no background), and
+ *                       the value that noise of the background rarely exceeds
  *   HapticShift         optional, a tuple of five numbers a component for vtkHapticProperty's
  *                       ShiftFromImage: what to add to the values for Hounsfield units, the value
  *                       of air, 1 if they can't be Hounsfield units, and the range looked at
  *   HapticWholeTime     optional, a number that changes whenever the whole changes. If regions of
  *                       the same whole have the same number, one replaces the other under a
- *                       pressing hand without the hand noticing it
+ *                       pressing hand without a change of the force
  *
- * and, if its samples only stand in for those of the whole, as those of a coarser level do while
- * the finer ones are late (vtkHapticRegionSource::SetCoarseImage), the array
+ * and, if its samples only stand in for those of the whole, such as samples of a coarser level
+ * while the finer ones are late (vtkHapticRegionSource::SetCoarseImage), the array
  *
- *   HapticShare         above 0 and at most 1; the share of the force that is felt there
+ *   HapticShare         above 0 and at most 1; the fraction of the force that is felt there
  *
- * and, if samples are outside, or no numbers, and still as they were read,
+ * and, if samples that are outside or not numbers have not been filled yet,
  *
  *   HapticOutside       four numbers a component: 1 if NaN and infinity are outside, the number for
- *                       missing values or NaN, the value with which both are felt, but of labels,
- *                       and the share of the samples that are no numbers, if these are holes
+ *                       missing values or NaN, the value with which both are felt (not for labels),
+ *                       and the fraction of the samples that are not numbers, if these are holes
  *
- * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders that are not the
- * whole's own, the force then does not end at a surface but fades (vtkHapticDevice::GetResidency).
- * The whole force is felt where tip and proxy are farther from them than all that a tick reads, and
+ * vtkVolumeHapticsFilter treats an image with these arrays as a region. At borders inside the
+ * whole, the force does not end at a surface but fades (vtkHapticDevice::GetResidency). The whole
+ * force is felt where tip and proxy are farther from such borders than all that a tick reads, plus
  * a band of 4 voxels: with the default settings 13 voxels, 6 of which are the walk to the far side
  * of an edge, and with materials of the kernel (SetMaterialPlacementToKernel) 9.
  *
@@ -92,7 +91,7 @@ public:
   ///@}
 
   ///@{
-  /** The names of the field arrays, as above. */
+  /** Get the names of the field arrays that are listed above. */
   static const char* GetWholeExtentName();
   static const char* GetNoiseName();
   static const char* GetBorderValueName();
@@ -108,7 +107,7 @@ protected:
   ~vtkHapticRegionFilter() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /** Asks for the whole. A subclass may ask for this process' piece. */
+  /** Requests the whole. A subclass may request this process' piece. */
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -117,23 +116,24 @@ protected:
 
   /**
    * Whether the samples gathered last are still valid for the input, whose modification time in
-   * this process is `time`. All processes must return the same. Default: true if `time` is the one
-   * at which they were gathered.
+   * this process is `time`. All processes must return the same value. Default: true if `time` is
+   * the time at which the samples were gathered.
    */
   virtual bool IsCurrent(vtkMTimeType time);
 
   /**
    * Completes the samples of this process' piece (one entry for each component; none if the piece
    * has no array) with those of the other pieces: see NoiseSamples::Merge. Afterwards the entries
-   * of all processes, or at least of those that use the output, are those of the whole. Default:
+   * are those of the whole on all processes, or at least on those that use the output. Default:
    * does nothing, because the piece is the whole.
    */
   virtual void GatherSamples(SamplesOfComponents& samples);
 
   /**
-   * Writes the array of a region of the whole into an output that has its geometry. `piece` holds
-   * the part of this process; the array may be null if the piece is empty. Default: a copy, which
-   * needs the whole region in the piece. False, with the reason in `error`, if parts are missing.
+   * Writes the array of a region of the whole into an output with the region's geometry. `piece`
+   * holds the part of this process; the array may be null if the piece is empty. Default: a copy,
+   * which needs the whole region in the piece. False, with the reason in `error`, if parts are
+   * missing.
    */
   virtual bool GatherRegion(vtkImageData* piece, vtkDataArray* array, const int region[6],
     vtkImageData* output, std::string& error);
@@ -145,7 +145,7 @@ protected:
   static void CopySamples(
     vtkDataArray* from, const int fromExtent[6], vtkDataArray* to, const int toExtent[6]);
 
-  /** The samples of its whole that a piece holds, one entry for each component. */
+  /** Collects the samples of its whole that a piece holds, one entry for each component. */
   static SamplesOfComponents CollectSamples(
     vtkDataArray* array, const int extent[6], const int whole[6]);
 

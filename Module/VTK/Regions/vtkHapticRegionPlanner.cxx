@@ -30,7 +30,7 @@ using namespace VolumeHaptics;
 
 namespace
 {
-/** The longest stretch (m) of the spring by a hand if nothing limits the force. */
+/** Longest stretch (m) of the spring by a hand if nothing limits the force. */
 constexpr double LongestSpring = 0.05;
 
 Matrix3 IndexToWorld(const double direction[9], const double spacing[3])
@@ -67,8 +67,8 @@ WholeGeometry WholeOf(vtkHapticRegionPlanner* planner)
 }
 
 /**
- * The largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Between points of the functions it is not
- * larger.
+ * Computes the largest (T_N sqrt(1 + mu^2) + R) / k, in metres. Its largest value lies at a point
+ * of the functions.
  */
 double FindSpring(vtkVolumeHapticsFilter* filter)
 {
@@ -105,7 +105,10 @@ double FindSpring(vtkVolumeHapticsFilter* filter)
   return std::min(longest, LongestSpring);
 }
 
-/** The longest spring of PRIMITIVES: all modes pull the same way, as much as they can. */
+/**
+ * Computes the longest spring of PRIMITIVES: all modes pull in the same direction with full
+ * strength.
+ */
 double FindModeSpring(vtkVolumeHapticsFilter* filter)
 {
   double force = 0.0; // N
@@ -118,7 +121,7 @@ double FindModeSpring(vtkVolumeHapticsFilter* filter)
     }
     if (mode->IsA("vtkHapticSurfaceMode"))
     {
-      return LongestSpring; // its materials have stiffness of their own
+      return LongestSpring; // its materials have their own stiffness
     }
     for (const ModeFunction& function : FindModeKind(mode).Functions)
     {
@@ -134,7 +137,7 @@ double FindModeSpring(vtkVolumeHapticsFilter* filter)
     }
   }
   const double spring = force / filter->GetCouplingStiffness();
-  return spring < LongestSpring ? spring : LongestSpring; // also of 0 N/m
+  return spring < LongestSpring ? spring : LongestSpring; // also covers a stiffness of 0 N/m
 }
 } // namespace
 

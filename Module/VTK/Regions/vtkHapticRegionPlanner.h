@@ -4,17 +4,18 @@
  * @class   vtkHapticRegionPlanner
  * @brief   plans which part of a remote volume the hand needs next, and when
  *
- * From the position and velocity of the tip, Plan finds the wanted region, and whether to fetch it
- * now: before the tip can leave the resident one. With the latency t, the speed v_max that no hand
- * exceeds, the spring's length T_N/k, the reach r and the band b, the half-width of a region is
+ * Plans which region of a volume to fetch. From the position and velocity of the tip, Plan computes
+ * the wanted region, and whether to fetch it now, before the tip can leave the resident region.
+ * With the latency t, the speed v_max that no hand exceeds, the spring's length T_N/k, the reach r
+ * and the band b, the half-width of a region is
  *
  *   h = v_max t + T_N/k + r + b
  *
  * world units around x + t v, the position of the tip when the region comes. It is clipped to the
- * whole, and cut to MaximumVoxels. A region that was cut lies less far ahead, so that a hand that
- * stops still has its data. If the whole has no more than MaximumVoxels, the region is the whole.
- * It is fetched as soon as the resident region leaves the tip less than half the room that the
- * wanted one would, so that a resting hand fetches nothing.
+ * whole, and cut to MaximumVoxels. A cut region lies less far ahead, so that a hand that stops
+ * still has its data. If the whole has at most MaximumVoxels, the region is the whole. A region is
+ * fetched as soon as the resident region leaves the tip less than half the room that the wanted
+ * region would leave, so that a resting hand fetches nothing.
  *
  *   planner->SetWholeExtent(...); planner->SetOrigin(...); planner->SetSpacing(...);
  *   planner->UseSettingsOf(haptics);                      // T_N/k, r, b, metres a world unit
@@ -71,7 +72,7 @@ public:
   ///@}
 
   /**
-   * Take all of the above from an image: the whole itself, or a region of it that
+   * Set all of the above from an image: the whole itself, or a region of it that
    * vtkHapticRegionFilter has made. False, with an error, if it is null or its field arrays are
    * malformed.
    */
@@ -133,20 +134,20 @@ public:
   vtkGetMacro(Latency, double);
   ///@}
 
-  /** h above (world units), before it is cut. */
+  /** Get h above (world units), before it is cut. */
   double GetHalfWidth();
 
   /**
-   * The wanted region (an extent) for a tip (world) with a velocity (world units per second), and
-   * whether to fetch it now. `resident` is the extent of the region that is here, or on its way; if
-   * there is none, an empty one, such as (0, -1, 0, -1, 0, -1). The wanted region is never empty,
-   * unless the whole is, and never beyond the whole, for any numbers.
+   * Compute the wanted region (an extent) for a tip (world) with a velocity (world units per
+   * second). Returns whether to fetch it now. `resident` is the extent of the region that is here,
+   * or on its way; if there is none, an empty extent such as (0, -1, 0, -1, 0, -1). For all inputs,
+   * the wanted region lies within the whole, and is empty only if the whole is empty.
    */
   bool Plan(const double tip[3], const double velocity[3], const int resident[6], int wanted[6]);
 
   /**
-   * By how much (world units) a region (an extent) gives a tip (world) more room than its tick
-   * needs, T_N/k + r + b. Negative: samples may be missing there.
+   * Compute how much more room (world units) a region (an extent) gives a tip (world) than its tick
+   * needs, T_N/k + r + b. If the result is negative, samples may be missing there.
    */
   double FindRoom(const double tip[3], const int region[6]);
 

@@ -48,11 +48,11 @@ void WarnOfOutside(vtkHapticRegionSource* source, RegionStore& store)
   }
 }
 
-/** Live, so many regions may be in memory at once. */
+/** Number of regions that may be in memory at once while a hand feels the volume. */
 constexpr vtkTypeInt64 RegionsInMemory = 4;
-/** Of a coarser level of a file that is kept in memory. */
+/** Largest coarser level of a file that is kept in memory. */
 constexpr vtkIdType MostCoarseVoxels = 1 << 22;
-/** Bytes of all samples; more can't be counted in a file. */
+/** Limit on the bytes of all samples; larger numbers can't be file positions. */
 constexpr double MostBytes = 4e18;
 } // namespace
 
@@ -66,7 +66,7 @@ vtkHapticRegionSource::vtkHapticRegionSource()
 //------------------------------------------------------------------------------
 vtkHapticRegionSource::~vtkHapticRegionSource()
 {
-  // Whoever still has the port finds no source behind it.
+  // Users that still hold the port find no source behind it.
   this->GetOutputPort()->SetProducer(nullptr);
   this->SetFileName(nullptr);
 }
@@ -370,7 +370,7 @@ bool vtkHapticRegionSource::UpdateCoarse(std::string& error)
     whole->SetOrigin(this->Origin);
     whole->SetSpacing(this->Spacing);
     whole->SetDirectionMatrix(this->Direction);
-    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // as the indices of boxes count
+    const int fromZero[6] = { 0, 0, 0, 0, 0, 0 }; // indices of boxes count from zero
     if (!MakeIndexToWorld(whole, fromZero, "volume", key.IndexToWorld, error))
     {
       return false;
@@ -434,13 +434,13 @@ void vtkHapticRegionSource::UseSettingsOf(vtkVolumeHapticsFilter* filter)
     this->KernelRadius = filter->GetKernelRadius();
     if (!this->Store->GetSamples())
     {
-      this->Modified(); // the placeholder has another size
+      this->Modified(); // the placeholder's size has changed
     }
   }
   if (filter && this->AreLabels != filter->GetProperty()->GetScalarsAreLabels())
   {
     this->AreLabels = !this->AreLabels;
-    this->Modified(); // what is outside has another value
+    this->Modified(); // outside samples have another value now
   }
 }
 
@@ -456,7 +456,7 @@ bool vtkHapticRegionSource::Follow(const double tip[3], double time, vtkVolumeHa
   this->UseSettingsOf(filter);
   if (!this->Prepare(error))
   {
-    return false; // the pipeline tells why
+    return false; // the pipeline reports the reason
   }
   const std::string before = this->Store->GetTrouble();
   const bool hasCome = this->Store->Follow(tip, time);
@@ -586,7 +586,8 @@ int vtkHapticRegionSource::RequestInformation(
   }
   BoxExtent region;
   std::copy_n(this->WholeExtent, 6, region.begin());
-  // Without samples it is as thin as a kernel allows, so that nothing in it counts as resident.
+  // Without samples the region is as thin as a kernel allows, so that nothing in it counts as
+  // resident.
   region = this->Store->GetSamples() ? this->Store->GetRegion()
                                      : FindMiddle(region, 2 * this->KernelRadius + 1);
   vtkInformation* const info = outputs->GetInformationObject(0);

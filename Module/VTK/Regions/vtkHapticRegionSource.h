@@ -4,8 +4,9 @@
  * @class   vtkHapticRegionSource
  * @brief   a volume that is too large for memory, read where the hand needs it
  *
- * Stands for a volume in a file, or in anything that a function can read boxes of samples from.
- * Only regions of it are ever in memory. Connect it directly to port 0 of vtkVolumeHapticsFilter:
+ * Provides a volume from a file, or from anything that a function can read boxes of samples from.
+ * Only regions of the volume are ever in memory. Connect it directly to port 0 of
+ * vtkVolumeHapticsFilter:
  *
  *   source->SetFileName("Bone.raw");              // or OpenFile; or SetReader, C++ only
  *   source->SetWholeExtent(0, 4095, 0, 4095, 0, 2047);
@@ -17,22 +18,23 @@
  *   device->Arm();
  *
  * Paths. Each tick of a path waits for the samples that it reads: the trace is that of the whole
- * volume in memory, to the bit. The samples are read on the calling thread, and the paths are felt
- * one after another. A read that fails is an error of the filter. A path can't be a recording.
+ * volume in memory, to the bit. The samples are read on the calling thread, and the paths are
+ * computed one after another. A read that fails is an error of the filter. A path can't be a
+ * recording.
  *
- * Live. vtkHapticDevice::UpdateState calls Follow, which has a vtkHapticRegionPlanner plan the
- * region around the tip. A thread of the source reads it, and writes it into memory before the
- * servo sees it; neither the servo nor the GUI thread ever waits for that. Where samples are late,
- * or can't be read, the force fades within 50 ms (vtkHapticDevice::GetResidency), and comes back
- * when they are there. If there is a CoarseImage, it stands in meanwhile, with half of its force. A
- * read that failed gives one error, stands in GetStatusText() of source and device, and is tried
- * again, at intervals that grow from 50 ms to 2 s. At first nothing is felt: 512 blocks of 5^3
- * samples are read, from which the noise is estimated (all of a volume of no more than 2^26
+ * Live. vtkHapticDevice::UpdateState calls Follow, which plans the region around the tip with a
+ * vtkHapticRegionPlanner. A thread of the source reads this region, and writes it into memory
+ * before the servo sees it; neither the servo nor the GUI thread ever waits for the read. Where
+ * samples are late, or can't be read, the force fades within 50 ms (vtkHapticDevice::GetResidency),
+ * and returns when the samples are there. If there is a CoarseImage, it stands in meanwhile, with
+ * half of its force. A failed read gives one error, is reported by GetStatusText() of source and
+ * device, and is repeated at intervals that grow from 50 ms to 2 s. At first nothing is felt: 512
+ * blocks of 5^3 samples are read to estimate the noise (of a volume of at most 2^26 samples, all
  * samples). A source follows one device: two hands need two sources.
  *
- * The output is the region that was read last, or that of the CoarseImage which stands in, with the
- * field arrays of vtkHapticRegionFilter; a few voxels of zeros in the middle of the volume before
- * there is one. Its scalars are called "Scalars" and have one component.
+ * The output is the region that was read last, or a region of the CoarseImage that stands in, with
+ * the field arrays of vtkHapticRegionFilter. Before the first region is there, it is a few voxels
+ * of zeros in the middle of the volume. Its scalars are called "Scalars" and have one component.
  *
  * @sa vtkHapticRegionPlanner, vtkHapticRegionPicture, vtkVolumeHapticsFilter, vtkHapticDevice
  */
@@ -155,116 +157,120 @@ public:
 
   /**
    * Make the CoarseImage from the samples, if there is no better one: means of cubes, at most as
-   * many as wanted, for which chunks are read one by one, and of other files one row in each square
-   * of the cubes. That takes as long as reading does, so call it before the volume is felt. False,
-   * with an error, if a read fails.
+   * many as wanted. Files in chunks are read chunk by chunk; in other files, one row in each square
+   * of the cubes is read. This takes as long as the reading, so call it before the volume is felt.
+   * False, with an error, if a read fails.
    */
   bool MakeCoarseImage(vtkIdType mostVoxels = 4194304);
 
 #ifndef __VTK_WRAP__
   /**
-   * Fills the samples of a box (an extent within the whole) in memory that is just as large, x
-   * fastest and z slowest. Returns false, or throws an exception whose text tells why, if that
-   * fails; it is called again then. It is called by the thread of this source, and along paths by
-   * the thread that feels them, perhaps by both at once.
+   * Fills memory of exactly the size of a box (an extent within the whole) with its samples, x
+   * fastest and z slowest. On failure it returns false, or throws an exception whose text gives the
+   * reason; it is called again then. The thread of this source calls it, and along paths the thread
+   * that computes them, perhaps both at once.
    */
   using Reader = std::function<bool(const int extent[6], void* samples)>;
 
   /**
-   * Read the samples with a function instead of from a file; an empty function ends that. SetReader
-   * and the destructor wait for a call that is under way, and for no other. If `isAwaited` is
-   * false, they don't: then the function has to own all that it uses, and is destroyed after its
-   * last call.
+   * Read the samples with a function instead of from a file; an empty function ends this. SetReader
+   * and the destructor wait only for a call that is under way. If `isAwaited` is false, they don't
+   * wait: then the function has to own all that it uses, and is destroyed after its last call.
    */
   void SetReader(Reader reader, bool isAwaited = true);
 #endif
 
   ///@{
   /**
-   * Open a file that says itself what it holds: a VTKHDF image (.vtkhdf), of which the active array
-   * is read; a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd), whose samples are in it or in one
-   * file beside it; or a folder (.zarr) of a Zarr array or an OME-Zarr image, of which the first
-   * time and channel are read. Sets extent, type, origin, spacing and direction, and a reader, as
-   * SetReader does; and the CoarseImage, if the file has coarser levels: the finest one of at most
-   * 2^22 voxels, which is read at once.
+   * Open a file that describes its contents: a VTKHDF image (.vtkhdf), whose active array is read;
+   * a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd), whose samples are in it or in one file
+   * beside it; or a folder (.zarr) of a Zarr array or an OME-Zarr image, whose first time and
+   * channel are read. Sets extent, type, origin, spacing and direction, and a reader, as SetReader
+   * does; and the CoarseImage, if the file has coarser levels: the finest one of at most 2^22
+   * voxels, which is read at once.
    *
-   * The samples may lie in one piece or in chunks; those of VTKHDF may be compressed by gzip, those
-   * of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib, those of MetaImage and NRRD not. A NRRD
-   * file in the space right-anterior-superior is turned to left-posterior-superior, as ITK does.
-   * False, with an error that names the cure, if it can't be read; nothing is changed then. If the
-   * file is written again, open it again.
+   * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
+   * samples of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib, but samples of MetaImage and
+   * NRRD must be uncompressed. A NRRD file in the space right-anterior-superior is converted to
+   * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
+   * read; nothing is changed then. If the file is written again, open it again.
    */
   bool OpenFile(const char* fileName);
 #ifndef __VTK_WRAP__
-  /** The same, with the error as a text. */
+  /** Open a file likewise, with the error as a text. */
   bool OpenFile(const char* fileName, std::string& error);
 #endif
   ///@}
 
   /**
-   * Forget what was read. If the samples behind the reader, or in the file, have changed, call
-   * this: nothing else tells it. Waits as SetReader does.
+   * Discard what was read. Call this if the samples behind the reader, or in the file, have
+   * changed: they are not checked for changes. Waits as SetReader does.
    */
   void Reload();
 
   /**
-   * Call it on each tick of the GUI if no vtkHapticDevice does, with the tip (world), the time (s)
-   * at which it was there, and the filter that feels the volume. Returns whether the output has
-   * another region than before: then Publish. Does not wait, unless a setting of the volume was
-   * changed while a read was under way.
+   * Plan and receive regions. Call this on each tick of the GUI if no vtkHapticDevice does, with
+   * the tip (world), the time (s) at which it was there, and the filter that feels the volume.
+   * Returns whether the output has a new region: then Publish. Does not wait, unless a setting of
+   * the volume was changed while a read was under way.
    */
   bool Follow(const double tip[3], double time, vtkVolumeHapticsFilter* filter);
 
   ///@{
   /**
-   * Wait until the samples of a region (an extent, clipped to the whole) are read, and put them
-   * into an image as they are, with the field arrays of a region; whatever its size. False, with an
-   * error, if that fails.
+   * Wait until the samples of a region (an extent of any size, clipped to the whole) are read, and
+   * put them unchanged into an image, with the field arrays of a region. False, with an error, on
+   * failure.
    */
   bool ReadRegion(const int region[6], vtkImageData* image);
 #ifndef __VTK_WRAP__
-  /** The same, with the error as a text. */
+  /** Read a region likewise, with the error as a text. */
   bool ReadRegion(const int region[6], vtkImageData* image, std::string& error);
 #endif
   ///@}
 
 #ifndef __VTK_WRAP__
   /**
-   * Tell how long (s) it took until the region that came last could be felt; a device does. Regions
-   * are ordered the earlier.
+   * Set how long (s) it took until the last region could be felt; a device calls this. Later
+   * regions are ordered earlier by this time.
    */
   void NoteUseTime(double seconds);
 #endif
 
   /**
-   * Stand for a vtkDataSet that is no image, or for the parts with cells of a vtkCompositeDataSet:
-   * its arrays are resampled where the hand needs them, with a spacing (world units); 0 is the edge
-   * of a cube as large as a cell is on average. Cell arrays are averaged to the points. Of its
-   * arrays there are the active scalars, vectors and tensors, and those named (separated by
-   * semicolons). Outside of all cells, scalars are those of the border, and others are 0. The data
-   * are copied. False, with an error, if they have no cells, volume or arrays. A
+   * Provide a vtkDataSet that is not an image, or the parts with cells of a vtkCompositeDataSet:
+   * its arrays are resampled where the hand needs them, with a spacing (world units); 0 stands for
+   * the edge of a cube as large as the average cell. Cell arrays are averaged to the points. The
+   * active scalars, vectors and tensors are resampled, and the named arrays (separated by
+   * semicolons). Outside of all cells, scalars have the value of the border, and other arrays are
+   * 0. The data are copied. False, with an error, if they have no cells, volume or arrays. A
    * vtkVolumeHapticsFilter does this by itself with data on its port 0.
    */
   bool OpenDataSet(vtkDataObject* data, double spacing = 0.0, const char* arrayNames = nullptr);
 #ifndef __VTK_WRAP__
-  /** The same, with the error as a text. */
+  /** Open a data set likewise, with the error as a text. */
   bool OpenDataSet(vtkDataObject* data, double spacing, const std::vector<std::string>& arrays,
     std::string& error);
 #endif
 
-  /** Take what planner and first output need from a filter; the filter itself calls it. */
+  /** Set what planner and first output need from a filter; the filter itself calls this. */
   void UseSettingsOf(vtkVolumeHapticsFilter* filter);
 
-  /** Plans the regions. Its MaximumSpeed is for the user; this source sets all else. */
+  /**
+   * Get the planner of the regions. Its MaximumSpeed is for the user; this source sets all else.
+   */
   vtkHapticRegionPlanner* GetPlanner();
 
-  /** Whether a region was ordered by Follow that has not come yet. */
+  /** Get whether a region that Follow has ordered has not arrived yet. */
   bool IsWaiting();
 
-  /** Whether the output has samples that were read, and not those of the CoarseImage, or zeros. */
+  /**
+   * Get whether the output has samples that were read, rather than those of the CoarseImage, or
+   * zeros.
+   */
   bool HasSamples();
 
-  /** Tells for what it waits, and why the last read failed; empty if nothing is awaited. */
+  /** Get what the source waits for, and why the last read failed; empty if nothing is awaited. */
   std::string GetStatusText();
 
 protected:
@@ -277,21 +283,21 @@ protected:
 private:
 #ifndef __VTK_WRAP__
   std::string CheckSettings();
-  /** Brings the store up to the settings; false, with the fault, if they are not complete. */
+  /** Updates the store to the settings; false, with the fault, if they are not complete. */
   bool Prepare(std::string& error);
-  /** Hands the coarse image to the store; false, with the fault, if it can't stand in. */
+  /** Passes the coarse image to the store; false, with the fault, if it can't stand in. */
   bool UpdateCoarse(std::string& error);
 
-  /** Gives values as they were read to an image, as its arrays. */
+  /** Adds values as they were read to an image, as its arrays. */
   bool PutSamples(vtkDataArray* samples, vtkImageData* image, std::string& error);
   void PutArrays(vtkDataArray* samples, vtkImageData* image);
-  /** The values that a sample has. */
+  /** Returns the number of values in a sample. */
   int CountValues() const;
 
   Reader Function;
-  std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< of OpenDataSet
-  std::string OpenedName;                                 ///< of the file behind the reader
-  vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< of that file; zeros if it has no chunks
+  std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< sampler of OpenDataSet
+  std::string OpenedName;                                 ///< name of the file behind the reader
+  vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< chunk size of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
 #endif
 
@@ -307,8 +313,8 @@ private:
   bool IsAwaited = true;
   vtkSmartPointer<vtkImageData> CoarseImage;
   int KernelRadius = 2;
-  bool AreLabels = false; // of the filter
-  int Version = 0;        // of the samples
+  bool AreLabels = false; // copied from the filter
+  int Version = 0;        // counts changes of the samples
 
   vtkHapticRegionSource(const vtkHapticRegionSource&) = delete;
   void operator=(const vtkHapticRegionSource&) = delete;
@@ -317,11 +323,11 @@ private:
 #ifndef __VTK_WRAP__
 ///@{
 /**
- * SetReader for Python's ctypes, with a function that returns 0 and writes the reason as a text of
- * at most `room` bytes if it fails. It is not awaited: it may need a lock that the waiting thread
- * holds. So Follow invokes vtkCommand::UserEvent while a region is read, for an observer that lets
- * go of the lock for a while, which VTK's loop of events does not. `release` is called after its
- * last call; null for `read` ends the reading. Both get `context`.
+ * Calls SetReader for Python's ctypes. If it fails, `read` returns 0 and writes the reason as a
+ * text of at most `room` bytes. It is not awaited, because it may need a lock that the waiting
+ * thread holds. Follow therefore invokes vtkCommand::UserEvent while a region is read, so that an
+ * observer can release this lock for a while, which VTK's event loop does not do. `release` is
+ * called after the last call of `read`; null for `read` ends the reading. Both get `context`.
  */
 using vtkHapticRegionRead = int (*)(
   void* context, const int* extent, void* samples, char* why, int room);

@@ -19,7 +19,10 @@ namespace
 
 constexpr double SecondsOfMinute = 60.0;
 
-/** The heads that models use, by their radius: a servo goes on with the points that it has. */
+/**
+ * Returns the head of a radius, shared with the models that use it: a servo keeps the points that
+ * it has.
+ */
 std::shared_ptr<const PointShell> FindHead(double radius)
 {
   static std::mutex mutex;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a vtkHapticBurr to what a model is baked from.
+ * Describes a vtkHapticBurr to the model that is baked.
  */
 #ifndef BurrDescription_h
 #define BurrDescription_h
@@ -17,8 +17,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Describes a burr to a model that has its settings, material, frames and geometry already, but for
- * the function of the burr. False, with the reason and the cure in `error`, if it can't be felt.
+ * Adds a burr to the description of a model that already has its settings, material, frames and
+ * geometry, but not the burr's function. False, with the reason and the cure in `error`, if it
+ * can't be felt.
  */
 bool DescribeBurr(vtkHapticBurr* burr, HapticModelDescription& d, std::string& error);
 

@@ -26,10 +26,13 @@ namespace
 {
 
 constexpr double DegreesPerRadian = 57.295779513082320876798;
-/** Normals are the axis up to this angle (degrees). */
+/** Angle (degrees) up to which a normal counts as the axis. */
 constexpr double LeastAngle = 1e-4;
 
-/** Degrees between an axis and the normal at the entry; -1 without one. Both are unit vectors. */
+/**
+ * Returns the angle between an axis and the normal at the entry (degrees); -1 without a normal.
+ * Both are unit vectors.
+ */
 double FindAngle(const Vector3& axis, const Vector3& normal)
 {
   return Dot(normal, normal) > 0.0
@@ -37,7 +40,7 @@ double FindAngle(const Vector3& axis, const Vector3& normal)
     : -1.0;
 }
 
-/** Collects places along a track, and the tissue between them. */
+/** Collects positions along a track, and the tissue between them. */
 class TrackWriter
 {
 public:
@@ -49,7 +52,7 @@ public:
     this->Lengths->SetName("Length");
   }
 
-  /** The place where a stretch begins, or the track ends. */
+  /** Adds the position where a stretch begins, or the track ends. */
   void Begin(const Vector3& place, double depth, std::int64_t label)
   {
     const vtkIdType point = this->Points->InsertNextPoint(place.X, place.Y, place.Z);
@@ -91,7 +94,7 @@ private:
   std::int64_t Label = NoLabel;
 };
 
-/** The arrays of a trace that a track is made of. */
+/** Arrays of a trace from which a track is made. */
 struct NeedleTicks
 {
   vtkPolyData* Trace;
@@ -114,7 +117,7 @@ struct NeedleTicks
   }
 };
 
-/** The track of an insertion from one tick to another one. */
+/** Writes the track of an insertion between two ticks. */
 void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, vtkPolyData* track)
 {
   TrackWriter writer;
@@ -128,7 +131,8 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
     {
       if (ticks.LabelAt(i) != label)
       {
-        // The boundary held the point until then; where less resists behind it, the point leaps.
+        // The boundary held the point until this tick; if the tissue behind it resists less, the
+        // point jumps.
         label = ticks.LabelAt(i);
         writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
       }
@@ -137,8 +141,8 @@ void WriteInsertion(const NeedleTicks& ticks, vtkIdType first, vtkIdType last, v
   }
   writer.Begin(ticks.PlaceAt(deepest), ticks.DepthAt(deepest), label);
   writer.WriteTo(track);
-  // The last tick before whose normal is not yet the axis felt the surface. If there is none, the
-  // needle met it at a right angle.
+  // The surface was felt in the last tick whose normal is not yet the axis. If there is none, the
+  // needle met the surface at a right angle.
   const auto isHeld = [&ticks](vtkIdType tick)
   { return tick >= 0 && ticks.Strengths && ticks.Strengths->GetComponent(tick, 0) > 0.0; };
   vtkIdType before = first - 1;
@@ -214,7 +218,7 @@ void WriteNeedleTrack(
   for (int i = 0; needle.IsInserted && i < stretches.GetSize(); ++i)
   {
     const double begin = stretches[i].Begin;
-    // Stretches of one label differ in their friction alone.
+    // Adjacent stretches of one label differ only in their friction.
     if (i == 0 || stretches[i].Label != stretches[i - 1].Label)
     {
       writer.Begin(place(begin), model.WorldUnitsPerMeter * begin, stretches[i].Label);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The track of a needle as a polydata, of a trace or of a needle in the hand.
+ * Writes the track of a needle as polydata, from a trace or from a needle in the hand.
  */
 #ifndef NeedleTrace_h
 #define NeedleTrace_h
@@ -23,8 +23,9 @@ struct NeedleState;
 std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track);
 
 /**
- * See vtkHapticDevice::GetNeedleTrack: from the entry to the tip, along the needle as it is. The
- * proxy is in metres. A needle that is not inserted gives an empty track.
+ * Writes the track from the entry to the tip, along the needle's present axis: see
+ * vtkHapticDevice::GetNeedleTrack. The proxy is in metres. A needle that is not inserted gives an
+ * empty track.
  */
 void WriteNeedleTrack(
   const HapticModel& model, const NeedleState& needle, const Vector3& proxy, vtkPolyData* track);

@@ -18,12 +18,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** So few that a volume that is mapped from a file is not read as a whole. */
+/** Number of samples examined: few, so that a volume mapped from a file is not read as a whole. */
 constexpr vtkIdType MostAirSamples = 4096;
-/** Of them, so many may be outliers. */
+/** Fraction of these samples that may be outliers. */
 constexpr double AirQuantile = 0.02;
 
-/** The value that few samples, spread evenly, are below, or above; 0 if none is finite. */
+/**
+ * Finds the value that only few samples, spread evenly, are below, or above; 0 if none is finite.
+ */
 double FindAir(vtkDataArray* scalars, int component, bool isLargest)
 {
   const vtkIdType n = scalars->GetNumberOfTuples();
@@ -56,15 +58,15 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
 }
 
 /**
- * Where the samples of a volume lie among those of another one: the index of the first one there.
- * False if they lie between them, or elsewhere.
+ * Finds the index of a volume's first sample among the samples of another volume. False if the
+ * samples lie between those, or elsewhere.
  */
 bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {
-  constexpr double rounding = 1e-3; // voxels, over the whole volume
+  constexpr double rounding = 1e-3; // voxels, in all over the whole volume
   const int* const extent = volume->GetExtent();
   const int* const there = other->GetExtent();
-  for (int corner = 0; corner < 4; ++corner) // the first one, and the last one along each axis
+  for (int corner = 0; corner < 4; ++corner) // the first sample, then the last one on each axis
   {
     double index[3];
     for (int a = 0; a < 3; ++a)
@@ -82,7 +84,7 @@ bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
       {
         first[a] = std::llround(std::clamp(at, -1e9, 1e9));
       }
-      // False for NaN, too.
+      // The condition is also false for NaN.
       if (!(std::abs(at - static_cast<double>(first[a])) <= rounding))
       {
         return false;
@@ -137,7 +139,7 @@ bool RemovalData::IsAsRead() const
 
 bool RemovalData::IsOtherPart(vtkImageData* geometry, const int extent[6]) const
 {
-  // A volume with the extent of the file's may have been moved as a whole.
+  // A volume with the extent of the file's volume may have been moved as a whole.
   if (!this->IsAsRead() || IsSameExtent(this->Read->Geometry, extent))
   {
     return false;
@@ -251,7 +253,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   {
     data.Tissue = std::make_shared<TissueRemoval>();
   }
-  // Regions of one volume have one value, and what was removed keeps its own.
+  // Regions of one volume share one value, and removed tissue keeps its own value.
   if (removal->GetAutoAirValue() && (!data.HasAir || (isBurr && !isRegion && !isUsed)))
   {
     const bool isBelow = isBurr && d.Tool.Shell.Touch.IsBelow;

@@ -30,7 +30,7 @@ constexpr const char* ExtentName = "VolumeExtent";
 constexpr const char* AirName = "AirValue";
 constexpr const char* WriteCure = " Give a file that vtkHapticRemoval::WriteFile() has written.";
 
-/** The samples of an extent, from the first one of the volume. */
+/** Converts an extent to a box of samples, counted from the volume's first sample. */
 ShareBox BoxOf(const int extent[6], const int volume[6])
 {
   ShareBox box{};
@@ -42,7 +42,10 @@ ShareBox BoxOf(const int extent[6], const int volume[6])
   return box;
 }
 
-/** Of all bricks that are not whole, within the volume; of one sample if there are none. */
+/**
+ * Finds the extent of all bricks that are not whole, within the volume; one sample if there are
+ * none.
+ */
 std::array<int, 6> FindUsedExtent(const std::vector<BrickShares>& bricks, const int volume[6])
 {
   std::array<int, 6> used{ volume[0], volume[0], volume[2], volume[2], volume[4], volume[4] };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files of the tissue that was removed: a .vti image of shares, of the part of the volume from
- * which something was removed, with the volume's extent and its AirValue as field arrays.
+ * Writes and reads files of removed tissue: a .vti image of the shares in the part of the volume
+ * from which something was removed, with the volume's extent and its AirValue as field arrays.
  */
 #ifndef RemovalFile_h
 #define RemovalFile_h
@@ -19,26 +19,26 @@
 namespace VolumeHaptics
 {
 
-/** Gives an image an extent, and the origin, spacing and direction of another one. */
+/** Gives an image an extent, and the origin, spacing and direction of another image. */
 void CopyGeometry(vtkImageData* from, const int extent[6], vtkImageData* to);
 
 /** Makes an image of the shares in an extent of a volume, with its geometry. */
 void MakeShareImage(
   const CarvedBricks* bricks, vtkImageData* geometry, const int extent[6], vtkImageData* shares);
 
-/** False, with the reason and the cure in `error`, if the file can't be written. */
+/** Writes a file. False, with the reason and the cure in `error`, on failure. */
 bool WriteRemovalFile(const CarvedBricks& bricks, double airValue, vtkImageData* geometry,
   const std::string& file, std::string& error);
 
 /** The contents of a file of removed tissue. */
 struct RemovalContent
 {
-  vtkNew<vtkImageData> Geometry; ///< of the volume
+  vtkNew<vtkImageData> Geometry; ///< geometry of the volume
   std::vector<BrickShares> Shares;
   double AirValue = 0.0;
 };
 
-/** False, with what is wrong with the file and the cure in `error`, if it can't be read. */
+/** Reads a file. False, with the fault and the cure in `error`, on failure. */
 bool ReadRemovalFile(const std::string& file, RemovalContent& content, std::string& error);
 
 } // namespace VolumeHaptics

@@ -16,7 +16,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of a function that is constant beyond its ends. */
+/** Evaluates a function that is constant beyond its ends. */
 double ValueAt(const Polyline& line, double x)
 {
   if (line.empty() || !(x > line.front().X))
@@ -35,7 +35,10 @@ double ValueAt(const Polyline& line, double x)
   return line.back().Y;
 }
 
-/** The strength where something is visible, with all break points of both. */
+/**
+ * Computes the surface strength where something is visible, 0 elsewhere, with all break points of
+ * both.
+ */
 Polyline FindFeltStrength(const HapticMaterial& material)
 {
   // The visibility is 0 or 1, and jumps where two vertices have the same value.

@@ -26,7 +26,7 @@ namespace
 {
 
 ///@{
-/** On a desktop computer (s). */
+/** Measured on a desktop computer (s). */
 constexpr double SecondsPerPoint = 1.3e-4;
 constexpr double SecondsPerPolygon = 2e-6;
 constexpr double ShortSpreading = 40e-3;
@@ -51,11 +51,14 @@ SpreadShell Spread(vtkPolyData* mesh, int count, WorkMonitor* monitor)
   return made;
 }
 
-/** Points that models use, the last few that were made, and the last mesh that is no tool. */
+/**
+ * Keeps the points that models use, the last few that were made, and the last mesh that is no valid
+ * tool.
+ */
 class ShellsInUse
 {
 public:
-  /** False if they have to be made. */
+  /** Finds the points of a mesh; false if they have to be made. */
   bool Find(const ShellKey& key, SpreadShell& found)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -98,7 +101,7 @@ ShellsInUse& GetShellsInUse()
   return *shells;
 }
 
-/** A mesh with points and cursors of its own, for a worker. */
+/** Copies a mesh with its own points and cursors, for a worker. */
 vtkSmartPointer<vtkPolyData> CopyMesh(vtkPolyData* mesh)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -150,7 +153,7 @@ bool ShellPreparation::Prepare(vtkPolyData* mesh, int count)
   }
   if (this->Spreading.IsOf(key))
   {
-    return !this->Spreading.IsUnderWay(); // or there was no memory, as GetShellPoints() will find
+    return !this->Spreading.IsUnderWay(); // if memory ran out, GetShellPoints() will report it
   }
   if (this->Spreading.IsUnderWay())
   {

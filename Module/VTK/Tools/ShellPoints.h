@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The points of tools with a shape, spread over their meshes: on the thread that asks, or before,
+ * Spreads the points of tools with a shape over their meshes: on the calling thread, or beforehand
  * in the background.
  */
 #ifndef ShellPoints_h
@@ -22,12 +22,15 @@ class vtkPolyData;
 namespace VolumeHaptics
 {
 
-/** A tick of more takes too long for any servo, and their memory must stay there. */
+/**
+ * Largest number of points: more would take too long for any servo's tick, and too much memory in
+ * it.
+ */
 constexpr int MostShellPoints = 100000;
 
 /**
- * A mesh, when it changed, and the number of its points. Times of change are unique: data at the
- * place of others has another one.
+ * A mesh, its time of change, and the number of its points. Times of change are unique, so new data
+ * at an old address get another key.
  */
 using ShellKey = std::tuple<const void*, vtkMTimeType, int>;
 
@@ -39,19 +42,19 @@ struct SpreadShell
 };
 
 /**
- * The points of a mesh, 1 to MostShellPoints of them. Those of a mesh that has not changed are
+ * Returns the points of a mesh, 1 to MostShellPoints of them. If the mesh has not changed, they are
  * those that models still use, or that were made last. Null, with the reason and the cure in
- * `error`, if the mesh is no closed surface.
+ * `error`, if the mesh is not a closed surface.
  */
 std::shared_ptr<const PointShell> GetShellPoints(vtkPolyData* mesh, int count, std::string& error);
 
-/** Spreads points in the background, so that GetShellPoints() is quick then. */
+/** Spreads points in the background, so that GetShellPoints() is quick afterwards. */
 class ShellPreparation
 {
 public:
-  /** Whether GetShellPoints() is quick now. If not, the points are made, one mesh at a time. */
+  /** Whether GetShellPoints() is quick now. If not, makes the points, one mesh at a time. */
   bool Prepare(vtkPolyData* mesh, int count);
-  /** Ends what Prepare() began, without waiting for it. */
+  /** Ends the work that Prepare() began, without waiting for it. */
   void EndPreparing() { this->Spreading.Abandon(); }
 
 private:

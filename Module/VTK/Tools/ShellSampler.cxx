@@ -16,22 +16,25 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Candidates for each point: of a few points, and of many. */
+/** Candidates for each point, if points are few, and if they are many. */
 constexpr std::size_t CandidatesOfFew = 40;
 constexpr std::size_t CandidatesOfMany = 15;
 constexpr std::size_t Many = 20000;
-/** Every so manieth candidate may be chosen at first. */
+/** Every nth candidate may be chosen at first, with n this number. */
 constexpr std::size_t CandidatesOfChoice = 5;
-/** Mean of unit normals: the places face nearly the same way, so that their middle is near them. */
+/**
+ * Smallest length of a mean of unit normals: the positions face nearly the same way, so that their
+ * middle is near them.
+ */
 constexpr double LeastMeanNormal = 0.97;
-/** How often points move to the middle of their own. */
+/** How often points move to the middle of their candidates. */
 constexpr int LloydRounds = 5;
 
-/** A place on the surface, and how it faces. */
+/** A position on the surface, and the direction that it faces. */
 struct SurfacePlace
 {
   Vector3 Position;
-  Vector3 Normal; ///< times the length that stands for a turn by a radian
+  Vector3 Normal; ///< scaled by the length that counts as much as a turn by a radian
 };
 
 double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
@@ -41,11 +44,13 @@ double SquaredDistance(const SurfacePlace& a, const SurfacePlace& b)
   return Dot(way, way) + Dot(turn, turn);
 }
 
-/** Places that stand for the same area each: stratified along the triangles, and within each. */
+/**
+ * Spreads positions that stand for equal areas: stratified along the triangles, and within each.
+ */
 std::vector<SurfacePlace> SpreadPlaces(
   const std::vector<ToolTriangle>& triangles, double area, std::size_t count, double turnLength)
 {
-  // The multiples of the plastic ratio's powers fill a square evenly.
+  // Multiples of the plastic ratio's powers fill a square evenly.
   constexpr double first = 0.7548776662466927;
   constexpr double second = 0.5698402909980532;
   std::vector<SurfacePlace> places;
@@ -76,7 +81,7 @@ std::vector<SurfacePlace> SpreadPlaces(
   return places;
 }
 
-/** Some of the places, in cubes of space. */
+/** Finds neighbours among some of the positions, by cubes of space. */
 class PlaceGrid
 {
 public:
@@ -110,7 +115,7 @@ public:
     }
   }
 
-  /** Visits all members at most `radius` from a place, and perhaps others. */
+  /** Visits all members at most `radius` from a position, and perhaps others. */
   template <typename Function>
   void ForNear(const Vector3& at, double radius, Function&& visit) const
   {
@@ -129,14 +134,14 @@ public:
   }
 
   /**
-   * The member that is nearest to a place; the lowest of several. There is at least one, within
-   * this length or not, where the search begins.
+   * Finds the member nearest to a position; of several, the lowest. There must be at least one. The
+   * search begins within a length, and continues beyond it if no member is there.
    */
   std::size_t FindNearest(const SurfacePlace& place, double within) const
   {
     double least = std::numeric_limits<double>::max();
     std::size_t nearest = this->Members.front().second;
-    constexpr double shortest = 0.05; // of a cube
+    constexpr double shortest = 0.05; // edge of a cube
     for (double radius = std::max(within, shortest * this->Cell);; radius *= 2.0)
     {
       this->ForNear(place.Position, radius,
@@ -166,7 +171,10 @@ private:
     { return static_cast<std::int64_t>(std::floor(x / this->Cell)); };
     return { number(at.X), number(at.Y), number(at.Z) };
   }
-  /** 21 bits each: of cubes that are a million apart, both are visited, which costs but time. */
+  /**
+   * Packs a cube into 21 bits for each axis. Cubes a million apart share a key: both are visited,
+   * which only takes time.
+   */
   static std::uint64_t KeyOf(const Cube& cube)
   {
     constexpr std::uint64_t bits = 0x1fffff;
@@ -199,24 +207,25 @@ private:
 
   const std::vector<SurfacePlace>& Places;
   const double Cell;
-  std::vector<std::pair<std::uint64_t, std::size_t>> Members; ///< by cubes
-  std::vector<std::size_t> Buckets;                           ///< the first member of each cube
+  std::vector<std::pair<std::uint64_t, std::size_t>> Members; ///< sorted by cubes
+  /** Index of the first member of each cube. */
+  std::vector<std::size_t> Buckets;
   std::size_t Mask = 0;
 };
 
-/** Whether a loop is to go on; looks at the monitor, if there is one, every now and then. */
+/** Whether a loop should continue; checks the monitor, if there is one, every now and then. */
 bool GoesOn(const WorkMonitor* monitor, std::size_t step)
 {
   constexpr std::size_t between = 1024;
   return !monitor || step % between != 0 || !monitor->IsCancelled();
 }
 
-/** Leaves out the members that are most crowded, until `count` are left. */
+/** Removes the most crowded members, until `count` are left. */
 std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& members, std::size_t count, double area,
   const WorkMonitor* monitor)
 {
-  // The largest radius of discs that fit: those of a lattice of equilateral triangles.
+  // The largest radius of discs that fit, which form a lattice of equilateral triangles.
   const double most = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));
   const double ratio = static_cast<double>(count) / static_cast<double>(members.size());
   const double least = 0.65 * most * (1.0 - std::pow(ratio, 1.5));
@@ -268,8 +277,8 @@ std::vector<std::size_t> Eliminate(const std::vector<SurfacePlace>& places,
 }
 
 /**
- * For each place, the number of the chosen one that is nearest. The one of before, if they have
- * only moved, is near, too. Empty if it is cancelled.
+ * Finds for each position the number of the nearest chosen one. If the chosen ones have only moved,
+ * the search begins near the last owner. Empty if it is cancelled.
  */
 std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   const std::vector<std::size_t>& chosen, double spacing, const std::vector<std::size_t>& before,
@@ -298,7 +307,7 @@ std::vector<std::size_t> FindOwners(const std::vector<SurfacePlace>& places,
   return owners;
 }
 
-/** What belongs to a point. */
+/** The positions that belong to a point. */
 struct OwnPlaces
 {
   SurfacePlace Middle;
@@ -324,7 +333,7 @@ std::vector<OwnPlaces> FindMiddles(const std::vector<SurfacePlace>& places,
   return all;
 }
 
-/** Moves each chosen one to that of its places which is nearest to their middle. */
+/** Moves each chosen position to the one of its candidates that is nearest to their middle. */
 void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
   std::vector<std::size_t>& chosen)
 {
@@ -373,9 +382,9 @@ std::vector<ShellPoint> SpreadShellPoints(
   {
     return {};
   }
-  // In the middle of its part, but on the surface: sums of what is linear along a plane are
-  // integrals. On a curved surface that is pressed into a plane, what points on it have too much is
-  // what those at the rim of the contact lack.
+  // Each point lies in the middle of its part, but on the surface: sums of a linear function along
+  // a plane then equal integrals. On a curved surface that is pressed into a plane, the excess of
+  // the points on it balances the deficit of those at the rim of the contact.
   const std::vector<OwnPlaces> own = FindMiddles(places, owners, chosen.size());
   std::vector<ShellPoint> points;
   points.reserve(chosen.size());

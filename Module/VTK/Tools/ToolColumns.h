@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The names of the arrays that only traces of tools have.
+ * Names of the arrays that only traces of tools have.
  */
 #ifndef ToolColumns_h
 #define ToolColumns_h

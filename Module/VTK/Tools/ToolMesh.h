@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The mesh of a tool, checked: it must be a closed surface that faces outwards.
+ * Reads and checks the mesh of a tool: it must be a closed surface that faces outwards.
  */
 #ifndef ToolMesh_h
 #define ToolMesh_h
@@ -21,15 +21,15 @@ namespace VolumeHaptics
 struct ToolTriangle
 {
   Vector3 Corner[3];
-  Vector3 Normal;    ///< unit, outwards
+  Vector3 Normal;    ///< unit vector, outwards
   double Area = 0.0; ///< more than 0
 };
 
 /**
- * Reads the triangles of a mesh, whose polygons and strips are divided, in their order. Corners at
- * the same place are one, as files of type STL need it; triangles without an area are left out.
- * False, with the reason and the cure in `error`, if the mesh is none, has no polygons, points that
- * are not finite, open edges, neighbours that face opposite sides, no area, or is inside out.
+ * Reads the triangles of a mesh in their order, and divides its polygons and strips. Coinciding
+ * corners are merged, as STL files need it; triangles without an area are left out. False, with the
+ * reason and the cure in `error`, if the mesh is null, has no polygons, points that are not finite,
+ * open edges, neighbours that face opposite sides, no area, or is inside out.
  */
 bool ReadToolMesh(vtkPolyData* mesh, std::vector<ToolTriangle>& triangles, std::string& error);
 

@@ -4,43 +4,45 @@
  * @class   vtkHapticBurr
  * @brief   a burr, which removes the tissue that it is pressed into while it spins
  *
+ * Removes the tissue that its head is pressed into while it spins:
+ *
  *   vtkNew<vtkHapticBurr> burr;
  *   burr->SetRadius(2.0); // world units
  *   filter->SetTool(burr);
  *
- * Its head is a ball that is held by what is solid, as a vtkHapticPointShell is. With the force F
+ * The head is a ball, and solid tissue holds it as it holds a vtkHapticPointShell. With the force F
  * on the hand, the Friction mu, and the speed v of its rim, the rotation has the power mu F v, and
  * removes tissue of specific energy U (J/mm^3) at the rate
  *
  *   Q = mu F v/U.
  *
- * U is that of the label of each sample (vtkHapticLabelTable::SetSpecificEnergy()), or where that
- * has none, the SpecificEnergy of the burr. So dense bone, with a large U, is drilled more slowly,
- * and pressing harder drills faster. The surface that is left has the shape of the ball to a small
- * part of a voxel, and is felt by every tool, or by the point without one: with the method PROXY,
- * FORCE_FIELD or LOCAL_SURFACE. The samples themselves do not change: the share of tissue that
- * remains at each of them is kept by vtkVolumeHapticsFilter::GetRemoval(), which undoes, saves and
- * loads it.
+ * U comes from the label of each sample (vtkHapticLabelTable::SetSpecificEnergy()), or, if the
+ * label has none, from the SpecificEnergy of the burr. So dense bone, with a large U, is drilled
+ * more slowly, and pressing harder drills faster. The surface that is left has the shape of the
+ * ball to a small part of a voxel. Every tool feels it, and so does the point without a tool, with
+ * the method PROXY, FORCE_FIELD or LOCAL_SURFACE. The samples themselves do not change:
+ * vtkVolumeHapticsFilter::GetRemoval() keeps the share of tissue that remains at each sample, and
+ * undoes, saves and loads it.
  *
  * Live, it spins while the device is armed and its SpinButton is pressed, or
- * vtkHapticDevice::SetSpinning() says so. Offline it spins always, or as the point array Spinning
- * of the path says (0 or 1), and each path removes tissue by itself, from what the hand has left:
- * the trace has the array RemovedVolume, the mm^3 of each tick, and the field arrays of
+ * vtkHapticDevice::SetSpinning() says so. Offline it always spins, or as the point array Spinning
+ * of the path says (0 or 1), and each path removes tissue by itself, from the tissue that the hand
+ * has left: the trace has the array RemovedVolume, the mm^3 of each tick, and the field arrays of
  * vtkHapticRemoval::ReadTrace().
  *
- * A share of the force may vibrate, with the rotation or, where that is too fast to be felt, a
- * half, quarter ... of it. Lengths and volumes are those of the hand (see MetersPerWorldUnit), but
- * for the Radius and the ContactArea.
+ * A part of the force may vibrate, at the frequency of the rotation or, where that is too fast to
+ * be felt, at a half, quarter ... of it. Lengths and volumes are measured in the hand's space (see
+ * MetersPerWorldUnit), except the Radius and the ContactArea.
  *
- * It needs the method PROXY, and a volume that does not move. Burrs of four voxels' radius or more
- * leave surfaces within 0.05 voxel; one of less than a voxel can't be used.
+ * It needs the method PROXY, and a volume that does not move. Burrs with a radius of four voxels or
+ * more leave surfaces within 0.05 voxel; a radius of less than a voxel can't be used.
  *
- * Removal has a bounded part of each tick, whatever the Radius: a fifth of a millisecond or so, and
- * with the contacts of the head 0.3 ms, on a processor of 2.5 GHz. Up to a radius of some 20 voxels
- * a step is removed within the tick in which it is paid for. A larger burr removes it brick by
- * brick in as many ticks as it needs, and the energy that comes meanwhile is kept, so that Q stays;
- * see Documentation/method.md for where so much is paid for that removal falls behind, and catches
- * up at rest. The head has the same number of points at any radius.
+ * Removal takes a bounded part of each tick, whatever the Radius: about a fifth of a millisecond,
+ * and with the contacts of the head 0.3 ms, on a processor of 2.5 GHz. Up to a radius of some 20
+ * voxels, a step is removed within the tick that provides its energy. A larger burr removes the
+ * step brick by brick in as many ticks as it needs, and the energy of these ticks is kept, so that
+ * Q is unchanged; Documentation/method.md says where so much energy comes that removal falls
+ * behind, and catches up at rest. The head has the same number of points at any radius.
  *
  * @sa vtkHapticShapedTool vtkHapticRemoval
  */
@@ -109,7 +111,7 @@ public:
   vtkGetMacro(SpinButton, int);
   ///@}
 
-  /** Includes the function. */
+  /** Includes the change time of the function. */
   vtkMTimeType GetMTime() override;
 
 protected:

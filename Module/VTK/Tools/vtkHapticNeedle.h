@@ -4,8 +4,8 @@
  * @class   vtkHapticNeedle
  * @brief   a needle, which feels layers, its shaft, and the loss of resistance
  *
- * Its point feels surfaces as the hand does without a tool. One that is pushed through them is
- * inserted, and feels:
+ * Punctures tissue. The needle's point feels surfaces as the hand does without a tool. A needle
+ * that is pushed through them is inserted, and feels:
  *
  *   vtkNew<vtkHapticNeedle> needle;
  *   filter->SetTool(needle);
@@ -15,27 +15,29 @@
  *   table->SetShaftFriction(7, 60.0);  // N per metre of the shaft in it
  *
  * - **the layer around its point**: the force R that cuts it, only while the needle is pushed;
- * - **boundaries**: labels that have a surface strength T hold the point until they are punctured;
- *   so do the surfaces of the scalars, where the label has none;
+ * - **boundaries**: labels that have a surface strength T hold the point until they are punctured,
+ *   as do the surfaces of the scalars where the label has no T;
  * - **its shaft**: friction tau of all tissues along the track, against any motion, in and out;
  * - **across its axis** the tissue holds it with the LateralStrength.
  *
- * So the force along the needle is T + R + F_s at most while it is pushed, F_s while it is
- * withdrawn, with F_s the integral of tau over the track, and anything between at rest. Where a
- * tissue ends whose R was felt, that much resistance is lost.
+ * So the force along the needle is at most T + R + F_s while it is pushed, F_s while it is
+ * withdrawn, with F_s the integral of tau over the track, and any value between at rest. Where a
+ * tissue ends, its R is lost: the loss of resistance.
  *
  * R is the viscosity of the label, T its surface strength, tau its shaft friction. Where a label
- * does not say it, or without labels, R is the CuttingForce, tau the ShaftFriction, both functions
- * of the scalar, and T that of vtkHapticProperty. The spring keeps the stiffness of the surface
- * that was punctured until the needle is out. Lengths in N per metre are the hand's.
+ * does not set them, or without labels, R is the CuttingForce and tau the ShaftFriction, both
+ * functions of the scalar, and T is the surface strength of vtkHapticProperty. The spring keeps the
+ * stiffness of the surface that was punctured until the needle is out. Lengths in N per metre are
+ * the hand's.
  *
- * The axis is that of the stylus. If the device measures no orientation, it is the direction of the
- * hand's motion at the puncture, over the last millimetre, and stays until the needle is out.
+ * The needle's axis is the axis of the stylus. If the device measures no orientation, it is the
+ * direction of the hand's motion at the puncture, over the last millimetre, and stays until the
+ * needle is out.
  *
  * It needs the method PROXY, and a volume that does not move. The trace gets the arrays Depth, the
  * length that is inserted (world units; 0: none), ShaftForce, F_s (N), and ForbiddenTouches, how
- * often a forbidden label has stopped the insertion. MakeTrack() makes of a
- * trace what was passed; vtkHapticDevice::GetNeedleTrack() tells it of a hand.
+ * often a forbidden label has stopped the insertion. MakeTrack() converts a trace to the track
+ * through the tissue; vtkHapticDevice::GetNeedleTrack() writes the track of a needle in the hand.
  *
  * @sa vtkHapticTool vtkHapticLabelTable
  */
@@ -78,7 +80,7 @@ public:
   ///@}
 
   /**
-   * Fills CuttingForce, in place, for one of the presets of vtkHapticProperty for Hounsfield units
+   * Fill CuttingForce, in place, for one of the presets of vtkHapticProperty for Hounsfield units
    * ("CT contrast", ...): 0.04 N in lung, 0.1 N in fat and 0.3 N from muscle on, the layers of
    * Documentation/method.md. Returns false, with an error and no change, for any other name.
    */
@@ -94,18 +96,18 @@ public:
   ///@}
 
   /**
-   * The track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
-   * needle: a polyline of the places at which the point came into other tissue, and of the deepest
-   * one. Point arrays: Depth (world units), the way along the needle; cell arrays, for each stretch
-   * of it: Label and Length (world units). Field arrays, one number each: Depth, the deepest; Angle
-   * (degrees), between the track and the normal of the surface at the entry, or -1 without one; and
-   * ForbiddenTouches, if the trace has it.
-   * Returns false if the trace has no needle; the error is that of the track, which is then empty.
-   * Both must be different objects.
+   * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
+   * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
+   * position. Point arrays: Depth (world units), the way along the needle; cell arrays, for each
+   * stretch of the needle: Label and Length (world units). Field arrays, one number each: Depth,
+   * the greatest depth; Angle (degrees), between the track and the normal of the surface at the
+   * entry, or -1 without one; and ForbiddenTouches, if the trace has it. Returns false if the trace
+   * has no needle; the track, then empty, reports the error. Trace and track must be different
+   * objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 
-  /** Includes the functions. */
+  /** Includes the change times of the functions. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -4,41 +4,41 @@
  * @class   vtkHapticPointShell
  * @brief   any closed surface as a tool, which feels force and torque
  *
- * The hand holds a tool with a shape, such as that of an STL file:
+ * Gives the hand a tool with a shape, such as that of an STL file:
  *
  *   vtkNew<vtkHapticPointShell> tool;
  *   tool->SetMesh(reader->GetOutput()); // world units
  *   filter->SetTool(tool);
  *
  * The surface becomes points with areas, spread evenly (Yuksel, Computer Graphics Forum 34, 2015).
- * Each of them that is in solid material is pressed out of it:
+ * Each point that is in solid material is pressed out of it:
  *
  * - **solid** is what is beyond a contact value of the scalars. By default it follows from the
  *   surface strength of vtkHapticProperty: see vtkHapticShapedTool;
  * - **the pressure** grows with the depth of a point, with the stiffness of the material per
  *   ContactArea, up to its surface strength per ContactArea. So a tool that touches with the
- *   ContactArea feels as the point does without it. Both are those of the material behind the
- *   surface, or of its label;
+ *   ContactArea feels like the point without a tool. Stiffness and strength are those of the
+ *   material behind the surface, or of its label;
  * - **the coupling**: the tool lags behind the hand on a spring and a turning spring, and rests
  *   where these and the pressure are in balance (a quasi-static coupling; Wan and McNeely 2003).
- *   The hand feels the springs' force and torque. It gets no more energy back than it has put in.
+ *   The hand feels the springs' force and torque. It gets back at most the energy that it has put
+ *   in.
  *
  * The origin of the mesh is at the device's tip, and its axes are those of the stylus (see
  * vtkHapticTool), which points along its own -z. A device that measures no orientation holds the
- * tool as vtkHapticDevice::SetTipOrientation says, and one without torque only gives the force. A
- * tool that begins in solid material is free to leave it.
+ * tool as vtkHapticDevice::SetTipOrientation says, and a device without torque only gives the
+ * force. A tool that begins in solid material is free to leave it.
  *
- * 10 000 points tick at 1 kHz on one core of a PC, of which a few thousand may be in contact; the
- * time grows with their number. To spread 2000 points takes a quarter of a second, 100 000 of them
- * some seconds: a vtkHapticDevice does that in the background, and the hand feels what it had
- * before until vtkHapticDevice::IsPublished(). Points farther apart than details of the volume
- * miss these: the distance between them is about the square root of the tool's area over their
- * number.
+ * One core of a PC ticks 10 000 points at 1 kHz, and a few thousand of them may be in contact; the
+ * time grows with their number. Spreading 2000 points takes a quarter of a second, 100 000 points
+ * some seconds: a vtkHapticDevice does this in the background, and the hand feels the old model
+ * until vtkHapticDevice::IsPublished(). Points farther apart than details of the volume miss these:
+ * the distance between them is about the square root of the tool's area over their number.
  *
  * It needs the method PROXY, and a volume that does not move. Friction is not felt. In the trace,
  * the points (proxies) are the origins of the tool, ToolOrientation is its orientation (w, x, y, z;
- * world), Force and Torque are those on the hand, and Contact tells whether the tool is free (0),
- * held (1), or yields at all points of contact (3).
+ * world), Force and Torque act on the hand, and Contact says whether the tool is free (0), held
+ * (1), or yields at all points of contact (3).
  *
  * @sa vtkHapticShapedTool
  */
@@ -84,7 +84,7 @@ public:
   vtkGetMacro(TurningStiffness, double);
   ///@}
 
-  /** Includes the mesh. */
+  /** Includes the change time of the mesh. */
   vtkMTimeType GetMTime() override;
 
 protected:

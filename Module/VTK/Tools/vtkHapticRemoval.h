@@ -4,25 +4,26 @@
  * @class   vtkHapticRemoval
  * @brief   the tissue that a vtkHapticBurr has removed from a volume
  *
- * vtkVolumeHapticsFilter::GetRemoval() has it. It is the share rho of tissue that remains at each
- * sample of the volume on port 0, 255 for all of it. What is felt is
+ * Keeps the share rho of tissue that remains at each sample of the volume on port 0 of a filter;
+ * 255 stands for all of it. vtkVolumeHapticsFilter::GetRemoval() returns this object. The felt
+ * value is
  *
  *   V' = V - (1 - rho/255) (V - AirValue),
  *
- * while the samples V stay as they are. Only where tissue was removed it needs memory: 12 MB for up
- * to 16384 bricks of 8 x 8 x 8 samples. If all are in use, IsUsedUp() tells so, and nothing more is
- * removed.
+ * while the samples V stay unchanged. It needs memory only where tissue was removed: 12 MB for up
+ * to 16384 bricks of 8 x 8 x 8 samples. If all bricks are in use, IsUsedUp() is true, and nothing
+ * more is removed.
  *
  * A stroke begins when a burr removes something, and ends when it no longer spins or has removed
- * nothing for half a second. Undo(), Redo() and Reset() are carried out by the servo that ticks
- * with the burr, within some ticks in which nothing is felt; without one, at once. Strokes of
- * before a recording, and of before ReadFile(), can't be undone.
+ * nothing for half a second. The servo that ticks with the burr carries out Undo(), Redo() and
+ * Reset(), within some ticks in which nothing is felt; without a servo, they act at once. Strokes
+ * before a recording, and before ReadFile(), can't be undone.
  *
- * One vtkHapticDevice at a time may tick with a removal: give the filter of another one a removal
- * of its own with vtkVolumeHapticsFilter::SetRemoval(). Shares are of the samples of one extent: a
- * volume with another one can't be felt until Reset() or SetRemoval(nullptr). But what ReadFile()
- * has read goes with any part of its volume, or a larger one, as long as it is not changed. While a
- * volume moves, all of its tissue is there.
+ * One vtkHapticDevice at a time may tick with a removal: give another device's filter its own
+ * removal with vtkVolumeHapticsFilter::SetRemoval(). Shares belong to the samples of one extent: a
+ * volume with another extent can't be felt until Reset() or SetRemoval(nullptr). Shares that
+ * ReadFile() has read fit any part of their volume, or a larger volume, as long as they are not
+ * changed. While a volume moves, all of its tissue is there.
  *
  * @sa vtkHapticBurr vtkVolumeHapticsFilter
  */
@@ -74,63 +75,63 @@ public:
 
   ///@{
   /**
-   * Undo takes the last stroke back, Redo does it again, Reset brings all tissue back and can't be
-   * undone. Each returns false if there is nothing to do, or too many of these wait.
+   * Undo reverts the last stroke, Redo repeats it, and Reset restores all tissue and can't be
+   * undone. Each returns false if there is nothing to do, or too many requests wait.
    */
   bool Undo();
   bool Redo();
   bool Reset();
   ///@}
   ///@{
-  /** How many strokes can be undone and redone. */
+  /** Get how many strokes can be undone and redone. */
   int GetNumberOfUndos();
   int GetNumberOfRedos();
   ///@}
   /**
-   * The volume (mm^3 of the hand's space) that was removed since the beginning, ReadFile() or
+   * Get the volume (mm^3 of the hand's space) that was removed since the beginning, ReadFile() or
    * ReadTrace(), less what was undone.
    */
   double GetRemovedVolume();
-  /** Whether all tissue is there. */
+  /** Get whether all tissue is there. */
   bool IsEmpty();
-  /** Whether tissue could not be removed because the memory is used up. */
+  /** Get whether tissue could not be removed because the memory is used up. */
   bool IsUsedUp();
-  /** How many of Undo(), Redo() and Reset() wait or are carried out. */
+  /** Get how many of Undo(), Redo() and Reset() wait or are being carried out. */
   int GetNumberOfRequests();
 
   /**
-   * In the information of an array that is shown instead of the touched one, such as a copy of it
-   * in which a head rest is hidden: the touched array. Then a scene shows what was removed of the
-   * shown array, too, by the same shares and AirValue:
+   * Names the touched array in the information of an array that is shown instead of it, such as a
+   * copy in which a head rest is hidden. Then a scene shows the removal in the shown array, too, by
+   * the same shares and AirValue:
    *
    *   shown->GetInformation()->Set(vtkHapticRemoval::TOUCHED_ARRAY(), touched);
    *
-   * Both have the same number of values and components. The key keeps the touched array.
+   * Both arrays have the same number of values and components. The key keeps the touched array.
    */
   static vtkInformationObjectBaseKey* TOUCHED_ARRAY();
 
   /**
-   * Makes an image of the shares, VTK_UNSIGNED_CHAR, with the geometry of the volume; without
-   * scalars as long as there was no tick with a burr. It has the volume's size: one byte a sample.
+   * Make an image of the shares, VTK_UNSIGNED_CHAR, with the geometry of the volume; without
+   * scalars as long as there was no tick with a burr. It has the volume's size: one byte for each
+   * sample.
    */
   void MakeShares(vtkImageData* shares);
 
   ///@{
   /**
-   * Writes the shares to a .vti file, and reads them. The file has the part of the volume from
-   * which something was removed, and is replaced as a whole: if the disk is full, the old one
-   * stays. False, after an error, if that is not possible; then nothing has changed. What was read
-   * is felt on any volume whose samples lie where those of the file's volume do: one that was
-   * cropped or padded since has the same hole at the same place.
+   * Write the shares to a .vti file, and read them. The file has the part of the volume from which
+   * something was removed. It is replaced as a whole: if the disk is full, the old one stays. On
+   * failure, returns false, with an error, and nothing has changed. Shares from a file are felt on
+   * any volume whose samples lie at the positions of the samples of the file's volume: a volume
+   * that was cropped or padded since has the same hole at the same place.
    */
   bool WriteFile(const std::string& file);
   bool ReadFile(const std::string& file);
   ///@}
 
   /**
-   * Takes over what a burr has removed at the end of the only path of a trace of
-   * vtkVolumeHapticsFilter. False, after an error, if there is none, or no model of the volume was
-   * made yet.
+   * Set the shares to those at the end of the only path of a trace of vtkVolumeHapticsFilter.
+   * False, after an error, if the trace has no shares, or no model of the volume was made yet.
    */
   bool ReadTrace(vtkPolyData* trace);
 

@@ -4,8 +4,8 @@
  * @class   vtkHapticShapedTool
  * @brief   a tool with a shape, which is pressed out of what is solid
  *
- * What vtkHapticPointShell and vtkHapticBurr have in common: what is solid, the area on which the
- * material functions act, and the spring between the hand and the tool.
+ * Holds the settings that vtkHapticPointShell and vtkHapticBurr share: what is solid, the area on
+ * which the material functions act, and the spring between the hand and the tool.
  *
  * @sa vtkHapticTool
  */

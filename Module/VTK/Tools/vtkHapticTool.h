@@ -4,7 +4,7 @@
  * @class   vtkHapticTool
  * @brief   what the hand holds: more than a point
  *
- * Without a tool, vtkVolumeHapticsFilter feels the volume with a point. A tool replaces it:
+ * Replaces the point with which vtkVolumeHapticsFilter feels the volume by a tool:
  *
  *   vtkNew<vtkHapticNeedle> needle;
  *   filter->SetTool(needle);
@@ -34,7 +34,7 @@ public:
   vtkTypeMacro(vtkHapticTool, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What it is, for the user, such as "needle". */
+  /** Get a description for the user, such as "needle". */
   std::string GetText();
 
 protected:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The contacts of a tool with a shape as plain numbers, for files.
+ * Converts contacts of a tool with a shape to plain numbers and back, for files.
  */
 #ifndef ContactRows_h
 #define ContactRows_h
@@ -17,12 +17,13 @@ namespace VolumeHaptics
 
 /**
  * The number of the point, the offset (3, m), depth (m), energy (J), stretch (m), stiffness
- * (N/m^3), strength (N/m^2), and the share of the energy that counts, which is that of all.
+ * (N/m^3), strength (N/m^2), and the share of the energy that counts, which all contacts have in
+ * common.
  */
 using ContactRow = std::array<double, 10>;
 
 std::vector<ContactRow> ToRows(const ShellContacts& contacts);
-/** False for numbers that no tick produces, but a file may contain. */
+/** Reads a row. False for numbers that no tick produces, but a file may contain. */
 bool FromRow(const ContactRow& row, ShellContact& contact, double& share);
 
 } // namespace VolumeHaptics

@@ -28,8 +28,8 @@ namespace VolumeHaptics
 struct BakedVolume;
 
 /**
- * Memory for the ticks of all paths, which TracePart fills. It is allocated once, and its pages are
- * first touched by the thread that writes them.
+ * Memory for the ticks of all paths, which TracePart fills. It is allocated once, and the thread
+ * that writes a page touches it first.
  */
 class HapticTrace
 {
@@ -40,18 +40,24 @@ public:
   HapticTrace& operator=(const HapticTrace&) = delete;
 
   /**
-   * The tuples of the proxy, or of the chosen array, whose numbers have this offset (bytes) in a
-   * TraceRow; null if it is not chosen.
+   * Returns the tuples of the proxy, or of the chosen array whose numbers have this offset (bytes)
+   * in a TraceRow; null if the array is not chosen.
    */
   unsigned char* FindColumn(std::size_t offset) const { return this->Columns[offset]; }
-  /** The labels; null if they are not chosen. */
+  /** Returns the labels; null if they are not chosen. */
   long long* GetLabels() const { return this->LabelNumbers; }
-  /** The forces of each mode, three numbers a tick; null for those that are not chosen. */
+  /**
+   * Returns the forces of each mode, three numbers for each tick; null for modes that are not
+   * chosen.
+   */
   const std::vector<double*>& GetModeForces() const { return this->ModeNumbers; }
 
-  /** The orientations of the stylus, four numbers a tick; null if they are not chosen. */
+  /**
+   * Returns the orientations of the stylus, four numbers for each tick; null if they are not
+   * chosen.
+   */
   double* GetOrientations() const { return this->OrientationNumbers; }
-  /** How often forbidden labels stopped a needle, by tick; null if they are not chosen. */
+  /** Returns how often forbidden labels stopped a needle, by tick; null if not chosen. */
   double* GetForbiddenTouches() const { return this->TouchNumbers; }
 
   /** Some rows of the trace: the ticks of one path. */
@@ -63,8 +69,8 @@ public:
 
   /**
    * Passes these rows of points and arrays to a polydata, with a polyline for each path. A single
-   * path has none if it has less than two ticks. The rows come in rising order; gaps between them
-   * are closed.
+   * path of less than two ticks has no polyline. The rows come in ascending order; gaps between
+   * them are closed.
    */
   void WriteTo(vtkPolyData* output, const std::vector<Rows>& paths, bool areSeveral);
 
@@ -74,9 +80,9 @@ private:
 
   vtkNew<vtkPoints> Proxies;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-  std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< by the offset in a TraceRow
+  std::array<unsigned char*, sizeof(TraceRow)> Columns{}; ///< indexed by the offset in a TraceRow
   long long* LabelNumbers = nullptr;
-  std::vector<double*> ModeNumbers; ///< none if no mode is chosen
+  std::vector<double*> ModeNumbers; ///< empty if no mode is chosen
   double* OrientationNumbers = nullptr;
   double* TouchNumbers = nullptr;
 };

@@ -24,8 +24,8 @@ std::size_t TraceColumn::GetWidth() const
   return size * static_cast<std::size_t>(this->Components);
 }
 
-// Both lists are never destroyed: a device that is deleted while the process exits still writes its
-// recording.
+// Both lists are never destroyed, because a device that is deleted while the process exits still
+// writes its recording.
 
 const std::vector<TraceColumn>& GetTraceColumns()
 {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * The arrays of traces and recordings: one list of names, types and units.
+ * @file Lists the arrays of traces and recordings with their names, types and units.
  *
  * The filter's output, the journal of a recording and both file formats are made from these lists.
  */
@@ -34,16 +33,16 @@ struct TraceColumn
   int Components;
   std::size_t Offset; ///< bytes
 
-  /** Bytes of a tuple. */
+  /** Returns the size of a tuple (bytes). */
   std::size_t GetWidth() const;
 };
 
-/** The columns of a TraceRow, without the proxy, which becomes the polydata's points. */
+/** Lists the columns of a TraceRow, without the proxy, which becomes the polydata's points. */
 const std::vector<TraceColumn>& GetTraceColumns();
-/** The columns of a RecordingRow; the proxy comes last. */
+/** Lists the columns of a RecordingRow; the proxy comes last. */
 const std::vector<TraceColumn>& GetRecordingColumns();
 
-/** The unit of a trace's or a recording's array, as in a title; empty if it has none. */
+/** Returns the unit of a trace's or a recording's array, as in a title; empty if it has none. */
 std::string GetTraceUnit(const std::string& array);
 
 } // namespace VolumeHaptics

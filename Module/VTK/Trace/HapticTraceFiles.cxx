@@ -34,13 +34,13 @@ const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },
 const char* const OrientationAxes[4] = { " w", " x", " y", " z" };
 const char* const DeviceColumns[3] = { "DeviceTip x", "DeviceTip y", "DeviceTip z" };
 
-/** The title of a column without its unit: "Tip x (world)" is "Tip x". */
+/** Removes the unit from a column's title: "Tip x (world)" becomes "Tip x". */
 std::string WithoutUnit(const std::string& title)
 {
   return title.substr(0, title.find(" ("));
 }
 
-/** The numbers of a column that a replay needs; empty if it is missing. */
+/** Reads the numbers of a column that a replay needs; empty if it is missing. */
 std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
 {
   std::vector<double> values;
@@ -60,7 +60,7 @@ std::vector<double> ReadColumn(vtkTable* table, const std::string& wanted)
   return values;
 }
 
-/** Vectors from three columns; empty if one is missing. */
+/** Reads vectors from three columns; empty if one is missing. */
 std::vector<Vector3> ReadVectors(vtkTable* table, const char* const columns[3])
 {
   const std::vector<double> x = ReadColumn(table, columns[0]);
@@ -87,7 +87,7 @@ std::vector<Vector3> ReadVectors(vtkDataArray* array)
 }
 
 ///@{
-/** Quaternions from four columns, or from an array; empty if one is missing. */
+/** Reads quaternions from four columns, or from an array; empty if one is missing. */
 std::vector<Quaternion> ReadQuaternions(vtkTable* table, const std::string& name)
 {
   std::vector<double> parts[4];
@@ -129,7 +129,7 @@ std::vector<double> ReadNumbers(vtkDataArray* array)
   return numbers;
 }
 
-/** The contents of a file, unchecked. */
+/** Contents of a file, not checked yet. */
 struct Contents
 {
   std::vector<Vector3> DeviceTips;
@@ -164,7 +164,7 @@ Contents ReadTable(const std::string& file)
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->ForceDoubleOn();
-  // A missing cell must not become 0: a number that is not finite will be noticed.
+  // A missing cell must not become 0: NaN will be noticed.
   reader->SetDefaultDoubleValue(std::numeric_limits<double>::quiet_NaN());
   reader->Update();
   vtkTable* const table = reader->GetOutput();
@@ -183,7 +183,7 @@ Contents ReadTable(const std::string& file)
   return contents;
 }
 
-/** False for a table that was cut off, because its last line has no end. */
+/** Whether the last line of a table has its end; a table that was cut off lacks it. */
 bool EndsWithLine(const std::string& file)
 {
   vtksys::ifstream stream(file.c_str(), std::ios::binary);
@@ -191,7 +191,7 @@ bool EndsWithLine(const std::string& file)
   return stream.get() == '\n';
 }
 
-/** The fault in the contents; empty if there is none. */
+/** Returns the fault in the contents; empty if there is none. */
 std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& times)
 {
   if (tips.empty())
@@ -218,7 +218,7 @@ std::string Judge(const std::vector<Vector3>& tips, const std::vector<double>& t
   return {};
 }
 
-/** The fault in a file; empty if there is none. */
+/** Reads the tips. Returns the fault in the file; empty if there is none. */
 std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
 {
   const std::string ending = GetTraceEnding(file);

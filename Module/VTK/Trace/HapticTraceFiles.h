@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Traces in files: .vtp (everything) and .csv (the point arrays, one line for each tick, and the
- * field arrays in .csv.json beside it).
+ * Reads traces from files: .vtp (everything) and .csv (the point arrays, one line for each tick,
+ * and the field arrays in .csv.json beside it).
  */
 #ifndef HapticTraceFiles_h
 #define HapticTraceFiles_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** ".vtp" or ".csv"; empty for any other file. */
+/** Returns ".vtp" or ".csv"; empty for any other file. */
 std::string GetTraceEnding(const std::string& file);
 
 /** The tips of a trace or a recording. */
@@ -25,22 +25,23 @@ struct RecordedTips
 {
   std::vector<Vector3> Tips;
   std::vector<double> Times;            ///< s, of every tip; empty if the file has none
-  std::vector<Quaternion> Orientations; ///< of every tip, unchecked; empty if the file has none
-  bool InDeviceSpace = false;           ///< both; else in world units
+  std::vector<Quaternion> Orientations; ///< of every tip, not checked; empty if the file has none
+  /** Tips and orientations; otherwise they are in world units. */
+  bool InDeviceSpace = false;
 };
 
 /**
  * Reads the tips of a .vtp or .csv: from DeviceTip if there is one, else from Tip, else from the
  * points. Orientations come from DeviceOrientation, or with Tip or the points from Orientation.
- * False, with an error that names the file, for anything but a whole trace: missing, truncated,
+ * Only a whole trace is accepted. False, with an error that names the file, for missing, truncated,
  * foreign or empty files, numbers that are not finite, and times or ticks that run backwards.
  */
 bool ReadTraceFile(const std::string& file, RecordedTips& tips, std::string& error);
 
 /**
- * The same for a path in world units: never from DeviceTip, without orientations, and if a .csv has
- * no Tip, from the columns "Points:0" to "Points:2" or "x", "y" and "z". The end of the last line
- * may be missing.
+ * Reads a path in world units likewise, but never from DeviceTip, and without orientations. If a
+ * .csv has no Tip, the columns "Points:0" to "Points:2" or "x", "y" and "z" are read. The end of
+ * the last line may be missing.
  */
 bool ReadPathFile(const std::string& file, RecordedTips& tips, std::string& error);
 

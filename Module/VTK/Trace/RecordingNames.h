@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The names of arrays that only recordings have.
+ * Names of the arrays that only recordings have.
  */
 #ifndef RecordingNames_h
 #define RecordingNames_h
@@ -14,29 +14,29 @@ namespace VolumeHaptics
 namespace RecordingNames
 {
 constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in device space (m)
-/// point array: w, x, y, z of the stylus in device space; all 0: none
+/// point array: orientation of the stylus in device space (w, x, y, z); all 0: none
 constexpr const char* DeviceOrientation = "DeviceOrientation";
-constexpr const char* Orientation = "Orientation"; ///< point array: the same in the world
-constexpr const char* Enabled = "Enabled";         ///< point array: 1 if the tick enabled
-constexpr const char* Placement = "Placement";     ///< point array: tuple of DeviceToWorld
-constexpr const char* Renewed = "Renewed";         ///< point array: 1 if a local surface came
-constexpr const char* Spinning = "Spinning";       ///< point array: 1 if a burr was to spin
-/// point array: 1 undo, 2 redo, 3 reset of removed tissue that began then; 0: none
+constexpr const char* Orientation = "Orientation"; ///< point array: orientation in the world
+constexpr const char* Enabled = "Enabled";         ///< point array: 1 if the tick enabled the servo
+constexpr const char* Placement = "Placement";     ///< point array: row of DeviceToWorld
+constexpr const char* Renewed = "Renewed";         ///< point array: 1 if a local surface arrived
+constexpr const char* Spinning = "Spinning";       ///< point array: 1 if a burr should spin
+/// point array: request about removed tissue that began then; 1 undo, 2 redo, 3 reset; 0: none
 constexpr const char* RemovalRequest = "RemovalRequest";
 constexpr const char* DeviceToWorld = "DeviceToWorld"; ///< field array: 16 numbers, row by row
 constexpr const char* TickPeriod = "TickPeriod";       ///< field array: s
-constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap;
-                                                       ///< of all placements, or of each
+constexpr const char* Caps = "Caps";                   ///< field array: N/m, N s/m; 0: no cap; one
+                                                       ///< tuple, or one per placement
 constexpr const char* InitialState = "InitialState";   ///< field array: the ServoState
-/// field array: those of a tool with a shape then, see RecordedPath; a ContactRow each
+/// field array: contacts of a tool with a shape at the beginning, see RecordedPath; ContactRows
 constexpr const char* InitialContacts = "InitialContacts";
-constexpr const char* AirValue = "AirValue"; ///< field array: of a sample without tissue
+constexpr const char* AirValue = "AirValue"; ///< field array: value of a sample without tissue
 constexpr const char* Settings = "Settings"; ///< field array: a text
-/// begins the line of the settings that has the hash of the label image, if there was one
+/// begins the settings' line with the hash of the label image, if there was one
 constexpr const char* LabelHash = "LabelHash: ";
-/// the same, of the fine voxels in a voxel of the label image, if it has a finer grid
+/// begins the line with the number of fine voxels in a label voxel, if there is a finer grid
 constexpr const char* LabelGrid = "LabelGrid: ";
-constexpr const char* DeviceRate = "ServoRate of the device: "; ///< the same, in all recordings
+constexpr const char* DeviceRate = "ServoRate of the device: "; ///< begins a line of all recordings
 } // namespace RecordingNames
 
 } // namespace VolumeHaptics

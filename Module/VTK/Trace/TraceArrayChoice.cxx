@@ -28,7 +28,7 @@ std::size_t GetNumberOfTraceArrays()
 
 const char* GetTraceArrayName(std::size_t array)
 {
-  // Never destroyed, as the list of columns.
+  // Never destroyed, like the list of columns.
   static const auto* const names = []
   {
     auto* const all = new std::vector<std::string>;

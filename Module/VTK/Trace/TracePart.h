@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Consecutive ticks of a path, on their way into the trace.
+ * Passes consecutive ticks of a path to the trace.
  */
 #ifndef TracePart_h
 #define TracePart_h
@@ -30,12 +30,12 @@ class HapticTrace;
 class TracePart
 {
 public:
-  /** `work` goes on from one part of a path to the next. */
+  /** `work` carries its sum from one part of a path to the next. */
   TracePart(const HapticTrace& trace, vtkIdType firstRow, WorkMeter& work);
 
-  /** The record that Append() takes; to be written whole before that. */
+  /** Returns the record that Append() adds; write all of it before. */
   TickRecord& GetNext() { return this->Records[this->Filled]; }
-  /** `forces` are those of the modes, on device axes, if the trace has any. */
+  /** Adds the record. `forces` are the modes' forces on device axes, if the trace has any. */
   void Append(const std::shared_ptr<const HapticModel>& model, double time,
     const ModeForces* forces = nullptr)
   {
@@ -53,18 +53,18 @@ public:
       this->Flush();
     }
   }
-  /** Writes the rest of a block. */
+  /** Writes the remaining records. */
   void Flush();
 
 private:
-  /** Takes over the next record, which a tick on another model has made. */
+  /** Makes the next record belong to another model, which made its tick. */
   void Replace(const std::shared_ptr<const HapticModel>& model);
   void WriteModeForces(const ModeForces& forces);
 
   const HapticTrace& Trace;
   vtkIdType Next;
   std::size_t Filled = 0;
-  std::shared_ptr<const HapticModel> Model; ///< of the records
+  std::shared_ptr<const HapticModel> Model; ///< model of the records
   std::array<TickRecord, FewRecords> Records;
   std::array<double, FewRecords> Times; ///< s
   WorkMeter& Work;

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Writes the records of a block to a trace's columns, of which some may not be chosen. */
+/** Writes the records of a block to a trace's columns; some columns may not be chosen. */
 class ColumnWriter
 {
 public:
@@ -56,7 +56,7 @@ public:
     this->Numbers(
       to, [=](std::size_t i) { return static_cast<unsigned char>(this->Records[i].*from); });
   }
-  /** A number of the record with an index in the block. */
+  /** Writes a number for each record, computed from the record and its index in the block. */
   template <typename Value, typename Function>
   void Numbers(Value TraceRow::*to, const Function& function) const
   {
@@ -85,7 +85,7 @@ private:
     }
   }
 
-  /** The first tuple of a member's column; null if there is none. */
+  /** Returns the first tuple of a member's column; null if there is none. */
   template <typename Value, int Components = 1, typename Member>
   Value* Find(Member member) const
   {
@@ -97,7 +97,7 @@ private:
   }
 
   const HapticTrace& Trace;
-  // Copies, which what is written cannot change, as far as the compiler knows.
+  // Copies: for the compiler, writing to the columns could change the originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
   const Quaternion Turned;

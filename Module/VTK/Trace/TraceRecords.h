@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes records, which are in device space, to a trace's memory, in the world.
+ * Writes records in device space to a trace's memory in the world.
  */
 #ifndef TraceRecords_h
 #define TraceRecords_h
@@ -20,13 +20,13 @@ namespace VolumeHaptics
 
 class HapticTrace;
 
-/** So few records stay in the cache beside all that a tick reads. */
+/** Number of records that stay in the cache beside all that a tick reads. */
 constexpr std::size_t FewRecords = 32;
 
 /**
- * Writes some records of ticks on one model, column by column: tuples of all columns at once would
- * compete for the same few lines of the cache, and each record would need all maps at once. So they
- * should be FewRecords at most. `work` goes on from the records before.
+ * Writes at most FewRecords records of ticks on one model, column by column: tuples of all columns
+ * at once would compete for the same few lines of the cache, and each record would need all maps at
+ * once. `work` continues from the records before.
  */
 void WriteRecords(const HapticTrace& trace, const HapticModel& model, const TickRecord* records,
   const double* times, std::size_t count, vtkIdType firstRow, WorkMeter& work);

@@ -21,7 +21,7 @@ struct RowFiller
   {
     ToArray(this->Model.DeviceToWorld(this->Record.*from), this->Row.*to);
   }
-  // Device axes are the world's, rotated: lengths are scaled, forces and directions are not.
+  // Device axes are the world's axes, rotated: lengths are scaled, forces and directions are not.
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);

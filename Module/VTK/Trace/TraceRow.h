@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tick of a trace and of a recording, as HapticTraceColumns.h lists its arrays.
+ * A tick of a trace and of a recording; HapticTraceColumns.h lists its arrays.
  */
 #ifndef TraceRow_h
 #define TraceRow_h
@@ -42,7 +42,7 @@ struct TraceRow
   double Energy; ///< J
   double DataTime;
   ///@{
-  /** Of tools. */
+  /** For tools. */
   double Torque[3];          ///< N m
   double ToolOrientation[4]; ///< w, x, y, z of a unit quaternion; all 0 if the tool has no shape
   double Depth;              ///< world units
@@ -63,8 +63,8 @@ struct RecordingRow
   double TorqueCommand[3]; ///< N m, sent
   /// w, x, y, z of a unit quaternion; all 0 if the device has none
   double DeviceOrientation[4];
-  double Orientation[4]; ///< the same in the world
-  double Share;          ///< the share of the force that the gate let through (ForceGate.h)
+  double Orientation[4]; ///< orientation in the world
+  double Share;          ///< fraction of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
   std::int32_t Buttons;
@@ -73,10 +73,10 @@ struct RecordingRow
   unsigned char Fault;
   unsigned char Reason; ///< why Share is not 1, a GateReason
   unsigned char Spinning;
-  unsigned char RemovalRequest; ///< that began to be carried out
+  unsigned char RemovalRequest; ///< request that began to be carried out
 };
 
-/** The work (J) of force and torque on the hand since the first record, by trapezoids. */
+/** Computes the work (J) of force and torque on the hand since the first record, by trapezoids. */
 class WorkMeter
 {
 public:
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  /** Of a tool with a shape in the hand at both records. */
+  /** Adds the work of the torque of a tool with a shape that is in the hand at both records. */
   void AddTurn(const TickRecord& record)
   {
     Quaternion from = this->LastOrientation;
@@ -111,9 +111,9 @@ private:
     const double sine = Norm(axis);
     if (sine > 0.0)
     {
-      // q and -q are one orientation: the shorter turn.
+      // q and -q are the same orientation, so take the shorter turn.
       const double angle =
-        2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // along axis
+        2.0 * std::atan2(turn.W < 0.0 ? -sine : sine, std::abs(turn.W)); // component along axis
       this->Work += 0.5 * (angle / sine) * Dot(record.Torque + this->LastTorque, axis);
     }
   }
@@ -127,8 +127,8 @@ private:
 };
 
 /**
- * The label just inside the surface at a record's proxy, or that of the point of a needle that is
- * inserted; 0 if there is none.
+ * Returns the label just inside the surface at a record's proxy, or at the point of an inserted
+ * needle; 0 if there is none.
  */
 std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 
@@ -136,8 +136,8 @@ std::int64_t GetTraceLabel(const HapticModel& model, const TickRecord& record);
 bool IsHeldAtForbidden(const HapticModel& model, const TickRecord& record);
 
 /**
- * Tells a visitor which member of a record each number of a row comes from. Points and directions
- * are transformed from device space to the world of the model's image.
+ * Calls a visitor with each number of a row and the member of a record that it comes from. Points
+ * and directions are transformed from device space to the world of the model's image.
  */
 template <typename Visitor>
 void VisitTraceSources(Visitor&& visit)
@@ -165,10 +165,10 @@ void VisitTraceSources(Visitor&& visit)
   visit.Byte(&TraceRow::Renewed, &TickRecord::IsRenewed);
 }
 
-/** The data time in a row: 0 if the volume does not move. */
+/** Returns the data time of a row: 0 if the volume does not move. */
 double GetTraceDataTime(const HapticModel& model, const TickRecord& record);
 
-/** V at the proxy of a record. */
+/** Returns V at the proxy of a record. */
 double GetTraceValue(const HapticModel& model, const TickRecord& record);
 
 /** Transforms a record from device space to the world of the model's image. */

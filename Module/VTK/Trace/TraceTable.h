@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The text of a trace's .csv: a line of titles, then a line a tick.
+ * Writes the text of a trace's .csv: a line of titles, then a line for each tick.
  */
 #ifndef TraceTable_h
 #define TraceTable_h
@@ -14,8 +14,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Numbers have as many digits as bring them back to the bit, which vtkDelimitedTextWriter does not
- * write, and no commas, whatever the application's locale.
+ * Writes lines of a table. Numbers have enough digits to be restored exactly, which
+ * vtkDelimitedTextWriter does not ensure, and no commas as decimal points, whatever the
+ * application's locale.
  */
 class TraceTable
 {
@@ -23,12 +24,12 @@ public:
   TraceTable();
 
   /**
-   * The title of an array with its unit: "Time (s)"; of a vector "Tip x (world)" and so on, of a
-   * quaternion "Orientation w" and so on.
+   * Adds the title of an array with its unit: "Time (s)"; for a vector "Tip x (world)" and so on,
+   * for a quaternion "Orientation w" and so on.
    */
   void AddTitle(const std::string& array, int components);
   void AddNumber(double number);
-  /** The line that is complete with this, and its end. */
+  /** Ends the line that this call completes, and returns it. */
   std::string EndLine();
 
 private:

@@ -27,7 +27,7 @@ bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string
 
 bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error)
 {
-  // Time and position first, for people.
+  // Puts time and position first, for human readers.
   std::vector<std::pair<std::string, vtkDataArray*>> columns;
   vtkPointData* const arrays = trace->GetPointData();
   if (vtkDataArray* const time = arrays->GetArray("Time"))

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes a trace that is in memory, whole or not at all. A recording, which need not fit into it,
- * is written from its journal (HapticRecordingFile.h), to files of the same form.
+ * Writes a trace that is in memory, completely or not at all. A recording, which need not fit into
+ * memory, is written from its journal (HapticRecordingFile.h), to files of the same form.
  */
 #ifndef TraceWriter_h
 #define TraceWriter_h
@@ -16,7 +16,10 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** A .vtp with everything, and a .csv with a line a tick. False, with the reason and the cure. */
+/**
+ * Write a .vtp with everything, and a .csv with a line for each tick. False, with the reason and
+ * the cure, on failure.
+ */
 bool WriteTracePolyData(vtkPolyData* trace, const std::string& file, std::string& error);
 bool WriteTraceTable(vtkPolyData* trace, const std::string& file, std::string& error);
 ///@}

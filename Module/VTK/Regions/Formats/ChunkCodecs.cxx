@@ -27,12 +27,12 @@ std::uint32_t ReadWord(const unsigned char* bytes)
     std::uint32_t{ bytes[3] } << 24;
 }
 
-/** Ends the stream however it is left. */
+/** Ends the stream when it goes out of scope, also after an exception. */
 struct Inflater
 {
   Inflater()
   {
-    constexpr int withAnyHeader = 15 + 32; // the largest window, of zlib or gzip
+    constexpr int withAnyHeader = 15 + 32; // any window; heads of zlib or gzip
     if (inflateInit2(&this->Stream, withAnyHeader) != Z_OK)
     {
       throw std::bad_alloc();
@@ -45,7 +45,7 @@ struct Inflater
   z_stream Stream{};
 };
 
-/** A block of LZ4: sequences of plain bytes, and of bytes that came before. */
+/** Unpacks a block of LZ4: sequences of plain bytes, and of copies of earlier bytes. */
 class Lz4Block
 {
 public:
@@ -58,7 +58,7 @@ public:
   {
   }
 
-  /** Fills all of the room. */
+  /** Fills the whole output. */
   void Unpack()
   {
     while (this->From < this->FromEnd)
@@ -73,7 +73,7 @@ public:
       this->From += plain;
       if (this->From == this->FromEnd)
       {
-        break; // the last sequence has plain bytes only
+        break; // the last sequence has only plain bytes
       }
       this->Repeat(token & 15);
     }
@@ -117,7 +117,7 @@ private:
     }
     for (std::size_t i = 0; i < count; ++i, ++this->To)
     {
-      *this->To = *(this->To - back); // they may overlap
+      *this->To = *(this->To - back); // source and target may overlap
     }
   }
 
@@ -128,7 +128,7 @@ private:
   unsigned char* const End;
 };
 
-/** The head of a chunk of Blosc 1. */
+/** Head of a chunk of Blosc 1. */
 struct BloscHead
 {
   static constexpr std::size_t Size = 16;
@@ -175,7 +175,7 @@ void UnpackZlib(const unsigned char* from, std::size_t size, unsigned char* to, 
   }
 }
 
-/** Unpacks one block, of one stream or one for each byte of a sample. */
+/** Unpacks one block, which has one stream, or one for each byte of a sample. */
 void UnpackBloscBlock(const BloscHead& head, const std::vector<char>& bytes, std::size_t from,
   unsigned char* to, std::size_t size)
 {
@@ -317,7 +317,7 @@ void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)
   {
     return;
   }
-  std::vector<char> plain = bytes; // a rest of less than a sample stays where it is
+  std::vector<char> plain = bytes; // a remainder of less than a sample is not moved
   for (std::size_t byte = 0; byte < sampleSize; ++byte)
   {
     const char* const from = bytes.data() + byte * count;

@@ -13,17 +13,19 @@
 namespace VolumeHaptics
 {
 
-/** The most bytes of a chunk that is unpacked: more comes of damage. */
+/** Size limit of an unpacked chunk (bytes); only damaged chunks exceed it. */
 constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 
 ///@{
-/** Each replaces packed bytes by the plain ones. Throws std::runtime_error if they are damaged. */
-void InflateChunk(std::vector<char>& bytes);     ///< of zlib or gzip
-void UnpackLz4Chunk(std::vector<char>& bytes);   ///< as numcodecs writes it: the size comes first
-void UnpackBloscChunk(std::vector<char>& bytes); ///< of Blosc 1, with lz4, zlib or no compressor
+/** Replace packed bytes by the plain bytes. Throw std::runtime_error if the bytes are damaged. */
+void InflateChunk(std::vector<char>& bytes);     ///< unpacks zlib or gzip
+void UnpackLz4Chunk(std::vector<char>& bytes);   ///< LZ4 of numcodecs, size first
+void UnpackBloscChunk(std::vector<char>& bytes); ///< Blosc 1: lz4, zlib or none
 ///@}
 
-/** Undoes the shuffle filter: the first bytes of all samples came first, then the second ones. */
+/**
+ * Undoes the shuffle filter, which puts the first bytes of all samples first, then the second ones.
+ */
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize);
 
 } // namespace VolumeHaptics

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 void ChunkedVolume::CopyRows(
   const int box[6], const ChunkPlace& place, const char* chunk, char* samples) const
 {
-  // What box and chunk have in common, in samples from the first one of the volume.
+  // The intersection of box and chunk, in samples from the volume's first one.
   std::int64_t from[3];
   std::int64_t to[3];
   std::int64_t boxFirst[3];

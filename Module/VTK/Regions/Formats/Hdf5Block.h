@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A piece of the structure of an HDF5 file.
+ * Parses a piece of the structure of an HDF5 file.
  */
 #ifndef Hdf5Block_h
 #define Hdf5Block_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** Numbers, least significant byte first, and texts, one after another. */
+/** Reads consecutive numbers, least significant byte first, and texts. */
 class Hdf5Block
 {
 public:
@@ -43,7 +43,7 @@ public:
     this->Place = place;
   }
   void Skip(std::size_t count) { this->Go(this->Place + this->Need(count)); }
-  /** A whole number of up to 8 bytes. */
+  /** Reads a whole number of up to 8 bytes. */
   std::uint64_t Number(std::size_t size)
   {
     this->Need(size);
@@ -68,7 +68,7 @@ public:
     const std::vector<char> bytes = this->Take(count);
     return Hdf5Block({ bytes.begin(), bytes.end() });
   }
-  /** Up to the next null character. */
+  /** Reads a text up to the next null character. */
   std::string Text()
   {
     std::string text;

@@ -10,12 +10,15 @@ namespace
 {
 
 constexpr std::size_t ChecksumSize = 4;
-/** Signature, version and client of all parts. */
+/** Size of the signature, version and client that all parts begin with. */
 constexpr std::size_t PartHeadSize = 6;
-/** Beyond this an array would have more chunks than a file has room for. */
+/**
+ * Limit on the bits of an entry's number: larger arrays would have more chunks than a file has room
+ * for.
+ */
 constexpr int MostArrayBits = 48;
 
-/** The position of the highest bit; -1 for 0. */
+/** Returns the position of the highest bit; -1 for 0. */
 int LogOf(std::uint64_t number)
 {
   int bits = -1;
@@ -26,7 +29,7 @@ int LogOf(std::uint64_t number)
   return bits;
 }
 
-/** Bits are numbered from the highest one of the first byte. */
+/** Tests a bit; bits are numbered from the highest one of the first byte. */
 bool HasBit(const std::vector<char>& bits, std::uint64_t number)
 {
   const auto byte = static_cast<unsigned char>(bits[static_cast<std::size_t>(number / 8)]);
@@ -43,7 +46,8 @@ Hdf5Block Hdf5ChunkArrays::BeginHeader(
   head.Skip(1);
   this->IsFiltered = head.Byte() == 1;
   this->EntrySize = static_cast<std::size_t>(head.Byte());
-  // With filters, a size of up to 8 bytes, and 4 bytes for those that were left out.
+  // With filters, an entry also has a size of up to 8 bytes, and 4 bytes for the filters that were
+  // left out.
   const std::size_t plain = this->Storage.GetOffsetSize() + (this->IsFiltered ? 4 : 0);
   const bool isEntry = this->IsFiltered ? this->EntrySize > plain && this->EntrySize <= plain + 8
                                         : this->EntrySize == plain;
@@ -171,7 +175,7 @@ void Hdf5ChunkArrays::ReadExtensible(std::uint64_t address)
   head.Skip(6 * this->Storage.GetLengthSize()); // statistics
   const std::uint64_t index = this->Storage.Offset(head);
   const int groups = 1 + bits - LogOf(leastEntries);
-  const int direct = 2 * LogOf(leastBlocks); // whose blocks the index block lists itself
+  const int direct = 2 * LogOf(leastBlocks); // the index block lists their blocks itself
   if (bits > MostArrayBits || this->PageBits > MostArrayBits || leastEntries == 0 ||
     leastBlocks == 0 || groups < direct)
   {
@@ -186,8 +190,8 @@ void Hdf5ChunkArrays::ReadExtensible(std::uint64_t address)
     2 * (leastBlocks - 1) + static_cast<std::uint64_t>(groups - direct);
   Hdf5Block body = this->BeginBlock("EAIB", index, inIndex * this->EntrySize + addresses * offset);
   this->ReadEntries(body, 0, inIndex);
-  // Blocks come in groups. Each second group has twice as many of them, and the others have twice
-  // as many entries in each.
+  // Blocks come in groups. From one group to the next, alternately the number of blocks or the
+  // number of entries in each block doubles.
   std::uint64_t first = inIndex;
   for (int group = 0; group < groups; ++group)
   {
@@ -198,7 +202,7 @@ void Hdf5ChunkArrays::ReadExtensible(std::uint64_t address)
     {
       if (pages > 0)
       {
-        Hdf5Block::ThrowDamaged(); // which are written is in no list then
+        Hdf5Block::ThrowDamaged(); // no list says then which pages are written
       }
       for (std::uint64_t block = 0; block < blocks; ++block)
       {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The arrays in which HDF5 1.10 and later list the chunks of a dataset.
+ * Reads the arrays in which HDF5 1.10 and later list the chunks of a dataset.
  *
- * If no dimension can grow, it is a fixed array; if one can, an extensible one. Both have an entry
- * for each chunk: its address and, if the dataset has filters, its size and the filters that were
- * left out. Entries come in blocks, large blocks in pages, and what was never written is not there.
+ * The list is a fixed array if no dimension can grow, and an extensible array if one can. Both have
+ * an entry for each chunk: its address and, if the dataset has filters, its size and the filters
+ * that were left out. Entries are in blocks, and large blocks in pages; parts that were never
+ * written are missing.
  */
 #ifndef Hdf5ChunkArrays_h
 #define Hdf5ChunkArrays_h
@@ -25,10 +26,10 @@ namespace VolumeHaptics
 class Hdf5ChunkArrays
 {
 public:
-  /** Takes the number of an entry, and its chunk. */
+  /** Receives the number of an entry, and its chunk. */
   using Taker = std::function<void(std::uint64_t number, const Hdf5Chunk& chunk)>;
 
-  /** `chunkSize` is that of a chunk without filters (bytes). */
+  /** @param chunkSize size of a chunk without filters (bytes) */
   Hdf5ChunkArrays(Hdf5Storage& storage, std::uint64_t chunkSize, Taker take)
     : Storage(storage)
     , ChunkSize(chunkSize)
@@ -43,9 +44,9 @@ public:
   ///@}
 
 private:
-  /** Reads what both kinds of headers begin with. */
+  /** Reads the beginning that both kinds of headers share. */
   Hdf5Block BeginHeader(const char* signature, std::uint64_t address, std::uint64_t size);
-  /** Reads a block behind its signature and its header's address. */
+  /** Reads a block after its signature and its header's address. */
   Hdf5Block BeginBlock(const char* signature, std::uint64_t address, std::uint64_t size);
   void ReadEntries(Hdf5Block& block, std::uint64_t first, std::uint64_t count);
   void ReadPage(std::uint64_t address, std::uint64_t first, std::uint64_t count);
@@ -59,7 +60,7 @@ private:
   bool IsFiltered = false;
   std::size_t EntrySize = 0;  ///< bytes
   int PageBits = 0;           ///< a page has 2^PageBits entries
-  std::size_t NumberSize = 0; ///< of an extensible array: bytes of an entry's number
+  std::size_t NumberSize = 0; ///< extensible arrays: bytes of an entry's number
 };
 
 } // namespace VolumeHaptics

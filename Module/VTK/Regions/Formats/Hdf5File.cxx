@@ -11,7 +11,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of all parts of an object's header; real ones have some hundred bytes. */
+/** Limit on the parts of an object's header; real headers have some hundred bytes. */
 constexpr std::size_t MostHeaderParts = 4096;
 constexpr int SpaceMessage = 1;
 constexpr int LinkInfoMessage = 2;
@@ -92,7 +92,7 @@ std::vector<Hdf5File::Message> Hdf5File::ReadNewMessages(std::uint64_t address)
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     std::size_t end = 0;
-    if (b > 0) // those that follow have a signature and a checksum
+    if (b > 0) // continuation blocks have a signature and a checksum
     {
       end = 4;
       if (!blocks[b].Begins("OCHK"))
@@ -128,7 +128,7 @@ std::vector<std::uint64_t> Hdf5File::ParseSpace(
   for (int d = 0; most && d < rank; ++d)
   {
     const std::uint64_t length = (flags & 1) != 0 ? this->Storage.Length(body) : shape[d];
-    // Lengths without limit have all bits set, as addresses that are not there.
+    // A length without limit has all bits set, like an address of nothing.
     const bool isEndless = length >> (8 * this->Storage.GetLengthSize() - 1) != 0;
     most->push_back(isEndless ? Hdf5Object::Endless : length);
   }
@@ -149,7 +149,7 @@ void Hdf5File::ParseAttribute(Hdf5Block& body, Hdf5Object& object) const
   Hdf5Block space = body.Part(padded(spaceSize));
   if (version > 1 && (flags & 3) != 0)
   {
-    return; // its type stands elsewhere: none of those that image files have
+    return; // its type is stored elsewhere, which image files do not do
   }
   Hdf5Attribute attribute;
   attribute.Type = ParseHdf5Type(type);
@@ -205,7 +205,7 @@ void Hdf5File::ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& 
   }
   object.Layout = Hdf5Object::Chunked;
   const int flags = version >= 4 ? body.Byte() : 0;
-  const int rank = body.Byte() - 1; // the last one is the size of a sample
+  const int rank = body.Byte() - 1; // the last number is the size of a sample
   const auto size = static_cast<std::size_t>(version >= 4 ? body.Byte() : 4);
   index.Address = version >= 4 ? 0 : this->Storage.Offset(body);
   for (int d = 0; d < rank; ++d)
@@ -221,7 +221,7 @@ void Hdf5File::ParseLayout(Hdf5Block& body, Hdf5Object& object, Hdf5ChunkIndex& 
       index.Chunk.Size = this->Storage.Length(body);
       index.Chunk.Skipped = body.Number(4);
     }
-    // The headers of the arrays repeat these parameters.
+    // The headers of the arrays repeat these parameters, so they are skipped.
     const bool isFixed = index.Type == Hdf5ChunkIndex::FixedArray;
     const bool isExtensible = index.Type == Hdf5ChunkIndex::ExtensibleArray;
     body.Skip(isFixed ? 1 : isExtensible ? 5 : 0);

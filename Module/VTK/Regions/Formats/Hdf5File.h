@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The structure of an HDF5 file: groups, attributes, and where the samples of datasets lie.
+ * Reads the structure of an HDF5 file: groups, attributes, and where the samples of datasets lie.
  */
 #ifndef Hdf5File_h
 #define Hdf5File_h
@@ -21,8 +21,8 @@ namespace VolumeHaptics
 struct Hdf5ChunkIndex;
 
 /**
- * Reads what the published specification "HDF5 File Format Specification Version 3.0" describes, as
- * far as image files need it, without HDF5's library, which is not made for threads. Every fault is
+ * Reads HDF5 files by the published "HDF5 File Format Specification Version 3.0", as far as image
+ * files need it. HDF5's own library is not used, because it is not made for threads. Every fault is
  * a std::runtime_error with its cure.
  */
 class Hdf5File
@@ -49,7 +49,7 @@ private:
   std::vector<Message> ReadNewMessages(std::uint64_t address);
   void AddMessage(Message message, std::vector<Hdf5Block>& rest, std::vector<Message>& messages);
 
-  /** `most` gets the shape to which this one may grow. */
+  /** Parses a dataspace. `most` gets the shape to which it may grow. */
   std::vector<std::uint64_t> ParseSpace(
     Hdf5Block& body, std::vector<std::uint64_t>* most = nullptr) const;
   void ParseAttribute(Hdf5Block& body, Hdf5Object& object) const;

@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** Where the bytes of a chunk lie in the file. */
+/** Position of a chunk's bytes in the file. */
 struct Hdf5Chunk
 {
   std::uint64_t Address = 0;
@@ -31,30 +31,31 @@ struct Hdf5Object
 {
   enum LayoutType
   {
-    NoData, ///< a group
+    NoData, ///< this object is a group
     Contiguous,
     Chunked,
     Elsewhere ///< within the header, or in other files
   };
 
   std::map<std::string, Hdf5Attribute> Attributes;
-  std::map<std::string, std::uint64_t> Links; ///< headers of what is in a group
-  bool HasOtherLinks = false;                 ///< that are stored in a way which is not read here
+  std::map<std::string, std::uint64_t> Links; ///< addresses of the headers of a group's members
+  /** Whether it has links stored in a way that is not read here. */
+  bool HasOtherLinks = false;
 
   LayoutType Layout = NoData;
   Hdf5Type Type;
-  /** Of a dimension that may grow without limit. */
+  /** Size of a dimension that may grow without limit. */
   static constexpr std::uint64_t Endless = ~std::uint64_t{ 0 };
   std::vector<std::uint64_t> Shape;
-  std::vector<std::uint64_t> MostShape; ///< to which it may grow
-  std::vector<char> FillValue; ///< the bytes of a sample that was never written; may be empty
-  bool IsAllocated = true;     ///< Contiguous
-  std::uint64_t Address = 0;   ///< Contiguous: in the file, in bytes from its beginning
+  std::vector<std::uint64_t> MostShape; ///< shape to which it may grow
+  std::vector<char> FillValue;          ///< bytes of a sample that was never written; may be empty
+  bool IsAllocated = true;              ///< for Contiguous
+  std::uint64_t Address = 0;            ///< for Contiguous: position in the file (bytes)
   std::vector<std::uint64_t> ChunkShape;
   std::vector<Hdf5Filter> Filters; ///< in the order in which they were applied
   /**
-   * By the chunk's number among all those of the last three dimensions, the last one fastest; only
-   * those that are the first along the dimensions before.
+   * Chunks by their number among all chunks of the last three dimensions, the last one fastest;
+   * only chunks that are first along the earlier dimensions.
    */
   std::unordered_map<std::uint64_t, Hdf5Chunk> Chunks;
 };

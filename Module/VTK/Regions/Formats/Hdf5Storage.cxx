@@ -9,7 +9,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of all blocks of a file: a damaged tree may lead to the same ones again and again. */
+/**
+ * Limit on the bytes of all blocks of a file: a damaged tree may lead to the same blocks for ever.
+ */
 constexpr std::uint64_t MostBytesInAll = std::uint64_t{ 1 } << 30;
 
 } // namespace
@@ -18,7 +20,7 @@ Hdf5Storage::Hdf5Storage(const std::string& name)
   : File(name)
   , FileSize(static_cast<std::uint64_t>(this->File.GetSize()))
 {
-  // Something else may stand before it: it begins at 0, 512, 1024, 2048 and so on.
+  // Other data may precede the superblock, which begins at 0, 512, 1024, 2048 and so on.
   for (std::uint64_t at = 0; at < this->FileSize; at = at == 0 ? 512 : 2 * at)
   {
     if (this->ReadSuperblock(at))
@@ -53,12 +55,12 @@ bool Hdf5Storage::ReadSuperblock(std::uint64_t at)
   }
   block.Skip(isOld ? (version == 0 ? 9 : 13) : 1);
   const std::uint64_t base = this->Offset(block);
-  this->Offset(block); // free space, or the extension
-  this->Offset(block); // end
+  this->Offset(block); // address of the free space, or of the extension
+  this->Offset(block); // end of the file
   if (isOld)
   {
-    this->Offset(block); // information of a driver
-    this->Offset(block); // name of the root
+    this->Offset(block); // address of the driver's information
+    this->Offset(block); // offset of the root's name
   }
   this->Root = this->Offset(block);
   this->Base = base;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The blocks of an HDF5 file, and the sizes of the numbers in them.
+ * Reads the blocks of an HDF5 file, and knows the sizes of the numbers in them.
  */
 #ifndef Hdf5Storage_h
 #define Hdf5Storage_h
@@ -20,27 +20,27 @@ namespace VolumeHaptics
 class Hdf5Storage
 {
 public:
-  /** The most that a block has (bytes). */
+  /** Largest allowed size of a block (bytes). */
   static constexpr std::uint64_t MostBytes = std::uint64_t{ 1 } << 26;
 
   explicit Hdf5Storage(const std::string& name);
 
   Hdf5Block ReadBlock(std::uint64_t address, std::uint64_t size);
-  /** The address of the root's header. */
+  /** Returns the address of the root's header. */
   std::uint64_t GetRoot() const { return this->Root; }
-  /** Addresses count from here (bytes from the beginning of the file). */
+  /** Returns where addresses count from (bytes from the beginning of the file). */
   std::uint64_t GetBase() const { return this->Base; }
-  /** In bytes. */
+  /** Returns the size of the file (bytes). */
   std::uint64_t GetFileSize() const { return this->FileSize; }
 
   ///@{
-  /** The next number of a block, of the size that addresses or lengths have in this file. */
+  /** Read the next number of a block, of the size that addresses or lengths have in this file. */
   std::uint64_t Offset(Hdf5Block& block) const { return block.Number(this->OffsetSize); }
   std::uint64_t Length(Hdf5Block& block) const { return block.Number(this->LengthSize); }
   std::size_t GetOffsetSize() const { return this->OffsetSize; }
   std::size_t GetLengthSize() const { return this->LengthSize; }
   ///@}
-  /** Whether there is something at an address. */
+  /** Whether an address points to something. */
   bool IsAddress(std::uint64_t address) const;
 
 private:
@@ -48,7 +48,7 @@ private:
 
   const OpenedFile File;
   const std::uint64_t FileSize;
-  std::uint64_t BytesInAll = 0; ///< read so far
+  std::uint64_t BytesInAll = 0; ///< number of bytes read so far
   std::uint64_t Base = 0;
   std::size_t OffsetSize = 8;
   std::size_t LengthSize = 8;

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t MostLinks = 65536;
 
-/** A node of a B-tree: its level, the number of its children, and the block behind that. */
+/** A node of a B-tree: its level, the number of its children, and the block after these. */
 struct TreeNode
 {
   TreeNode(Hdf5Block block, int kind, int level, std::size_t offsetSize)
@@ -49,7 +49,7 @@ void Hdf5Trees::ReadLinks(std::uint64_t tree, std::uint64_t heap, Hdf5Object& ob
   }
   head.Skip(4);
   const std::uint64_t size = this->Storage.Length(head);
-  this->Storage.Length(head); // free space
+  this->Storage.Length(head); // position of the free space
   Hdf5Block names = this->Storage.ReadBlock(this->Storage.Offset(head), size);
   this->ReadLinkNode(tree, -1, names, object);
 }
@@ -63,7 +63,7 @@ void Hdf5Trees::ReadLinkNode(std::uint64_t address, int level, Hdf5Block& names,
   Hdf5Block body = this->Storage.ReadBlock(address + headSize, head.Count * entry);
   for (std::size_t i = 0; i < head.Count; ++i)
   {
-    this->Storage.Length(body); // the key
+    this->Storage.Length(body); // the key of the node
     const std::uint64_t child = this->Storage.Offset(body);
     if (head.Level > 0)
     {
@@ -107,7 +107,7 @@ void Hdf5Trees::AddChunk(
     const std::uint64_t size = object.ChunkShape[d];
     if (first[d] % size != 0 || first[d] >= object.Shape[d])
     {
-      return; // of an array that was larger before
+      return; // the chunk belongs to an array that was larger before
     }
     if (d + 3 < rank)
     {
@@ -169,7 +169,7 @@ void Hdf5Trees::ReadChunks(const Hdf5ChunkIndex& index, Hdf5Object& object)
     this->AddChunk(first, chunk, object);
     return;
   }
-  // All chunks lie one after another, the last dimension fastest.
+  // All chunks are stored one after another, the last dimension fastest.
   bool isDone = false;
   while (!isDone)
   {
@@ -197,8 +197,8 @@ void Hdf5Trees::ReadChunkArray(const Hdf5ChunkIndex& index, std::uint64_t size, 
   {
     Hdf5Block::ThrowDamaged();
   }
-  // Entries are numbered with the last dimension as the fastest, and one without limit as the
-  // slowest.
+  // Entries are numbered with the last dimension as the fastest, and a dimension without limit as
+  // the slowest.
   std::vector<std::size_t> order(rank);
   std::iota(order.begin(), order.end(), 0);
   const auto endless = std::find(most.begin(), most.end(), Hdf5Object::Endless) - most.begin();
@@ -217,7 +217,7 @@ void Hdf5Trees::ReadChunkArray(const Hdf5ChunkIndex& index, std::uint64_t size, 
       number /= count;
       if (object.Shape[d] == 0 || place > (object.Shape[d] - 1) / object.ChunkShape[d])
       {
-        return; // of an array that was larger before
+        return; // the chunk belongs to an array that was larger before
       }
       first[d] = place * object.ChunkShape[d];
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The trees of an HDF5 file: of the links of groups, and of the chunks of datasets.
+ * Reads the trees of an HDF5 file: the links of groups, and the chunks of datasets.
  */
 #ifndef Hdf5Trees_h
 #define Hdf5Trees_h
@@ -19,7 +19,7 @@ namespace VolumeHaptics
 /** How a dataset lists its chunks. */
 struct Hdf5ChunkIndex
 {
-  /** As in messages of version 4; a B-tree of version 1 in those before. */
+  /** Types of messages of version 4; earlier messages use a B-tree of version 1. */
   enum IndexType
   {
     Tree = 0,
@@ -32,7 +32,7 @@ struct Hdf5ChunkIndex
 
   int Type = Tree;
   std::uint64_t Address = 0;
-  Hdf5Chunk Chunk; ///< of Single, without its address
+  Hdf5Chunk Chunk; ///< chunk of Single, without its address
 };
 
 class Hdf5Trees
@@ -45,13 +45,13 @@ public:
 
   /** Adds the links of a group, from its B-tree and the heap with their names. */
   void ReadLinks(std::uint64_t tree, std::uint64_t heap, Hdf5Object& object);
-  /** Adds the chunks of a dataset, whose other messages are read. */
+  /** Adds the chunks of a dataset. Its other messages must have been read. */
   void ReadChunks(const Hdf5ChunkIndex& index, Hdf5Object& object);
 
 private:
   void ReadLinkNode(std::uint64_t address, int level, Hdf5Block& names, Hdf5Object& object);
   void ReadChunkNode(std::uint64_t address, int level, Hdf5Object& object);
-  /** `size` is that of a chunk without filters (bytes). */
+  /** Reads an array of chunks. `size` is the size of a chunk without filters (bytes). */
   void ReadChunkArray(const Hdf5ChunkIndex& index, std::uint64_t size, Hdf5Object& object);
   void AddChunk(const std::vector<std::uint64_t>& first, Hdf5Chunk chunk, Hdf5Object& object) const;
 

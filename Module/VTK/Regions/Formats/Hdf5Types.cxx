@@ -22,7 +22,7 @@ double NumberAt(const char* bytes)
   return static_cast<double>(number);
 }
 
-/** One number, least significant byte first as this computer has it, or NaN. */
+/** Reads a number, least significant byte first as on this computer; NaN if that is impossible. */
 double NumberOf(const Hdf5Type& type, const char* bytes)
 {
   if (type.Kind == Hdf5Type::Float)

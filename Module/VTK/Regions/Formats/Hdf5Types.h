@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reads the messages of an HDF5 file that describe types, filters, attributes and values.
+ * Parses the messages of an HDF5 file that describe types, filters, attributes and values.
  */
 #ifndef Hdf5Types_h
 #define Hdf5Types_h
@@ -37,9 +37,9 @@ struct Hdf5Attribute
   Hdf5Type Type;
   std::vector<char> Bytes;
 
-  /** No numbers if it has others than integers and floating-point numbers. */
+  /** Returns the numbers; empty if the values are neither integers nor floating-point numbers. */
   std::vector<double> GetNumbers() const;
-  /** Empty if it is no text of fixed length. */
+  /** Returns the text; empty if the value is not a text of fixed length. */
   std::string GetText() const;
 };
 
@@ -50,11 +50,11 @@ struct Hdf5Filter
   static constexpr int Checksum = 3;
 
   int Id = 0;
-  std::size_t SampleSize = 0; ///< of Shuffle
+  std::size_t SampleSize = 0; ///< for Shuffle
 };
 
 ///@{
-/** The body of a message. A type is Other if this computer has no such numbers. */
+/** Parse the body of a message. A type is Other if this computer has no such numbers. */
 Hdf5Type ParseHdf5Type(Hdf5Block& body);
 std::vector<char> ParseHdf5FillValue(Hdf5Block& body);
 std::vector<Hdf5Filter> ParseHdf5Filters(Hdf5Block& body);

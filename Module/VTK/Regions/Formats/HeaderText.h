@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The text at the head of a MetaImage or NRRD file.
+ * Reads the text at the head of a MetaImage or NRRD file.
  */
 #ifndef HeaderText_h
 #define HeaderText_h
@@ -15,19 +15,19 @@
 namespace VolumeHaptics
 {
 
-/** Its lines `key = value` or `key: value`. */
+/** Holds the lines `key = value` or `key: value` of the text. */
 class HeaderText
 {
 public:
   HeaderText(const std::string& path, char separator);
 
-  /** The value of the first of these keys that exists, else empty. */
+  /** Returns the value of the first of these keys that exists, else an empty text. */
   std::string Value(const std::vector<std::string>& keys) const;
 
-  /** The same as numbers; brackets and commas count as blanks, words are left out. */
+  /** Returns the value as numbers; brackets and commas count as blanks, words are left out. */
   std::vector<double> Numbers(const std::vector<std::string>& keys) const;
 
-  /** Where samples behind it begin (bytes); 0 if its end was not found. */
+  /** Returns where samples after the header begin (bytes); 0 if its end was not found. */
   std::size_t GetSize() const { return this->Size; }
 
 private:

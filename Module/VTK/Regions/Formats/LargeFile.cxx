@@ -24,7 +24,7 @@ bool HasEnding(const std::string& name, const std::string& ending)
       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-/** Any folder, as those of the arrays of a Zarr group have other names. */
+/** Accepts any folder, because the arrays of a Zarr group have other names. */
 bool IsZarrName(const std::string& name)
 {
   return HasEnding(name, ".zarr") || HasEnding(name, ".zarr/") ||

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Files that say themselves what volume they hold.
+ * Opens files that describe the volume that they hold.
  */
 #ifndef LargeFile_h
 #define LargeFile_h
@@ -18,7 +18,7 @@
 namespace VolumeHaptics
 {
 
-/** A volume in a file, and what reads it. */
+/** A volume in a file, and its reader. */
 struct LargeFile
 {
   BoxExtent Extent{};
@@ -27,19 +27,19 @@ struct LargeFile
   std::array<double, 3> Spacing{ 1.0, 1.0, 1.0 };
   std::array<double, 9> Direction{ 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   BoxReader Read;
-  std::array<std::int64_t, 3> ChunkSize{}; ///< samples, along x, y and z; zeros if it has none
-  std::vector<LargeFile> Coarser;          ///< levels of the same volume, the finest first
+  /** Samples, along x, y and z; zeros if there are no chunks. */
+  std::array<std::int64_t, 3> ChunkSize{};
+  std::vector<LargeFile> Coarser; ///< coarser levels of the same volume, the finest first
 };
 
-/** Whether the ending of a name is that of a file which OpenLargeFile knows. */
+/** Whether OpenLargeFile() knows the ending of a name. */
 bool IsLargeFileName(const std::string& name);
 
 /** Opens a file by the ending of its name. Throws std::runtime_error, with the cure. */
 LargeFile OpenLargeFile(const std::string& name);
 
 /**
- * VTK's type of numbers that are integers or not, of a size (bytes); 0 if there is none. Throws
- * nothing.
+ * Returns VTK's type for numbers of a kind and a size (bytes); 0 if there is none. Does not throw.
  */
 int FindScalarType(bool isInteger, bool isSigned, std::size_t size);
 

@@ -17,8 +17,8 @@ namespace
 {
 
 /**
- * Calls the reader; the reason why it failed, or nothing. The end of a thread is no object to which
- * a reference could be bound: sanitizers would object.
+ * Calls the reader. Returns the reason why it failed, or nothing. The end of a thread is no object
+ * that a reference could be bound to: sanitizers would object.
  */
 #if defined(__GNUC__)
 __attribute__((no_sanitize("null")))
@@ -41,7 +41,7 @@ CallReader(const LargeVolume& volume, const BoxExtent& box, void* samples)
 #if defined(__GLIBCXX__)
   catch (const abi::__forced_unwind&)
   {
-    throw; // the end of the thread (pthread_exit), which can't be stopped
+    throw; // the end of the thread (pthread_exit), which must not be stopped
   }
 #endif
   catch (...)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A volume of which only boxes are read.
+ * A volume that is read only in boxes.
  */
 #ifndef LargeVolume_h
 #define LargeVolume_h
@@ -20,37 +20,44 @@ namespace VolumeHaptics
 
 using BoxExtent = std::array<int, 6>;
 
-/** Fills the samples of a box, x fastest. False, or an exception whose text tells why, if not. */
+/**
+ * Fills the samples of a box, x fastest. On failure returns false, or throws an exception with the
+ * reason.
+ */
 using BoxReader = std::function<bool(const int extent[6], void* samples)>;
 
-/** How the samples of a volume are read. Never changes, so that threads share it. */
+/** Describes how the samples of a volume are read. Never changes, so that threads can share it. */
 struct LargeVolume
 {
   BoxExtent Extent;
   int ScalarType = VTK_SHORT;
   std::size_t SampleSize = sizeof(short); ///< bytes of all values
-  int ValuesPerSample = 1;                ///< values of this type that a sample has
-  std::string Name;                       ///< for messages, such as "the file Bone.raw"
+  int ValuesPerSample = 1;                ///< number of values in a sample
+  std::string Name;                       ///< name for messages, such as "the file Bone.raw"
   BoxReader Read;
-  /** Whether its user waits for a read that is under way before it ends. */
+  /** Whether the volume's user, before it ends, waits for a read that is under way. */
   bool IsAwaited = true;
-  /** Of what is read at once, in samples along x, y and z; zeros if boxes of any size are. */
+  /**
+   * Size of what is read at once, in samples along x, y and z; zeros if boxes may have any size.
+   */
   std::array<std::int64_t, 3> ChunkSize{};
-  /** Whether it is known to be without noise, and the value outside: then nothing is surveyed. */
+  /**
+   * Whether it is known to have no noise, and its outside value is known: then nothing is surveyed.
+   */
   bool IsSmooth = false;
-  bool AreLabels = false; ///< none of which is taken for outside
+  bool AreLabels = false; ///< no label counts as outside
   double BorderValue = 0.0;
 };
 
-/** The number of samples of an extent, as a double: the product may exceed all integers. */
+/** Returns the number of samples of an extent, as a double: the product may exceed all integers. */
 double CountSamples(const BoxExtent& extent);
 
-/** A box of a width (samples) in the middle of an extent, or as much of it as there is. */
+/** Returns a box of a width (samples) in the middle of an extent, or as much of it as fits. */
 BoxExtent FindMiddle(const BoxExtent& whole, int width);
 
 /**
- * Reads a box of the volume; no exception leaves this. False, with the box and the reason in
- * `error`, if that fails.
+ * Reads a box of the volume without throwing. False, with the box and the reason in `error`, on
+ * failure.
  */
 bool ReadSamples(
   const LargeVolume& volume, const BoxExtent& box, void* samples, std::string& error);

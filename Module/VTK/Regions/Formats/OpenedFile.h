@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A regular file that is open to be read.
+ * A regular file that is open for reading.
  */
 #ifndef OpenedFile_h
 #define OpenedFile_h
@@ -14,7 +14,10 @@
 namespace VolumeHaptics
 {
 
-/** Several threads may read at once. What fails throws std::runtime_error, with the cure. */
+/**
+ * Opens and reads a file. Several threads may read at once. Failures throw std::runtime_error, with
+ * the cure.
+ */
 class OpenedFile
 {
 public:
@@ -23,9 +26,9 @@ public:
   OpenedFile(const OpenedFile&) = delete;
   OpenedFile& operator=(const OpenedFile&) = delete;
 
-  /** All bytes, or an exception. */
+  /** Reads all of these bytes, or throws. */
   void Read(void* to, std::size_t size, std::int64_t from) const;
-  /** In bytes. */
+  /** Returns the size of the file (bytes). */
   std::int64_t GetSize() const;
 
 private:

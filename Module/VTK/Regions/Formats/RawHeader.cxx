@@ -48,11 +48,11 @@ struct RawHeader
   std::vector<double> Size; ///< samples along each axis
   std::vector<double> Spacing;
   std::vector<double> Origin;
-  std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not said
+  std::vector<double> Axes; ///< nine numbers: the direction of each index axis; empty if not given
   int Type = 0;
   bool IsBig = false;
-  bool IsPlain = false; ///< neither compressed nor in several files, and of one component
-  std::string Data;     ///< the file
+  bool IsPlain = false; ///< whether it is uncompressed, in one file, and has one component
+  std::string Data;     ///< the file with the samples
   double Skip = 0.0;    ///< bytes before the samples; -1: all but the samples
 };
 
@@ -80,7 +80,7 @@ double NumberOr(const std::vector<double>& numbers, double other)
   return numbers.empty() ? other : numbers.front();
 }
 
-/** A file that a header names. */
+/** Returns the name of a file that a header names. */
 std::string FindBeside(const std::string& name, const std::string& data)
 {
   return data.empty() || data.front() == '/' ? data : GetFolder(MakeAbsolute(name)) + "/" + data;
@@ -91,7 +91,7 @@ bool IsTrue(const std::string& word)
   return LowerCase(word) == "true";
 }
 
-/** The nine numbers of the first three axes, of a matrix of any number of axes. */
+/** Returns the nine numbers of the first three axes, from a matrix of any number of axes. */
 std::vector<double> FindThreeAxes(const std::vector<double>& matrix, std::size_t axes)
 {
   if (axes < 3 || matrix.size() != axes * axes)
@@ -130,7 +130,7 @@ RawHeader ReadMetaHeader(const HeaderText& text, const std::string& name)
   return header;
 }
 
-/** Of vectors from right-anterior-superior to left-posterior-superior. */
+/** Converts vectors from right-anterior-superior to left-posterior-superior. */
 void TurnAboutZ(std::vector<double>& vectors)
 {
   for (std::size_t i = 0; i < vectors.size(); ++i)
@@ -172,7 +172,7 @@ RawHeader ReadNrrdHeader(const HeaderText& text, const std::string& name)
   header.Skip = NumberOr(text.Numbers({ "byte skip", "byteskip" }), 0.0);
   if (data.empty() && header.Skip >= 0.0)
   {
-    // Of a very long header the end is not known.
+    // The end of a very long header was not found.
     header.Skip = text.GetSize() > 0 ? header.Skip + static_cast<double>(text.GetSize()) : -1.0;
   }
   return header;
@@ -185,14 +185,14 @@ bool IsReadable(const RawHeader& header)
       [](double n) { return n >= 1.0 && n <= std::numeric_limits<int>::max(); });
 }
 
-/** Bytes, as a number that can't overflow. */
+/** Computes the number of bytes as a double, which can't overflow. */
 double CountBytes(const RawHeader& header)
 {
   return header.Size[0] * header.Size[1] * header.Size[2] *
     vtkAbstractArray::GetDataTypeSize(header.Type);
 }
 
-/** Axes after the third one, such as that of times, are one sample long, or it throws. */
+/** Checks that axes after the third one, such as time, are one sample long; throws otherwise. */
 void CheckFurtherAxes(const RawHeader& header)
 {
   if (std::any_of(
@@ -204,7 +204,7 @@ void CheckFurtherAxes(const RawHeader& header)
   }
 }
 
-/** The bytes before the samples. Throws if the file is too short. */
+/** Computes the number of bytes before the samples. Throws if the file is too short. */
 std::int64_t FindSkip(const RawHeader& header)
 {
   double size = 0.0;
@@ -227,7 +227,7 @@ std::int64_t FindSkip(const RawHeader& header)
   return static_cast<std::int64_t>(skip);
 }
 
-/** The rows of `axes` are the columns of the direction, unless they are no axes. */
+/** Makes the rows of `axes` the columns of the direction, unless they are no axes. */
 void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
 {
   if (axes.size() != 9)
@@ -255,7 +255,7 @@ void SetAxes(const std::vector<double>& axes, std::array<double, 9>& direction)
 
 LargeFile OpenRawHeader(const std::string& name)
 {
-  const OpenedFile isThere(name); // or throws
+  const OpenedFile isThere(name); // throws if the file is missing
   const HeaderText text(name, IsMetaName(name) ? '=' : ':');
   const RawHeader header =
     IsMetaName(name) ? ReadMetaHeader(text, name) : ReadNrrdHeader(text, name);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * MetaImage and NRRD files: a text that says where raw samples lie.
+ * Opens MetaImage and NRRD files, whose header says where raw samples lie.
  */
 #ifndef RawHeader_h
 #define RawHeader_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Opens a file whose samples lie uncompressed behind its header, or in one file beside it. The
- * volume lies in the world where ITK puts it: left-posterior-superior if the header names a space.
+ * Opens a file whose samples lie uncompressed after its header, or in a file beside it. The volume
+ * lies in the world where ITK puts it: in left-posterior-superior if the header names a space.
  * Throws std::runtime_error, with the cure.
  */
 LargeFile OpenRawHeader(const std::string& name);

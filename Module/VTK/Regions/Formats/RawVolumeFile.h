@@ -21,16 +21,16 @@ struct RawVolumeFile
   BoxExtent Extent;
   std::size_t SampleSize = 0;  ///< bytes
   vtkTypeInt64 HeaderSize = 0; ///< bytes
-  bool IsSwapped = false;      ///< whether its byte order is not that of this computer
+  bool IsSwapped = false;      ///< whether its byte order differs from this computer's
 
   /**
-   * Reads a box, row by row. The file is opened for each box, so that one that is replaced or grows
-   * is read as it is; several threads may read at once. Throws std::runtime_error.
+   * Reads a box, row by row. The file is opened for each box, so that a file that is replaced or
+   * grows is read as it is then; several threads may read at once. Throws std::runtime_error.
    */
   void Read(const int box[6], void* samples) const;
 };
 
-/** Turns the bytes of each sample round; `size` is that of all, in bytes. */
+/** Reverses the bytes of each sample; `size` is the size of all samples (bytes). */
 void SwapBytes(char* samples, std::size_t size, std::size_t sampleSize);
 
 } // namespace VolumeHaptics

@@ -60,7 +60,7 @@ Hdf5Object ReadMember(Hdf5File& file, const Hdf5Object& group, const std::string
   return file.ReadObject(link->second);
 }
 
-/** The array that is active, or the first one. */
+/** Reads the active array, or the first one. */
 Hdf5Object ReadArray(Hdf5File& file, const Hdf5Object& group)
 {
   const std::string active = TextOf(group, "Scalars");
@@ -90,7 +90,10 @@ std::string ShapeText(const std::vector<std::uint64_t>& shape)
   return text;
 }
 
-/** One component, z slowest; of several time steps, the first one. */
+/**
+ * Checks that an array has one component, and z as its slowest axis; if there are several time
+ * steps, the first one is read.
+ */
 void CheckShape(const Hdf5Object& array, const BoxExtent& extent, bool hasSteps)
 {
   std::vector<std::uint64_t> shape = array.Shape;
@@ -115,12 +118,12 @@ void CheckShape(const Hdf5Object& array, const BoxExtent& extent, bool hasSteps)
   }
 }
 
-/** What is the same for all threads that read chunks. */
+/** Data that all threads that read chunks share. */
 struct StoredChunks
 {
   std::string Name;
   Hdf5Object Array;
-  std::array<std::uint64_t, 3> Counts{}; ///< of chunks, along x, y and z
+  std::array<std::uint64_t, 3> Counts{}; ///< number of chunks along x, y and z
 
   bool Load(const ChunkPlace& place, std::vector<char>& bytes) const
   {
@@ -156,7 +159,7 @@ struct StoredChunks
         case Hdf5Filter::Shuffle:
           UnshuffleChunk(bytes, filters[f].SampleSize);
           break;
-        default: // a checksum behind the samples
+        default: // a checksum follows the samples
           bytes.resize(bytes.size() - std::min<std::size_t>(bytes.size(), 4));
           break;
       }

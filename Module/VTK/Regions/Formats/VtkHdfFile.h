@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Images in VTKHDF files, by VTK's published specification of the format.
+ * Opens images in VTKHDF files, by VTK's published specification of the format.
  */
 #ifndef VtkHdfFile_h
 #define VtkHdfFile_h
@@ -15,8 +15,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The image of a VTKHDF file, with the array that is active there. Throws std::runtime_error, with
- * the cure.
+ * Opens the image of a VTKHDF file, with its active array. Throws std::runtime_error, with the
+ * cure.
  */
 LargeFile OpenVtkHdf(const std::string& name);
 

@@ -53,7 +53,7 @@ struct NumberType
   std::size_t Size = 0;
 };
 
-/** Names such as "<i2" of version 2, and "int16" of version 3. */
+/** Parses a type's name, such as "<i2" in version 2, or "int16" in version 3. */
 NumberType ReadType(const std::string& name, bool& isBig)
 {
   if (name.size() == 3 && std::strchr("<>|", name[0]))
@@ -137,7 +137,7 @@ void AddCodec(const std::string& name, ZarrArray& array)
   }
 }
 
-/** Version 2: .zarray. */
+/** Reads the head of version 2: .zarray. */
 void ReadOldHead(const Json::Value& head, ZarrArray& array)
 {
   array.Shape = ReadShape(head["shape"], array.Folder);
@@ -160,7 +160,7 @@ void ReadOldHead(const Json::Value& head, ZarrArray& array)
   }
 }
 
-/** Version 3: zarr.json. */
+/** Reads the head of version 3: zarr.json. */
 void ReadNewHead(const Json::Value& head, ZarrArray& array)
 {
   array.Shape = ReadShape(head["shape"], array.Folder);
@@ -209,7 +209,7 @@ bool ZarrArray::LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) con
   {
     if (errno == ENOENT)
     {
-      return false; // a chunk of fill values is not written
+      return false; // chunks of fill values are not written
     }
     throw std::runtime_error(DescribeError(errno) + " (" + name + ").");
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An array in a folder of Zarr, version 2 or 3.
+ * Reads an array in a folder of Zarr, version 2 or 3.
  */
 #ifndef ZarrArray_h
 #define ZarrArray_h
@@ -16,12 +16,12 @@
 namespace VolumeHaptics
 {
 
-/** What the head of an array says, as Zarr's published specifications have it. */
+/** The head of an array, by Zarr's published specifications. */
 struct ZarrArray
 {
   enum CodecType
   {
-    Zlib, ///< or gzip
+    Zlib, ///< zlib or gzip
     Lz4,
     Blosc
   };
@@ -32,14 +32,14 @@ struct ZarrArray
   int ScalarType = 0;
   std::size_t SampleSize = 0;
   bool IsBig = false;
-  std::vector<char> FillValue;   ///< in the byte order of the array
-  std::string Prefix;            ///< of the names of chunks
-  char Separator = '.';          ///< between the numbers of a chunk
-  std::vector<CodecType> Codecs; ///< in the order in which they are undone
+  std::vector<char> FillValue;   ///< bytes in the byte order of the array
+  std::string Prefix;            ///< prefix of the names of chunks
+  char Separator = '.';          ///< separates the numbers in the name of a chunk
+  std::vector<CodecType> Codecs; ///< in the order of decoding
 
-  /** The name of the file of a chunk. */
+  /** Returns the name of the file of a chunk. */
   std::string GetChunkFile(const ChunkPlace& place) const;
-  /** See ChunkedVolume::Loader. Of dimensions before the last three, the first one is meant. */
+  /** See ChunkedVolume::Loader. Uses the first index of all dimensions before the last three. */
   bool LoadChunk(const ChunkPlace& place, std::vector<char>& bytes) const;
 };
 

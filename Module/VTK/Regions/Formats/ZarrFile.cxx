@@ -22,7 +22,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The affine part along one axis of an array. */
+/** Scale and translation along one axis of an array. */
 struct AxisScale
 {
   double Scale = 1.0;
@@ -87,12 +87,12 @@ void ApplyTransformations(const Json::Value& steps, std::vector<AxisScale>& axes
   }
 }
 
-/** The axes have to end with z, y and x. */
+/** Checks that the axes end with z, y and x. */
 void CheckAxes(const Json::Value& axes, std::size_t rank)
 {
   if (!axes.isArray())
   {
-    return; // before version 0.3: they are always those
+    return; // before version 0.3, the axes are always z, y and x
   }
   std::string last;
   for (const Json::Value& axis : axes)
@@ -131,7 +131,7 @@ LargeFile OpenDataset(
   return file;
 }
 
-/** The finest level, with those that are coarser. */
+/** Opens the finest level, together with the coarser ones. */
 LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
 {
   LargeFile finest;
@@ -156,7 +156,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
       {
         throw;
       }
-      break; // of coarser levels, those that can be opened are good enough
+      break; // coarser levels that can't be opened are left out
     }
     isFirst = false;
   }

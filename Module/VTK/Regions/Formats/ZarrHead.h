@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The JSON files of Zarr.
+ * Reads the JSON files of Zarr.
  */
 #ifndef ZarrHead_h
 #define ZarrHead_h
@@ -16,7 +16,7 @@ namespace VolumeHaptics
 
 /**
  * Reads a file; false if there is none.
- * @throws std::runtime_error if there is one, but no object of JSON in it
+ * @throws std::runtime_error if the file holds no JSON object
  */
 bool ReadZarrHead(const std::string& file, Json::Value& head);
 

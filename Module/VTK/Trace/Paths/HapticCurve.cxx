@@ -12,13 +12,13 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/** Two unit vectors that make a right-handed frame with the normal. */
+/** Two unit vectors that form a right-handed frame with the normal. */
 struct Plane
 {
   explicit Plane(const Vector3& normal)
   {
     const Vector3 n = (1.0 / Norm(normal)) * normal;
-    // For a normal along z these are x and y, as users expect.
+    // For a normal along z, the vectors are x and y, as users expect.
     const Vector3 aside = std::abs(n.Z) > 0.5 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 0, 1 };
     const Vector3 u = aside - Dot(aside, n) * n;
     this->U = (1.0 / Norm(u)) * u;
@@ -34,15 +34,15 @@ struct Plane
   Vector3 V;
 };
 
-/** Length of r = phi from 0 to an angle. */
+/** Computes the length of r = phi from 0 to an angle. */
 double SpiralLength(double angle)
 {
   return 0.5 * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
 /**
- * The angle at a length, by Newton's method: its step never overshoots, because the length is
- * convex.
+ * Computes the angle at a length, by Newton's method: its step never overshoots, because the length
+ * is convex.
  */
 double SpiralAngle(double length)
 {
@@ -91,7 +91,7 @@ HapticCurve MakeCircleCurve(
 HapticCurve MakeSpiralCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns)
 {
-  const double step = radius / (2.0 * Pi * turns); // outward, per radian
+  const double step = radius / (2.0 * Pi * turns); // outward step per radian
   return { step * SpiralLength(2.0 * Pi * turns),
     [center, plane = Plane(normal), step](double way)
     {

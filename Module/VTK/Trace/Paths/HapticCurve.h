@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Curves by their arc length, for a hand of constant speed.
+ * Curves parametrised by their arc length, for a hand of constant speed.
  */
 #ifndef HapticCurve_h
 #define HapticCurve_h
@@ -15,24 +15,24 @@
 namespace VolumeHaptics
 {
 
-/** The positions on a curve, by the distance along it (0 to Length). */
+/** Gives the positions on a curve, by the distance along it (0 to Length). */
 struct HapticCurve
 {
   double Length = 0.0;
   std::function<Vector3(double)> Place;
 };
 
-/** Straight lines from corner to corner; there have to be two corners at least. */
+/** Makes straight lines from corner to corner; there must be at least two corners. */
 HapticCurve MakePolygonCurve(const std::vector<Vector3>& corners);
 
 /**
- * A circle around a centre, in the plane across a normal (of any length but 0), counterclockwise
- * seen from the normal's tip.
+ * Makes a circle around a centre, in the plane across a normal (of any length but 0),
+ * counterclockwise seen from the normal's tip.
  */
 HapticCurve MakeCircleCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns);
 
-/** The spiral of Archimedes, from the centre outward to the radius. */
+/** Makes the spiral of Archimedes, from the centre outward to the radius. */
 HapticCurve MakeSpiralCurve(
   const Vector3& center, const Vector3& normal, double radius, double turns);
 

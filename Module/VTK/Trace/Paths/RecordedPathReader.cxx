@@ -25,10 +25,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The periods (s) that vtkHapticDevice::SetServoRate allows, and a margin. */
+/** Limits of the periods (s) that vtkHapticDevice::SetServoRate allows, with a margin. */
 constexpr double ShortestPeriod = 1e-6;
 constexpr double LongestPeriod = 1.0;
-/** A tip (m) that is farther away comes from no device, and would be at infinity in the world. */
+/** Farthest tip (m) that a device could report; a farther one would be at infinity in the world. */
 constexpr double FarthestRecordedTip = 1e15;
 
 } // namespace
@@ -154,7 +154,7 @@ void RecordedPathReader::ReadTicks()
   vtkDataArray* const placement = this->FindOfTicks(RecordingNames::Placement, 1);
   vtkDataArray* const times = this->FindOfTicks("Time", 1);
   const auto isFlag = [](double flag) { return flag == 0.0 || flag == 1.0; };
-  // Older recordings, and those of files that a user has made smaller, lack it.
+  // Older recordings, and recordings that a user has made smaller, lack this array.
   vtkDataArray* const dataTimes = this->Path->GetPointData()->GetArray(DataTimeColumn)
     ? this->FindOfTicks(DataTimeColumn, 1)
     : nullptr;
@@ -189,14 +189,14 @@ void RecordedPathReader::ReadTicks()
   }
   if (!isMoving)
   {
-    // At a data time of 0, the volume was that of the first time step, or did not move at all.
+    // At a data time of 0, the volume showed the first time step, or did not move at all.
     this->Result.DataTimes.clear();
   }
 }
 
 void RecordedPathReader::ReadOrientations()
 {
-  // Older recordings, and those of files that a user has made smaller, lack them.
+  // Older recordings, and recordings that a user has made smaller, lack these arrays.
   if (!this->Path->GetPointData()->GetArray(RecordingNames::DeviceOrientation))
   {
     return;
@@ -233,7 +233,7 @@ void RecordedPathReader::ReadRemoval()
     this->Result.AirValue = air ? air->GetComponent(0, 0) : this->Result.AirValue;
     this->Require(std::isfinite(this->Result.AirValue), RecordingNames::AirValue, 0, "finite");
   }
-  // Older recordings, and those of files that a user has made smaller, lack them.
+  // Older recordings, and recordings that a user has made smaller, lack these arrays.
   vtkPointData* const data = this->Path->GetPointData();
   const auto find = [&](const char* name)
   { return data->GetArray(name) ? this->FindOfTicks(name, 1) : nullptr; };
@@ -257,7 +257,8 @@ void RecordedPathReader::ReadRemoval()
 
 void RecordedPathReader::ReadContacts()
 {
-  // Only a tool with a shape that touched something when the recording began has them.
+  // Only recordings with a tool with a shape that touched something at their beginning have
+  // contacts.
   if (!this->Path->GetFieldData()->GetArray(RecordingNames::InitialContacts))
   {
     return;

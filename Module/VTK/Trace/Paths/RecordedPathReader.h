@@ -21,19 +21,23 @@ namespace VolumeHaptics
 {
 
 /**
- * Every number is checked: the servo's tick gets only numbers that it could have computed itself.
+ * Reads a recording and checks every number: the servo's tick gets only numbers that it could have
+ * computed itself.
  */
 class RecordedPathReader
 {
 public:
   RecordedPathReader(vtkPolyData* path, RecordedPath& result);
 
-  /** The first fault, as the end of a sentence; empty if there is none. */
+  /**
+   * Reads the recording. Returns the first fault, as the end of a sentence; empty if there is none.
+   */
   std::string Read();
 
 private:
   /**
-   * An array of this shape. If it is missing or has another shape, notes a fault and returns null.
+   * Returns an array of this shape. If it is missing or has another shape, stores a fault and
+   * returns null.
    */
   vtkDataArray* Find(
     vtkFieldData* data, const char* kind, const char* name, int components, vtkIdType tuples);

@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Points at which cells of the path begin or end; two at one position count as one. */
+/** Counts the points at which cells of the path begin or end; two at one position count as one. */
 class Junctions
 {
 public:
@@ -44,7 +44,7 @@ private:
   std::vector<std::size_t> Root;
 };
 
-/** The tolerance for the coordinates of two points at one position. */
+/** Computes the tolerance for the coordinates of two points at one position. */
 double FindRounding(vtkPolyData* path)
 {
   double bounds[6];
@@ -54,7 +54,7 @@ double FindRounding(vtkPolyData* path)
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
 }
 
-/** Calls back with each line cell: the number of its points, and their ids. */
+/** Calls a function with each line cell: the number of its points, and their ids. */
 template <typename F>
 void ForEachLine(vtkPolyData* path, F&& take)
 {
@@ -68,7 +68,7 @@ void ForEachLine(vtkPolyData* path, F&& take)
   }
 }
 
-/** Calls back with both ends of each edge of the line cells. */
+/** Calls a function with both ends of each edge of the line cells. */
 template <typename F>
 void ForEachEdge(vtkPolyData* path, F&& take)
 {
@@ -125,7 +125,7 @@ void DividedPoints::Append(const vtkIdType* ids, vtkIdType count)
     }
     if (same == count)
     {
-      this->Count += count; // as those of most polydata are, which need no list
+      this->Count += count; // most polydata number their points in order, and need no list
       return;
     }
     this->Points.resize(static_cast<std::size_t>(this->Count));
@@ -181,7 +181,7 @@ bool TipPathLines::Divide(DividedPoints& divided, std::string& error) const
       {
         divided.Begins.push_back(divided.Count);
       }
-      // A point that both segments have is one tick.
+      // A point that two segments share is one tick.
       const vtkIdType known = goesOn && divided.GetLast() == ids[0] ? 1 : 0;
       divided.Append(ids + known, size - known);
       isAfterSegment = isSegment;
@@ -197,7 +197,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     return { -1, -1 };
   }
-  // The points of cells are numbered from 1, in the order in which they are stored.
+  // Points of cells are numbered from 1, in the order in which they are stored.
   std::vector<vtkIdType> number(static_cast<std::size_t>(path->GetNumberOfPoints()), 0);
   ForEachEdge(path, [&number](vtkIdType a, vtkIdType b) { number[a] = number[b] = 1; });
   vtkIdType count = 0;
@@ -205,7 +205,7 @@ std::pair<long long, long long> TipPathLines::FindLeap() const
   {
     one = one != 0 ? ++count : 0;
   }
-  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false); // to the next one
+  std::vector<bool> isJoined(static_cast<std::size_t>(count) + 1, false); // to the next point
   ForEachEdge(path,
     [&](vtkIdType a, vtkIdType b)
     {

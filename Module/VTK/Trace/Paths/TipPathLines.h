@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Tells which paths the line cells of a polydata are.
+ * Finds the paths that the line cells of a polydata form.
  */
 #ifndef TipPathLines_h
 #define TipPathLines_h
@@ -23,19 +23,19 @@ namespace VolumeHaptics
 struct DividedPoints
 {
   std::vector<vtkIdType> Points; ///< empty if they are 0, 1, 2 ...
-  std::vector<vtkIdType> Begins; ///< of each path in Points; then the end of the last one
-  vtkIdType Count = 0;           ///< of all points
+  std::vector<vtkIdType> Begins; ///< begin of each path in Points; then the end of the last path
+  vtkIdType Count = 0;           ///< number of all points
 
   void Append(const vtkIdType* ids, vtkIdType count);
-  /** The point that was appended last. */
+  /** Returns the point that was appended last. */
   vtkIdType GetLast() const { return this->Points.empty() ? this->Count - 1 : this->Points.back(); }
 };
 
 /**
- * A polydata with at most one line cell is one path, through all its points in the order in which
- * they are stored. So are segments, cells of two points, that one stroke of a pen draws. Otherwise
- * each line cell is a path through its own points; of segments, those that continue one another
- * are one. The points have to be finite.
+ * Divides a polydata into paths. A polydata with at most one line cell is one path, through all its
+ * points in the order in which they are stored. Segments (cells of two points) that one stroke of a
+ * pen draws are also one path. Otherwise each line cell is a path through its own points; segments
+ * that continue one another form one path. The points have to be finite.
  */
 class TipPathLines
 {
@@ -45,27 +45,27 @@ public:
   {
   }
 
-  /** Whether the polydata is one path; without points, too. */
+  /** Whether the polydata is one path; also true without points. */
   bool IsOne() const;
 
   /**
-   * The first leap: consecutive points of the line cells, in the order in which they are stored,
-   * that no cell joins. Returns the points before and after it; -1, -1 if there is none. Points at
-   * one position need no cell.
+   * Finds the first leap: consecutive points of the line cells, in the order in which they are
+   * stored, that no cell joins. Returns the points before and after the leap; -1, -1 if there is
+   * none. Points at one position need no cell.
    */
   std::pair<long long, long long> FindLeap() const;
 
   /**
-   * The paths, if they are several, in the order of the cells. An empty cell is a path without
-   * points. False, with an error, if a cell has a point that does not exist.
+   * Returns several paths in the order of the cells. An empty cell is a path without points. False,
+   * with an error, if a cell has a point that does not exist.
    */
   bool Divide(DividedPoints& divided, std::string& error) const;
 
 private:
   bool IsOfSegments() const;
   /**
-   * The number of strokes of a pen that draw the line cells: 1 for segments that continue one
-   * another, in any order and direction; 0 without line cells.
+   * Counts the strokes of a pen that draw the line cells: 1 for segments that continue one another,
+   * in any order and direction; 0 without line cells.
    */
   std::size_t CountStrokes() const;
 

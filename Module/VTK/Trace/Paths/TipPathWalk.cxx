@@ -12,7 +12,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The first time step's at the hand's time 0; it stops at the first and the last one. */
+/**
+ * Computes the data time: that of the first time step at the hand's time 0. It stops at the first
+ * and the last step.
+ */
 double FindDataTime(const HapticModel& model, double time)
 {
   const std::vector<FieldFrame>& frames = model.Baked->Frames;
@@ -38,7 +41,7 @@ TipPathWalk::TipPathWalk(const RecordedPath& recording)
 
 void TipPathWalk::Tick(const HapticModel& model, TickRecord& record)
 {
-  // What ResidentServo does where all samples are there.
+  // Computes what ResidentServo does where all samples are there.
   const Vector3 tip = model.WorldToDevice(this->Tips->Next());
   this->State.DataTime = FindDataTime(model, this->Tips->GetTime());
   this->TakeHand(model);
@@ -72,7 +75,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
   }
   const RecordedPath& recording = *this->Recording;
   const std::size_t i = this->Next++;
-  // In the order of the servo: the model, then enabling, then the tick.
+  // Keeps the order of the servo: the model, then enabling, then the tick.
   const int placement = recording.PlacementOf[i];
   if (i == 0 || placement != recording.PlacementOf[i - 1])
   {
@@ -86,7 +89,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
     else if (this->Tool &&
       !this->Tool->Restore(*moved->Baked, recording.InitialContacts, recording.ContactShare))
     {
-      // Of another tool, which begins in the hand.
+      // The state belongs to another tool; the new tool begins in the hand.
       this->State.Shell = ShellState{};
     }
     model = std::move(moved);
@@ -104,7 +107,7 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
     this->SetOrientation(recording.Orientations[i]);
   }
   this->TakeRemoval(*model, i);
-  // A surface counts from the tick in which the result of the slow loop came.
+  // A surface counts from the tick in which the result of the slow loop arrived.
   LocalSurface surface;
   LocalSurfaceResult result;
   if (recording.Renewed[i])

@@ -21,63 +21,72 @@
 namespace VolumeHaptics
 {
 
-/** Finds the model for the next tick, to a tip (device), instead of the one of the last tick. */
+/** Finds the model for the next tick, to a tip (device), in place of the last tick's model. */
 using ModelFinder = std::function<std::shared_ptr<const HapticModel>(
   std::shared_ptr<const HapticModel>, const ServoState&, const Vector3&)>;
 
 class TipPathWalk
 {
 public:
-  /** With a finder, each tick has the model that it finds; the finder has to live longer. */
+  /** With a finder, each tick uses the model that it finds; the finder must outlive the walk. */
   explicit TipPathWalk(const TipReader& tips, const ModelFinder* finder = nullptr);
   explicit TipPathWalk(const RecordedPath& recording);
 
   /**
    * Computes the next tick. Returns its model: the given one, placed as the recording says, or the
-   * one that was found. Throws what the finder throws.
+   * one that was found. Throws the finder's exceptions.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
-  /** Whether all ticks are on one model, of a whole volume, and take their tips from a path. */
+  /** Whether all ticks use one model, of a whole volume, and read their tips from a path. */
   bool IsPlain(const HapticModel& model) const
   {
     return this->Tips && !this->Finder && model.Resident.IsWhole();
   }
-  /** The same tick of a plain walk, straight into a record. Such a walk does nothing else. */
+  /**
+   * Computes the next tick of a plain walk, directly into a record. A plain walk uses no other
+   * function.
+   */
   void Tick(const HapticModel& model, TickRecord& record);
-  /** The record of the last tick, if that did not write one. */
+  /** Returns the record of the last tick, unless that tick wrote directly into one. */
   const TickRecord& GetRecord() const;
-  /** The forces of the modes of the last tick, with its model. */
+  /** Returns the forces of the modes in the last tick, with its model. */
   ModeForces FindModeForces(const HapticModel& model) const;
-  /** The orientation of the stylus (world) in the last tick; NoOrientation if there is none. */
+  /**
+   * Returns the orientation of the stylus (world) in the last tick; NoOrientation if there is none.
+   */
   Quaternion GetOrientation(const HapticModel& model) const;
-  /** How often a forbidden label has stopped the needle in this insertion. */
+  /** Returns how often a forbidden label has stopped the needle in this insertion. */
   double GetForbiddenTouches() const { return this->State.Needle.Touches; }
-  /** Time of the last tick (s). */
+  /** Returns the time of the last tick (s). */
   double GetTime() const;
 
 private:
-  /** Memory for the tool of a model. */
+  /** Provides memory for the tool of a model. */
   void ProvideTool(const HapticModel& model);
-  /** Of a path, to the state: the orientation, turned to the device's axes, and the spin. */
+  /**
+   * Copies from a path to the state: the orientation, turned to the device's axes, and the spin.
+   */
   void TakeHand(const HapticModel& model);
-  /** Of a recording's tick: the spin, to the state, and a request, to the model's removal. */
+  /**
+   * Copies from a recording's tick: the spin to the state, and a request to the model's removal.
+   */
   void TakeRemoval(const HapticModel& model, std::size_t i);
-  /** To the state: an orientation on the device's axes, or NoOrientation. */
+  /** Sets the state's orientation, on the device's axes, or to NoOrientation. */
   void SetOrientation(const Quaternion& orientation);
   void Step(const HapticModel& model, const Vector3& tip, const LocalSurfaceResult& result);
 
   std::optional<TipReader> Tips; ///< empty for a recording
   const ModelFinder* const Finder = nullptr;
   const RecordedPath* const Recording = nullptr;
-  std::size_t Next = 0; ///< of a recording
+  std::size_t Next = 0; ///< next tick of a recording
   ServoState State;
   ResidentServo Servo;
-  TickMemory Taps;                     ///< of a plain walk
+  TickMemory Taps;                     ///< memory of a plain walk
   std::shared_ptr<ToolMemory> Tool;    ///< null if the tool needs none
-  const BakedVolume* ToolOf = nullptr; ///< for which it was made
+  const BakedVolume* ToolOf = nullptr; ///< volume that the tool's memory was made for
   ForceGate Gate;                      ///< only its opening is used
-  TickRecord Whole;  ///< of the last tick, with the force before the residency scales it
-  TickRecord Scaled; ///< the same with the force that is felt, while the gate is not open
+  TickRecord Whole;  ///< record of the last tick, with the force before the residency scales it
+  TickRecord Scaled; ///< record with the force that is felt, while the gate is not open
 };
 
 } // namespace VolumeHaptics

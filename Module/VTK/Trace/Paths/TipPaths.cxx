@@ -23,14 +23,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A day at 1 kHz: more means a wrong unit of time, and would not fit into memory. */
+/** A day at 1 kHz: more ticks mean a wrong unit of time, and would not fit into memory. */
 constexpr double MostTicks = 1e8;
 
-/** Several at once, by the processor's wide instructions. */
+/** Checks several numbers at once, by the processor's wide instructions. */
 bool AreFinite(const double* numbers, vtkIdType count)
 {
   constexpr int lanes = 8;
-  double sums[lanes] = {}; // of zeros; NaN once a number is not finite
+  double sums[lanes] = {}; // sums of zeros; NaN once a number is not finite
   vtkIdType i = 0;
   for (; i + lanes <= count; i += lanes)
   {
@@ -50,7 +50,7 @@ bool AreFinite(const double* numbers, vtkIdType count)
 
 std::string DescribeLackOfMemory(double ticks)
 {
-  // A Vector3 of the path; 25 numbers, 3 flags and an index of the trace: see HapticTrace.
+  // Counts a Vector3 of the path; 25 numbers, 3 flags and an index of the trace: see HapticTrace.
   constexpr double bytes = 24.0 + 25.0 * 8.0 + 3.0 + 8.0;
   std::ostringstream message;
   message << "There is not enough memory for the " << std::setprecision(10) << ticks

@@ -60,7 +60,7 @@ Quaternion TipReader::FindOrientation() const
   {
     return NoOrientation;
   }
-  // The shorter way round: q and -q are the same.
+  // Interpolates the shorter way round: q and -q are the same orientation.
   const double side = a.W * b.W + a.X * b.X + a.Y * b.Y + a.Z * b.Z < 0.0 ? -share : share;
   const double rest = 1.0 - share;
   const Quaternion mixed{ rest * a.W + side * b.W, rest * a.X + side * b.X, rest * a.Y + side * b.Y,

@@ -14,19 +14,21 @@
 namespace VolumeHaptics
 {
 
-/** Reads one of the paths, which have to live longer. A path may have one reader or several. */
+/** Reads one of the paths, which must outlive the reader. A path may have several readers. */
 class TipReader
 {
 public:
   TipReader(const TipPaths& paths, std::size_t path);
 
-  /** The tip at the next tick (world). There are as many as TipPaths says. */
+  /** Returns the tip at the next tick (world). Call it as often as TipPaths has ticks. */
   Vector3 Next()
   {
     ++this->Tick;
     return this->Paths.HaveTimes() ? this->FindPoint() : this->PointAt(this->Tick);
   }
-  /** The orientation of the stylus (world) at the last tick; NoOrientation if there is none. */
+  /**
+   * Returns the orientation of the stylus (world) at the last tick; NoOrientation if there is none.
+   */
   Quaternion GetOrientation() const
   {
     return this->Paths.HaveOrientations() ? this->FindOrientation() : NoOrientation;
@@ -37,18 +39,18 @@ public:
     const vtkIdType point = this->Paths.HaveTimes() ? this->Before : this->Tick;
     return this->Paths.IsSpinning(this->Members.At(point));
   }
-  /** Time of the last tick (s). */
+  /** Returns the time of the last tick (s). */
   double GetTime() const
   {
     return this->Start + static_cast<double>(this->Tick) * this->Paths.GetPeriod();
   }
 
 private:
-  /** The point at the time of the tick. */
+  /** Computes the position at the time of the tick. */
   Vector3 FindPoint();
-  /** The share of the way from the point before the tick to the next one; 0 at the point before. */
+  /** Returns how far the tick is on the way from the point before it to the next one, 0 to 1. */
   double FindShare() const;
-  /** Between the points before and after the tick. */
+  /** Interpolates the orientations before and after the tick. */
   Quaternion FindOrientation() const;
   double TimeAt(vtkIdType i) const { return this->Paths.GetTime(this->Members.At(i)); }
   Vector3 PointAt(vtkIdType i) const { return this->Paths.GetPoint(this->Members.At(i)); }
@@ -56,8 +58,8 @@ private:
   const TipPaths& Paths;
   const TipPaths::Members Members;
   double Start = 0.0;   ///< s
-  vtkIdType Tick = -1;  ///< the last one
-  vtkIdType Before = 0; ///< of points with times: the last one before the tick, or at it
+  vtkIdType Tick = -1;  ///< number of the last tick
+  vtkIdType Before = 0; ///< with times: the last point before the tick, or at it
 };
 
 } // namespace VolumeHaptics

@@ -30,7 +30,7 @@ namespace
 {
 using VolumeHaptics::Vector3;
 
-/** More points are a mistake in a unit, and would not fit into memory. */
+/** Limit on the points: more come from a mistake in a unit, and would not fit into memory. */
 constexpr double MostPoints = 1e8;
 
 Vector3 ToVector(const double x[3])
@@ -38,7 +38,7 @@ Vector3 ToVector(const double x[3])
   return { x[0], x[1], x[2] };
 }
 
-/** A point for each tip, in one polyline; the array Time only if there are times. */
+/** Writes a point for each tip, in one polyline; the array Time only if there are times. */
 void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -63,7 +63,7 @@ void Write(const std::vector<Vector3>& tips, const std::vector<double>& times, v
   }
 }
 
-/** Down on the middle of a face, in, across and out again. */
+/** Makes a curve that comes down on the middle of a face, goes in, across and out again. */
 VolumeHaptics::HapticCurve MakePressAndSlide(
   const double corner[3], const double size[3], int direction, double depth, double clearance)
 {
@@ -177,7 +177,7 @@ std::string vtkHapticPathSource::GiveOutFile(vtkPolyData* output) const
   }
   if (VolumeHaptics::GetTraceEnding(this->FileName) == ".vtp")
   {
-    // With all arrays of the file, which an exact replay needs.
+    // Passes on all arrays of the file, which an exact replay needs.
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(this->FileName.c_str());
     reader->Update();

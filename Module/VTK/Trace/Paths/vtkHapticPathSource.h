@@ -4,17 +4,19 @@
  * @class   vtkHapticPathSource
  * @brief   the path of a stylus' tip, to be felt by vtkVolumeHapticsFilter
  *
- * A line, a circle, a spiral, a press that slides and lifts, or the contents of a file. The hand
- * moves with constant speed along the path; the output has a point for its position at each tick,
+ * Makes the path of a stylus' tip: a line, a circle, a spiral, a press that slides and lifts, or
+ * the contents of a file. The hand moves with constant speed along the path; the output has a point
+ * for its position at each tick,
  *
  *   x_i = x(i L / n),  i = 0 ... n,
  *   n = the least whole number with L / n <= Speed / PointsPerSecond,
  *
- * L the length of the path, in one polyline, with the point array Time (s), i / PointsPerSecond. So
- * the filter resamples it if its ServoRate differs, and what is felt is as fast as before.
+ * with L the length of the path. The points form one polyline, with the point array Time (s), i /
+ * PointsPerSecond. So the filter resamples the path if its ServoRate differs, and the hand's speed
+ * stays the same.
  *
  * Settings that make no path (a line of no length, a radius of 0, numbers that are not finite, an
- * unusable file) give one error that names them and the cure, and an empty output.
+ * unusable file) give one error that names the settings and the cure, and an empty output.
  *
  * @sa vtkVolumeHapticsFilter
  */
@@ -137,7 +139,7 @@ public:
   ///@}
 
   ///@{
-  /** BoxCorner and BoxSize, from the bounds (x0, x1, y0, y1, z0, z1). */
+  /** Set BoxCorner and BoxSize from the bounds (x0, x1, y0, y1, z0, z1). */
   void SetBoxBounds(double x0, double x1, double y0, double y1, double z0, double z1);
   void SetBoxBounds(const double bounds[6]);
   ///@}
