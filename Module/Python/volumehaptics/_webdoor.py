@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who may come to a page's server: only who has its secret, from no other page, and with messages that are what they say.
+"""Decides who may use a page's server: only clients with its secret, from no other page, with well-formed messages.
 
-Without that, every page in the user's browser could lead the hand and see the volume, since a WebSocket to localhost may be
-opened from anywhere, and wslink's own key is the same everywhere.
+Otherwise every page in the user's browser could lead the hand and see the volume: any page may open a WebSocket to
+localhost, and wslink's own key is the same everywhere.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from aiohttp import WSMsgType, web
 from wslink.websocket import LinkProtocol
 
 HERE = ("localhost", "127.0.0.1", "::1")
-MOST_BYTES = 65536  # of a message from a page: an event, or a few values
-MOST_UNKNOWN = 512  # of one from a page that has not told the secret yet
-HEADER = 12  # bytes of wslink's: a number, the place of this part, and the size of the whole message
+MOST_BYTES = 65536  # bytes of a page's message: an event, or a few values
+MOST_UNKNOWN = 512  # bytes of a message before the page has sent the secret
+HEADER = 12  # bytes of wslink's header: a number, the position of this part, and the size of the whole message
 
-# The page whose message is being handled; none in what the program does by itself.
+# The page whose message is being handled; none for the program's own actions.
 _page: contextvars.ContextVar[str | None] = contextvars.ContextVar("page", default=None)
 
-# The browser's address loses the secret, as trame takes it away, and a page that is loaded anew needs it. What one tab keeps for
-# a server, no other server and no other tab can read.
+# The browser's address loses the secret, because trame removes it, and a reloaded page needs it. A tab stores the
+# secret of a server where no other server and no other tab can read it.
 _KEEP = """<script>
 (() => {
   const address = new URL(location);
@@ -62,7 +62,8 @@ def page_now() -> str | None:
 
 
 class _Secret(LinkProtocol):
-    """What wslink asks for the secret: it would compare letter by letter until the first difference."""
+    """The object that wslink asks for the secret: wslink itself would compare letter by letter up to the first
+    difference."""
 
     def __init__(self, secret: str) -> None:
         super().__init__()
@@ -73,7 +74,7 @@ class _Secret(LinkProtocol):
 
 
 def _place(address: str) -> tuple[str | None, str]:
-    """The computer of an address, and that with the port."""
+    """The host of an address, and the host with the port."""
     try:
         parts = urlsplit(address)
         return parts.hostname, parts.netloc.lower()
@@ -82,9 +83,9 @@ def _place(address: str) -> tuple[str | None, str]:
 
 
 class Door:
-    """That of one server of trame, from before it starts.
+    """The door of one trame server; made before the server starts.
 
-    secret: what an address needs, new each time that the server starts.
+    secret: part of the address, new at each start of the server.
     on_leave: called with the number of a page whose connection has ended.
     in_frames: whether other pages may show this one in a frame, as a notebook does.
     """
@@ -95,12 +96,12 @@ class Door:
         self._server = weakref.ref(server)
         self._in_frames = in_frames
         self._names = set(HERE)
-        self._requests: dict[str, web.Request] = {}  # of pages that are connected
+        self._requests: dict[str, web.Request] = {}  # connections of pages
         server.add_protocol_to_configure(self._configure)
         server.controller.on_server_bind.add(self._bind)
 
     def _configure(self, protocol: Any) -> None:
-        self.secret = "k" + secrets.token_hex(32)  # a letter first: trame makes numbers of what looks like one
+        self.secret = "k" + secrets.token_hex(32)  # a letter first: trame makes numbers of texts that look like one
         protocol.registerLinkProtocol(_Secret(self.secret))
 
     def address(self, host: str, page: str = "", *words: str) -> str:
@@ -108,20 +109,20 @@ class Door:
         return f"http://{f'[{host}]' if ':' in host else host}:{self._server().port}/index.html?{query}"
 
     def drop(self, page: str) -> None:
-        """Ends the connection of a page that takes nothing any more: others would wait until it does, as wslink sends to one
-        after the other."""
+        """Ends the connection of a page that no longer reads: other pages would wait for it, because wslink sends to
+        one after the other."""
         request = self._requests.get(page)
         if request is not None and request.transport is not None:
             request.transport.abort()
 
     def _bind(self, web_server: Any) -> None:
-        """wslink's server is there, and does not listen yet."""
+        """Called when wslink's server exists, but does not listen yet."""
         application, handlers = getattr(web_server, "app", None), getattr(web_server, "_ws_handlers", None)
         if not isinstance(application, web.Application) or handlers is None:
             raise RuntimeError('a page to touch in is served by aiohttp alone. Cure: server.start(backend="aiohttp"), '
                                "without --reverse-url")
         server = self._server()
-        server.protocol.updateSecret(self.secret)  # for a wslink that does not ask _Secret
+        server.protocol.updateSecret(self.secret)  # for versions of wslink that do not ask _Secret
         host = web_server.host
         self._names.update(name.lower() for name in (host, socket.gethostname(), socket.getfqdn()))
         if host not in HERE:
@@ -132,10 +133,11 @@ class Door:
         for handler in handlers:
             self._watch(handler)
 
-    # -- whom the browser comes from --
+    # -- where the browser comes from --
 
     def _refusal(self, headers: Any) -> str | None:
-        """Why not, if not. A page of another computer's name, which leads here (DNS rebinding), tells that name as the host."""
+        """The reason for a refusal, or None. A page from another host name that leads here (DNS rebinding) has that
+        name as its host."""
         host = headers.get("Host", "")
         name, place = _place(f"//{host}")
         try:
@@ -166,10 +168,11 @@ class Door:
 
         return check
 
-    # -- what it says --
+    # -- the content of messages --
 
     def _watch(self, handler: Any) -> None:
-        """Each message is one frame, which holds it whole: wslink would take memory for what a frame says that comes later."""
+        """Requires a message to be a single frame: wslink would allocate memory for the size that a first frame
+        announces."""
         connect, handle, close = handler.onConnect, handler.onMessage, handler.onClose
 
         async def on_connect(request: web.Request, client: str) -> None:
@@ -200,7 +203,7 @@ _doors: weakref.WeakKeyDictionary[Any, Door] = weakref.WeakKeyDictionary()
 
 
 def door_of(server: Any, in_frames: bool = False) -> Door:
-    """The door of a server, which gets one if it does not run yet."""
+    """The door of a server; makes one if the server does not run yet."""
     server = server.root_server
     if server not in _doors:
         if server.running:

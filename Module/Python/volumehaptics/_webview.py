@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A touchable plotter in a page of trame: its pictures go to the browser, the browser's mouse and keys to its style."""
+"""A touchable plotter in a page of trame: its pictures go to the browser, and the browser's mouse and keys go to its
+style."""
 
 from __future__ import annotations
 
@@ -29,16 +30,16 @@ from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 if TYPE_CHECKING:
     from ._plotting import Haptics
 
-SILENCE = 3.0  # s without an answer of the page that leads the hand, after which the hand lets go
-UNANSWERED = 5  # questions, one a second, after which a page is gone: it can come again
-QUALITY = 85  # of JPEG
-MOST_PIXELS = 1.6e6  # of a picture; a finer display gets it enlarged
-MOST_WIDE = 8192  # pixels of a page's side; more is no display's
-WAITING = 3  # pictures on their way, above which the next one waits
-# Of keys that browsers name differently from X11, whose names vtkInteractorStyleHaptic.SetKey() takes.
+SILENCE = 3.0  # s without an answer from the leading page, after which the touch ends
+UNANSWERED = 5  # questions, one a second, until a page counts as closed: it can come again
+QUALITY = 85  # JPEG quality
+MOST_PIXELS = 1.6e6  # pixels of a picture; a finer display enlarges it
+MOST_WIDE = 8192  # pixels of a page's side; no display has more
+WAITING = 3  # pictures on their way; beyond them, the next one waits
+# Keys with browser names that differ from X11's, which vtkInteractorStyleHaptic.SetKey() uses.
 KEYS = {" ": "space", "+": "plus", "-": "minus", ",": "comma", ".": "period", "?": "question", "Enter": "Return",
         "Backspace": "BackSpace", "ArrowLeft": "Left", "ArrowRight": "Right", "ArrowUp": "Up", "ArrowDown": "Down"}
-QUITTING = ("e", "q")  # of vtkInteractorStyle: they end a loop of events that is the server's here
+QUITTING = ("e", "q")  # vtkInteractorStyle's keys: they would end the server's event loop
 EVENTS = {f"{button}Button{what}": f"{button}Button{what}Event"
           for button in ("Left", "Middle", "Right") for what in ("Press", "Release")}
 
@@ -46,14 +47,14 @@ _numbers = itertools.count(1)
 
 
 def _number(words: Any, word: str, otherwise: float) -> float:
-    """What a page has sent as a number, which may be anything."""
+    """A number in a page's message, which may contain anything."""
     value = words.get(word) if isinstance(words, dict) else None
     is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e9  # not NaN
     return float(value) if is_number else otherwise
 
 
 class Area(AreaAdapter):
-    """What trame-rca calls for the part of the page that shows the scene."""
+    """The object that trame-rca calls for the page's view of the scene."""
 
     def __init__(self, name: str, view: View) -> None:
         super().__init__(name)
@@ -73,23 +74,24 @@ class Area(AreaAdapter):
         return self.streamer is None or self.streamer.coreServer.network_monitor.pending > WAITING
 
     def reset(self) -> None:
-        """Pictures do not depend on one another."""
+        """Pictures are independent of one another."""
 
 
 class View:
     """The page of one touchable plotter.
 
-    Its task calls the style as a window's timer does. The style decides what is drawn and when; each of its frames is
-    sent. Motions of the mouse that come while a frame is drawn count as one, as they do in a window.
+    Its task calls the style like a window's timer. The style decides what is drawn and when; each of its frames is
+    sent. Mouse motions during a frame count as one, as in a window.
 
-    Several pages may show it. One leads: the one that began the touch, until the hand lets go. All that another page can do
-    meanwhile is to let go. Whatever they answer, the hand lets go if the leading one closes or does not answer.
+    Several pages may show the plotter. The page that began the touch leads until the touch ends. Meanwhile other pages
+    can only end the touch. If the leading page closes or does not answer, the touch ends, whatever other pages answer.
 
-    It has to be there before its server starts, which it closes to all who don't know the secret: get_address() has it.
+    Make this object before its server starts: it closes the server to clients without the secret, which get_address()
+    includes.
     """
 
     def __init__(self, haptics: Haptics, server: Any, page: str | None = None) -> None:
-        """page: its name in the address; "main" is that without a name. Default: one of its own."""
+        """page: its name in the address; "main" is the page without a name. Default: a name of its own."""
         plotter = haptics._plotter()
         if plotter is None or haptics.closed or plotter.render_window is None:
             raise ValueError("the plotter is closed. Cure: make a new one, and show it in the browser before show()")
@@ -106,8 +108,8 @@ class View:
         self.area = Area(self.name, self)
         self.leader: str | None = None  # the page that leads the hand
         self._door = door_of(server)
-        self._sizes: dict[str | None, tuple[float, float, float]] = {}  # of pages
-        self._heard: dict[str, int] = {}  # the question that each page has answered last
+        self._sizes: dict[str | None, tuple[float, float, float]] = {}  # sizes of pages
+        self._heard: dict[str, int] = {}  # the last question that each page has answered
         self._move: tuple[dict[str, Any], str | None] | None = None
         self._owed = False
         self._drawing = False
@@ -129,7 +131,7 @@ class View:
         self._writer.SetQuality(QUALITY)
         self._tag = self.interactor.AddObserver("RenderEvent", self.draw)
         haptics.style.AutoAdjustOffScreenOn()
-        haptics.device.SetAttentionTime(SILENCE)  # a server that stands still feels nothing
+        haptics.device.SetAttentionTime(SILENCE)  # a server that stands still feels nothing, so the force may fade
         self.ui = self._make_page()
         controller = server.controller
         self._door.on_leave.append(self._leave_with)
@@ -138,13 +140,13 @@ class View:
             self._begin()
 
     def get_address(self, host: str = "localhost", *words: str) -> str:
-        """What a browser opens, once the server runs."""
+        """The address to open in a browser, once the server runs."""
         return self._door.address(host, "" if self.page == "main" else self.page, *words)
 
     # -- who leads --
 
     def _holds(self) -> bool:
-        """Whether there may be force, or soon."""
+        """Whether there may be force now or soon."""
         return bool(self.haptics.style.GetTouchMode() or self.haptics.device.IsArmOrdered())
 
     def _may_lead(self, page: str | None) -> bool:
@@ -152,7 +154,7 @@ class View:
         return page is None or self.leader in (None, page)
 
     def _lead(self, page: str | None) -> None:
-        """After what a page has done: it leads if the hand touches now."""
+        """Called after an action of a page: the page leads if the hand touches now."""
         if not self._holds():
             self.leader = None
         elif self.leader is None and page is not None:
@@ -161,7 +163,7 @@ class View:
             self._fit(page)
 
     def _leave_with(self, page: str) -> None:
-        """A page has gone: if it has led, nobody holds the mouse any more."""
+        """A page has closed: if it led, nobody holds the mouse any more."""
         self._sizes.pop(page, None)
         self._heard.pop(page, None)
         if page == self.leader:
@@ -170,7 +172,7 @@ class View:
     # -- the page --
 
     def _key(self, word: str) -> str:
-        """A name of trame's state: those of several pages on one server differ."""
+        """A name in trame's state; names of several pages on one server differ."""
         return f"{self.name}_{word}"
 
     def _make_page(self) -> VAppLayout:
@@ -201,7 +203,7 @@ class View:
                 html.Span(f"{{{{ {self._key('status')} }}}}", classes="text-caption mx-3 text-right", data_id="status",
                           __properties=[("data_id", "data-id")])
             with v3.VMain(style="height: 100vh"):
-                # The keys go to what has the focus, which the pointer brings along as it does in a window.
+                # Keys go to the element with the focus, and the pointer sets the focus, as in a window.
                 focus = "$event.currentTarget.querySelector('[tabindex]')?.focus()"
                 with html.Div(style="width: 100%; height: 100%", mouseenter=focus, __events=["mouseenter"]):
                     RemoteControlledArea(name=self.name, send_mouse_move=True, event_throttle_ms=16,
@@ -210,7 +212,7 @@ class View:
         return page
 
     def toggle_touch(self) -> None:
-        """What the button does: the touch begins in the middle, since the pointer is on the button."""
+        """Begins or ends the touch by the button: it begins in the middle, because the pointer is on the button."""
         style = self.haptics.style
         if style.GetTouchMode():
             self._leave()
@@ -231,21 +233,21 @@ class View:
     def _set_preset(self, name: str | None) -> None:
         if self.haptics.closed or name == self._preset:
             return
-        # Only those of the list: ApplyPreset() takes files, too, and would open what a page names.
+        # Accept only names in the list: ApplyPreset() takes files, too, and would open a file that a page names.
         if name in self._presets and self._may_lead(page_now()) and self.haptics.filter.GetProperty().ApplyPreset(name):
             self._preset = name
         else:
             self.server.state[self._key("preset")] = self._preset
 
     def _show(self, word: str, value: Any) -> None:
-        """Tells the page, if it does not know already."""
+        """Sends a value to the page, if it has changed."""
         if self._shown.get(word) != value:
             self._shown[word] = value
             with self.server.state as state:
                 state[self._key(word)] = value
 
     def _follow(self, *_: object) -> None:
-        """Buttons and text follow the style, which keys lead, too."""
+        """Updates buttons and text from the style, which keys change, too."""
         if self.closed:
             return
         self._show("touching", bool(self.haptics.style.GetTouchMode()))
@@ -255,10 +257,10 @@ class View:
             text += f"; the browser is {1000.0 * self.round_trip:.0f} ms away, for the eye alone"
         self._show("status", text)
 
-    # -- the browser's silence --
+    # -- silence of the browser --
 
     def _leave(self) -> None:
-        """The hand lets go."""
+        """Ends the touch."""
         self.leader = self._move = None
         if not self.haptics.closed:
             self.haptics.style.FadeOut()
@@ -284,7 +286,7 @@ class View:
     # -- pictures --
 
     def resize(self, width: float, height: float, ratio: float) -> None:
-        """A page's size. The window has that of the page that leads, or of the last one."""
+        """Sets a page's size. The window has the size of the leading page, or of the last one."""
         page = page_now()
         self._sizes[page] = width, height, ratio
         if self._may_lead(page):
@@ -298,7 +300,7 @@ class View:
             self.draw()
 
     def draw(self, *_: object) -> None:
-        """Draws a frame, and sends it; later, if the network has not taken the last ones."""
+        """Draws a frame and sends it; later, if the network has not taken the last pictures."""
         if self.closed or self.haptics.closed or self._drawing:
             return
         self._owed = self.area.is_late()
@@ -342,7 +344,7 @@ class View:
         control, shift = (int(bool(event.get(key) or event.get(other)))
                           for key, other in (("ctrlKey", "controlKey"), ("shiftKey", "shiftKey")))
         if "x" in event and "y" in event:
-            # A picture fills the page, of whatever size that is.
+            # A picture fills the page, whatever its size is.
             known = self._sizes.get(page, (0.0, 0.0, 1.0))
             place = []
             for side, (word, whole) in enumerate((("x", "w"), ("y", "h"))):
@@ -350,7 +352,7 @@ class View:
                 share = _number(event, word, math.nan) / max(_number(event, whole, known[side]) or known[side], 1.0)
                 if math.isnan(share):
                     return
-                place.append(round(min(max(share, -1.0), 2.0) * pixels))  # a mouse is dragged beyond the page's border
+                place.append(round(min(max(share, -1.0), 2.0) * pixels))  # a drag may go beyond the page's border
             interactor.SetEventInformation(*place, control, shift)
         if kind == "MouseMove":
             interactor.MouseMoveEvent()
@@ -368,7 +370,8 @@ class View:
         self._lead(page)
 
     def list_keys(self) -> None:
-        """The list of keys, shown or hidden, by a button of the page: before the touch the key is the plotter's."""
+        """Shows or hides the list of keys, by a button of the page: before the touch, the key belongs to the
+        plotter."""
         if self._may_lead(page_now()):
             display = self.haptics.head_up_display
             display.SetHelpText(self.haptics.style.GetKeys())
@@ -404,7 +407,7 @@ class View:
             await asyncio.sleep(max(0.001, start + 1.0 / haptics.style.GetDisplayRate() - time.monotonic()))
 
     def close(self) -> None:
-        """Takes the plotter off the page. It stays touchable, by show() again."""
+        """Removes the plotter from the page. Show it again with show()."""
         if self.closed:
             return
         self._leave()

@@ -7,8 +7,8 @@
     tip = path(np.linspace((64, -10, 40), (64, 40, 40), 1000))
     force = arrays(touch(head, tip, "CT contrast"))["Force"]    # N, of shape (1000, 3)
 
-If you change an array that an image or a path shares, call Modified() of the image or the path, so that VTK knows. The
-array stays alive as long as VTK's data do, and VTK's data as long as the arrays that are made of them.
+After changing an array that an image or a path shares, call Modified() of the image or the path to notify VTK. The
+array stays alive as long as VTK's data do, and VTK's data as long as the arrays made of them.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ _REAL = ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64
 
 
 def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
-    """A contiguous array of one or two dimensions for VTK, which keeps it alive."""
-    # VTK's plain char, which NumPy's bytes become of themselves, has no sign on some machines.
+    """A VTK array that shares a contiguous array of one or two dimensions, and keeps it alive."""
+    # NumPy's bytes become VTK's plain char by default, which has no sign on some machines.
     shared = numpy_to_vtk(array, array_type=VTK_SIGNED_CHAR if array.dtype == np.int8 else None)
     if name is not None:
         shared.SetName(name)
@@ -50,7 +50,7 @@ def _shared(array: np.ndarray, name: str | None = None) -> vtkDataArray:
 
 
 def _cure(wrong: object) -> str:
-    """A hint how to make a volume of something that is none, if there is a way."""
+    """A hint how to make a volume of another object, if there is a way."""
     if isinstance(wrong, (str, os.PathLike)):
         return (". Cure: volumehaptics-explore FILE --write-volume volume.vti writes it where it lies, which readers of VTK's "
                 "and PyVista's do not all know; then read that with pyvista.read() or vtkXMLImageDataReader")
@@ -70,7 +70,7 @@ def image(
 ) -> vtkImageData:
     """A volume that shares the memory of a NumPy array [z, y, x].
 
-    array: real numbers of 8 to 64 bits, in C's order. That of nibabel is [x, y, z], and its .T is what is wanted here.
+    array: real numbers of 8 to 64 bits, in C's order. nibabel's arrays are [x, y, z]: pass their .T.
     spacing: the size of a voxel along x, y and z (world units, mm), each above 0.
     origin: the position of the first voxel (world units, mm): x, y and z.
     name: of the point scalars.
@@ -78,7 +78,7 @@ def image(
         length: SimpleITK's GetDirection(), or nibabel's affine[:3, :3] with origin=affine[:3, 3]. Default: the world's.
 
     TypeError: no such array, or numbers of another kind. ValueError: not three dimensions, no voxels, masked ones,
-    not contiguous and aligned, or a spacing, an origin or a direction that is none.
+    not contiguous and aligned, or an invalid spacing, origin or direction.
 
     >>> import numpy as np
     >>> from volumehaptics import image
@@ -122,7 +122,7 @@ def image(
 
 
 def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
-    """The array itself if VTK can share it, else one that it can."""
+    """The array itself if VTK can share it, else a copy that VTK can share."""
     if np.ma.is_masked(array):
         raise ValueError(f"{what} are masked. Cure: leave those out, or array.filled(VALUE)")
     array = np.asarray(array)
@@ -133,11 +133,11 @@ def _floats(array: np.ndarray | Sequence, what: str) -> np.ndarray:
 
 
 def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = None) -> vtkPolyData:
-    """The way of the stylus' tip, a polyline.
+    """The path of the stylus' tip, a polyline.
 
     points: of shape (N, 3), x, y and z in world units (mm), one point a tick. Shared if they are contiguous,
         aligned and float64 or float32, else copied.
-    time: when the tip is there (s), N numbers that do not fall. Default: one tick each, 1 ms at 1000 Hz.
+    time: when the tip is at the points (s), N numbers that never decrease. Default: one tick each, 1 ms at 1000 Hz.
 
     TypeError: no real numbers. ValueError: another shape, or masked.
 
@@ -152,7 +152,7 @@ def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = Non
     tip = vtkPolyData()
     tip.SetPoints(vtkPoints())
     tip.GetPoints().SetData(_shared(points))
-    # Copies: vtkCellArray may take the memory and leave the object behind that keeps NumPy's alive.
+    # Copies the offsets: vtkCellArray may take the memory without the object that keeps NumPy's array alive.
     ends = numpy_to_vtkIdTypeArray(np.array([0, len(points)], np.int64), deep=True)
     indices = numpy_to_vtkIdTypeArray(np.arange(len(points), dtype=np.int64), deep=True)
     line = vtkCellArray()
@@ -167,7 +167,7 @@ def path(points: np.ndarray | Sequence, time: np.ndarray | Sequence | None = Non
 
 
 def arrays(trace: vtkPolyData) -> dict[str, np.ndarray]:
-    """The point arrays of a trace as NumPy arrays by name, and its points, the proxy (world units), as "Proxy".
+    """The point arrays of a trace as NumPy arrays by name, and its points as "Proxy" (world units).
 
     They share the trace's memory: numbers for each tick, in the units of vtkVolumeHapticsFilter's output.
 

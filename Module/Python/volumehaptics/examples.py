@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A head to touch, a stroke over it, and what that feels like.
+"""A head to touch, a stroke over it, and the force of the stroke.
 
 The head is the project's own phantom, drawn and not scanned: see data/README.txt beside this file.
 """
@@ -17,7 +17,7 @@ from .vtkVolumeHaptics import vtkHapticPathSource
 
 __all__ = ["first_touch", "phantom", "phantom_file", "stroke"]
 
-SKIN = -300.0  # HU, at which the phantom's skin is seen
+SKIN = -300.0  # HU, value of the phantom's visible skin
 
 
 def phantom_file() -> str:
@@ -59,14 +59,14 @@ def _crown() -> float:
 
 
 def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, clearance: float = 5.0) -> vtkPolyData:
-    """The way of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
+    """The path of a tip that comes down on the phantom's crown, presses, slides from right to left and lifts.
 
     depth: how far it presses below the skin (mm), 0 or more. Default 3.
     length: how far it slides (mm), 0 or more. Default 24.
     speed: of the hand (mm/s), above 0. Default 80.
     clearance: how far above the skin it begins and ends (mm), 0 or more. Default 5.
 
-    One point a tick of 1 ms, with the point array "Time" (s). ValueError: settings that make no path.
+    One point a tick of 1 ms, with the point array "Time" (s). ValueError: the settings make no path.
 
     >>> from volumehaptics import examples
     >>> low, high = examples.stroke(depth=3.0, clearance=5.0).GetBounds()[4:]
@@ -77,7 +77,7 @@ def stroke(depth: float = 3.0, length: float = 24.0, speed: float = 80.0, cleara
     source = vtkHapticPathSource()
     with Errors(source) as errors, Errors(source.GetExecutive()) as quiet:
         source.SetShapeToPressAndSlide()
-        source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown, crown)  # the face that it presses on
+        source.SetBoxBounds(-length / 2, length / 2, 0.0, 0.0, crown, crown)  # the surface that the stroke presses on
         source.SetDepth(depth)
         source.SetClearance(clearance)
         source.SetSpeed(speed)

@@ -41,24 +41,24 @@ __all__ = ["Haptics", "add_haptics", "touch"]
 BACKEND = "haptics"
 
 def show_in_notebook(plotter: pv.Plotter, **settings: Any) -> Any:
-    """PyVista's back end "haptics" for notebooks: a touchable plotter as volumehaptics.web.show() shows it, and any other as
-    PyVista would if this back end were not there. PyVista calls it; it is registered as an entry point."""
+    """PyVista's back end "haptics" for notebooks: shows a touchable plotter as volumehaptics.web.show() does, and other
+    plotters as PyVista would without it. PyVista calls it; an entry point registers it."""
     if plotter in _touchable:
         from .web import show_plotter
 
         return show_plotter(plotter, **settings)
     from pyvista.jupyter.notebook import handle_plotter
 
-    # In PyVista's own order: what a program has registered, "trame", any other package's.
+    # PyVista's own order: the program's registered back end, "trame", another package's.
     others = {one.name: ":" in one.source for one in pv.registered_jupyter_backends() if one.name != BACKEND}
     ranked = sorted(others, key=lambda name: (others[name], name != "trame"))
     return handle_plotter(plotter, backend=ranked[0] if ranked else "static", **settings)
 
 
-if hasattr(pv, "register_jupyter_backend"):  # PyVista 0.48
+if hasattr(pv, "register_jupyter_backend"):  # attribute of PyVista 0.48
     from importlib.metadata import entry_points
 
-    # A package that was not installed by pip has no entry points.
+    # A package that pip did not install has no entry points.
     if BACKEND not in entry_points(group="pyvista.jupyter_backends").names:
         pv.register_jupyter_backend(BACKEND, show_in_notebook, override=True)
 
@@ -93,10 +93,10 @@ def touch(
     scalars: str | None = None,
     **settings: Any,
 ) -> pv.PolyData | list[pv.PolyData]:
-    """The forces on a hand whose stylus goes through a volume, as pyvista.PolyData: volumehaptics.touch().
+    """Computes the forces on a hand whose stylus moves through a volume, as pyvista.PolyData: volumehaptics.touch().
 
     volume: a pyvista.ImageData with point data, or a NumPy array [z, y, x]. It is not copied.
-    tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as of
+    tip: positions of the stylus in world units (mm), one point a tick, 1 ms: a pyvista.PolyData, such as from
         pyvista.Line or pyvista.Spline, or an array of shape (N, 3). With a point array "Time" (s), ticks are
         made along it: spline["Time"] = spline["arc_length"] / 80 is 80 mm/s. A list of these is several paths, which
         are felt as if each were alone, and on all cores: the result is the list of their traces, in this order.
@@ -105,9 +105,9 @@ def touch(
     scalars: the name of the point array that is felt. Default: the active scalars.
     settings: of vtkVolumeHapticsFilter, in snake_case, and labels and materials, as for volumehaptics.touch().
 
-    The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on
-    the hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors are those of volumehaptics.touch(),
-    and KeyError if there are no such scalars.
+    The trace's points are the proxy (world units), a tick each, in one polyline; trace["Force"] is the force on the
+    hand (N), and vtkVolumeHapticsFilter lists the other arrays. Errors: as for volumehaptics.touch(), and KeyError for
+    unknown scalars.
 
     >>> from volumehaptics import examples
     >>> from volumehaptics.pyvista import touch

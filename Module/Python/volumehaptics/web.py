@@ -8,8 +8,8 @@
     plotter.show(jupyter_backend="haptics")          # in a notebook, or: await volumehaptics.web.show(haptics)
     volumehaptics.web.serve(haptics)                 # in a script; the plotter is not shown before
 
-The servo runs beside the server at its own rate: the way to the browser delays pictures and the mouse, and never the
-force. If the page that leads closes, or does not answer for 3 s, the hand lets go.
+The servo runs beside the server at its own rate: the connection to the browser delays pictures and the mouse, but never
+the force. If the leading page closes, or does not answer for 3 s, the touch ends.
 
 Needs PyVista, and trame: pip install pyvista trame trame-vuetify trame-rca.
 """
@@ -27,7 +27,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .__main__ import PROGRAM, find_explorer
-from ._webview import View, names_of  # first: its error says what helps if trame is missing
+from ._webview import View, names_of  # first, because its error names the cure if trame is missing
 from ._webdoor import HERE, door_of
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 
@@ -42,18 +42,18 @@ __all__ = ["View", "main", "serve", "show"]
 
 EVERYWHERE = ("0.0.0.0", "::")
 NOTEBOOK = "volumehaptics"  # the server of all notebook views
-OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # of a head CT between -600 and 1000 HU
+OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # for a head CT between -600 and 1000 HU
 COLORS = ["#edb08f", "#e0977d", "#f5ebd8", "#ffffff"]
 
 
 def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser: bool = True) -> None:
     """Serves a touchable plotter to browsers until Ctrl-C.
 
-    haptics: what add_haptics() has returned, of a plotter that was not shown.
+    haptics: the result of add_haptics() for a plotter that was not shown.
     port: 0 is a free one. The address is printed.
-        It has the secret of this server, without which nobody leads the hand or sees anything.
-    host: "localhost", or "0.0.0.0" for the whole network, with a UserWarning: what passes there is not encrypted, the
-        secret neither.
+        It has the secret of this server, without which nobody can lead the hand or see anything.
+    host: "localhost", or "0.0.0.0" for the whole network, with a UserWarning: the traffic is not encrypted, not even
+        the secret.
     """
     server = get_server("volumehaptics-serve", client_type="vue3")
     door_of(server)
@@ -75,7 +75,7 @@ def serve(haptics: Haptics, port: int = 0, host: str = "localhost", open_browser
 
 
 class Frame:
-    """What a notebook shows of a view: a frame with its page."""
+    """The HTML that a notebook shows of a view: a frame with its page."""
 
     def __init__(self, view: View, height: int) -> None:
         self.view = view
@@ -88,10 +88,9 @@ class Frame:
 
 
 async def show(haptics: Haptics, height: int = 600) -> Frame:
-    """A touchable plotter in a notebook: await show(haptics) as the last line of a cell.
+    """Shows a touchable plotter in a notebook: await show(haptics) as the last line of a cell.
 
-    The notebook's browser has to reach this computer as localhost. height: of the frame, in pixels.
-    """
+    The notebook's browser has to reach this computer as localhost. height: of the frame, in pixels."""
     server = get_server(NOTEBOOK, client_type="vue3")
     door_of(server, in_frames=True)
     view = View(haptics, server)
@@ -103,7 +102,8 @@ async def show(haptics: Haptics, height: int = 600) -> Frame:
 
 
 def show_plotter(plotter: Any, **_: Any) -> Any:
-    """plotter.show(jupyter_backend="haptics") of a touchable plotter: see volumehaptics.pyvista.show_in_notebook()."""
+    """Implements plotter.show(jupyter_backend="haptics") for a touchable plotter: see
+    volumehaptics.pyvista.show_in_notebook()."""
     from ._plotting import _touchable
 
     if plotter not in _touchable:
@@ -126,8 +126,8 @@ def show_plotter(plotter: Any, **_: Any) -> Any:
 
 
 def _read(path: str) -> vtkImageData:
-    """The volume of a file or folder with the values, axes and lengths that the explorer has: by its own reader, since
-    those of VTK and PyVista leave out how a file's axes lie in the world."""
+    """The volume of a file or folder with the values, axes and lengths of the explorer, by the explorer's reader,
+    because VTK's and PyVista's readers ignore how a file's axes lie in the world."""
     import pyvista as pv
 
     explorer = find_explorer()
@@ -143,7 +143,7 @@ def _read(path: str) -> vtkImageData:
 
 
 def _threshold(image: Any) -> float:
-    """The value that parts the object from what is around it best: Otsu's."""
+    """The value that best separates the object from its surroundings: Otsu's."""
     import numpy as np
 
     count, edges = np.histogram(image.active_scalars[::max(1, image.n_points // 1_000_000)], 256)
@@ -157,7 +157,8 @@ def _threshold(image: Any) -> float:
 
 
 def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any) -> Haptics:
-    """A touchable plotter with a volume: a CT by its values, and any other by the value that parts it best."""
+    """A touchable plotter with a volume: a CT by its values, and other volumes by the value that separates them
+    best."""
     import pyvista as pv
 
     from .pyvista import add_haptics
@@ -184,7 +185,7 @@ def make_plotter(image: vtkImageData, preset: str | None = None, **settings: Any
 
 
 def main(arguments: list[str]) -> int:
-    """python -m volumehaptics --web."""
+    """Runs python -m volumehaptics --web."""
     parser = argparse.ArgumentParser(prog="python -m volumehaptics --web", description=(
         "Touch a volume in a browser. The mouse of the page leads the hand; the servo runs here."))
     parser.add_argument("volume", nargs="?", help="whatever volumehaptics-explore reads: .vti .mhd .mha .nii .nii.gz .nrrd, "

@@ -97,8 +97,7 @@ private:
   vtkNew<HapticCurveNames> Names; ///< above a panel; a page has a title and a legend
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkTable> Lines[HapticForceTable::MostCurves]; ///< the fewest points that look the same
-  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< plots in the chart; null before
-                                                        ///< SetModes
+  vtkPlot* Plots[HapticForceTable::MostCurves] = {};    ///< null before SetModes
   std::vector<std::string> Modes;
   double Scale = 1.0; ///< pixels for each point
   bool IsOnLight = false;
