@@ -35,9 +35,9 @@ enum ReportId : std::uint8_t
 constexpr int ConstantForce = 1;
 constexpr int Infinite = 0x7FFF;     ///< ms
 constexpr int DirectionEnable = 4;   ///< the bit
-constexpr int FullGain = 100;        ///< per cent, of the sketch
-constexpr int FullForce = 250;       ///< of what a sketch gets
-constexpr int FullMagnitude = 10000; ///< of a report
+constexpr int FullGain = 100;        ///< per cent, from the sketch
+constexpr int FullForce = 250;       ///< largest force that a sketch gets
+constexpr int FullMagnitude = 10000; ///< largest magnitude of a report
 
 void BlockIndex(HidItems& items)
 {
@@ -56,7 +56,7 @@ void Ordinals(HidItems& items)
   items.Open(HidItems::LogicalCollection).Usages(0x000A0001, 0x000A0002);
 }
 
-/** As the board's processor has it: the quotient by 0 has all bits set. */
+/** Divides as the board's processor does: a quotient by 0 has all bits set. */
 int Divide(int a, int b)
 {
   return b == 0 ? -1 : a / b;
@@ -208,7 +208,7 @@ int ArduinoFfbModel::TakeOutput(const std::uint8_t* report, int size)
   const int block = report[1];
   if (block < 1 || block > MaximumEffects)
   {
-    return size; // the board would write elsewhere
+    return size; // the board would write outside the array
   }
   Effect& effect = this->Effects[block];
   if (report[0] == SetEffect)
@@ -239,7 +239,7 @@ int ArduinoFfbModel::TakeOutput(const std::uint8_t* report, int size)
       effect.Duration = report[3] > 0 ? effect.Duration * report[3] & 0xFFFF : effect.Duration;
       effect.Duration = report[3] == 0xFF ? Infinite : effect.Duration;
     }
-    // The state is Playing then, no longer Allocated: the block of an effect that stops is free.
+    // The state is then Playing, no longer Allocated: the block of a stopped effect is free.
     effect.IsPlaying = true;
     effect.IsAllocated = false;
     effect.Start = this->GetClock();

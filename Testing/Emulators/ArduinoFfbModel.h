@@ -9,16 +9,16 @@
  * src/DynamicHID/DynamicHID.cpp and PIDReportHandler.cpp (the blocks and their states),
  * PIDReportType.h (the layout), Joystick.cpp getEffectForce(), forceCalculator() and
  * ApplyEnvelope() (the forces, in the integers of the board); the sketch is
- * examples/SingleJoystickFFB, which sends a report in each turn of its loop. Numbers are those of
+ * examples/SingleJoystickFFB, which sends a report in each turn of its loop. Numbers belong to
  * Arduino's Leonardo, the board that the library names first; its core gives them and the name.
  *
- * A direction is 255 parts of a circle. If Direction Enable is the only bit of the three that is
- * set, both axes go by the first direction, else each by its own. The force is
+ * A direction is 255 parts of a circle. If Direction Enable is the only one of the three bits that
+ * is set, both axes use the first direction, else each its own. The force is
  *   magnitude sin(direction) of x, -magnitude cos(direction) of y,
- * and the bits of the axes hold nothing back. A force above zero moves an axis towards its positive
- * end: the library's spring is -coefficient times position. So the direction is where the force
- * goes to, the contrary of OpenFFBoard's and of Linux' hid-pidff. An effect's gain falls out of the
- * division in ApplyEnvelope(), and Device Gain is stored and not used.
+ * whatever the bits of the axes are. A force above zero moves an axis towards its positive
+ * end: the library's spring is -coefficient times position. So the force points to the direction,
+ * contrary to OpenFFBoard and to Linux' hid-pidff. The division in ApplyEnvelope() loses an
+ * effect's gain, and Device Gain is stored and not used.
  */
 #ifndef ArduinoFfbModel_h
 #define ArduinoFfbModel_h
@@ -31,7 +31,7 @@ namespace emulated
 class ArduinoFfbModel : public FfbHandle
 {
 public:
-  /** With a motor on x, or on x and y: the descriptor is the same. */
+  /** A board with a motor on x, or on x and y: the descriptor is the same. */
   explicit ArduinoFfbModel(int motors = 2)
     : FfbHandle(motors)
   {
@@ -74,7 +74,7 @@ private:
   int NextFree = 1;
   int Loaded = 0;
   int LoadStatus = 0;
-  int LoadId = 0; ///< the report's number, which is sent once
+  int LoadId = 0; ///< number of the report, which is sent once
   bool IsPaused = false;
 };
 

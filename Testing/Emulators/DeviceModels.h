@@ -5,7 +5,7 @@
  * The behaviour of an emulated device, apart from its carrier: umockdev in the tests, or a virtual
  * USB port of a real kernel.
  *
- * The carrier calls a model from one thread at a time, though not always from the same one.
+ * The carrier calls a model from one thread at a time, but not always from the same thread.
  */
 #ifndef DeviceModels_h
 #define DeviceModels_h
@@ -23,16 +23,16 @@ class UsbModel
 {
 public:
   virtual ~UsbModel() = default;
-  /** The device descriptor, followed by that of the configuration. */
+  /** The device descriptor, followed by the configuration descriptor. */
   virtual std::vector<std::uint8_t> GetDescriptors() const = 0;
   virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
-  /** -EAGAIN if there is nothing yet: asked again after every Out and every Ready. */
+  /** -EAGAIN if no data are ready: the carrier asks again after every Out and every Ready. */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
-  /** The host has closed it, if the carrier can tell. */
+  /** The host has closed the device, if the carrier can detect that. */
   virtual void Released() {}
 
-  /** Set by the carrier: the model calls it if In has something by itself. */
+  /** Set by the carrier: the model calls it if In has data of its own accord. */
   std::function<void()> Ready = [] {};
 };
 
@@ -45,10 +45,10 @@ public:
   virtual std::uint16_t GetProduct() const = 0;
   virtual std::string GetName() const = 0;
   virtual std::vector<std::uint8_t> GetReportDescriptor() const = 0;
-  /** The size, or -errno. */
+  /** Returns the size, or -errno. */
   virtual int Output(const std::uint8_t* report, int size) = 0;
   virtual int SetFeature(const std::uint8_t*, int size) { return size; }
-  /** Fills in what follows the id; the size with the id, or -errno. */
+  /** Fills in the bytes after the id; returns the size with the id, or -errno. */
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
   /**
@@ -56,7 +56,7 @@ public:
    * none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
-  bool TellsSerial = true; ///< when it is plugged in
+  bool TellsSerial = true; ///< whether it has a serial number
 };
 
 } // namespace emulated

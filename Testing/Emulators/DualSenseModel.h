@@ -7,8 +7,8 @@
  * Written from Sony's driver in Linux, drivers/hid/hid-playstation.c (torvalds/linux 0b25b55, and
  * the newer way of vibration of 6.1): the reports, their sizes and checksums, buttons, the feature
  * reports, and that classic vibration has to be selected. Checksums are zlib's, after a byte for
- * the direction. That a pad on Bluetooth sends short reports until its calibration is asked for is
- * how SDL's and other drivers wake it. It has no watchdog: that is the worst that a pad may do.
+ * the direction. A pad on Bluetooth sends short reports until its calibration is requested: SDL's
+ * and other drivers wake it in this way. It has no watchdog, the worst case of a pad.
  */
 #ifndef DualSenseModel_h
 #define DualSenseModel_h
@@ -36,7 +36,7 @@ public:
     int Right = 0; ///< weak
   };
 
-  /** `version` is that of its firmware's features, such as 0x0215 for 2.21. */
+  /** `version` is the firmware's feature version, such as 0x0215 for 2.21. */
   DualSenseModel(bool isWireless, int version, bool isEdge = false)
     : IsWireless(isWireless)
     , Version(version)
@@ -51,7 +51,7 @@ public:
   std::string GetName() const override { return "DualSense Wireless Controller"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // A gamepad with six axes of a byte; all the rest is the vendor's.
+    // A gamepad with six axes of a byte; the rest is the vendor's.
     return { 0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x85, 0x01, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32,
       0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x06,
       0x81, 0x02, 0x06, 0x00, 0xFF, 0x09, 0x21, 0x95, 0x39, 0x81, 0x02, 0x85, 0x02, 0x09, 0x23,
@@ -90,7 +90,7 @@ public:
       this->Most = { std::max(this->Most.Left, this->Now.Left),
         std::max(this->Most.Right, this->Now.Right) };
     }
-    // Whatever else it asks for: lights, sound, triggers.
+    // Other requests: lights, sound, triggers.
     for (int i = 0; i < 47; ++i)
     {
       const bool isKnown = i == 0 || i == 2 || i == 3 || i == 38;
@@ -132,7 +132,7 @@ public:
   }
   ///@}
 
-  /** A millisecond goes by: it reports every four. */
+  /** Advances by a millisecond: it reports every four. */
   void Step()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -153,7 +153,7 @@ public:
     std::memcpy(common, this->Sticks.data(), 6);
     common[6] = static_cast<std::uint8_t>(this->Time);
     std::memcpy(common + 7, this->Buttons.data(), 3);
-    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad rests
+    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad is at rest
     if (this->IsWireless)
     {
       const std::uint32_t crc = Checksum(0xA1, report, 74);
@@ -176,7 +176,7 @@ public:
     const Motors motors = this->GetMotors();
     return motors.Left == 0 && motors.Right == 0;
   }
-  /** The largest of each since the last call. */
+  /** The largest value of each motor since the last call. */
   Motors TakeLargest()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -186,9 +186,9 @@ public:
   }
 
   std::atomic<bool> IsSilent{ false };
-  std::atomic<bool> IsSpoilt{ false }; ///< by radio
+  std::atomic<bool> IsSpoilt{ false }; ///< over Bluetooth
   std::atomic<bool> RefusesReports{ false };
-  std::atomic<int> BadReports{ 0 }; ///< reports, or parts of them, that it does not expect
+  std::atomic<int> BadReports{ 0 }; ///< unexpected reports, or parts of reports
   std::atomic<int> Reports{ 0 };
 
 private:

@@ -97,7 +97,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 {
   if (_IOC_NR(request) == _IOC_NR(EVIOCGRAB) || _IOC_NR(request) == _IOC_NR(EVIOCRMFF))
   {
-    // These have a value in the place of an address.
+    // These ioctls have a value instead of an address.
     unsigned long value = 0;
     std::memcpy(&value, umockdev_ioctl_client_get_arg(client)->data, sizeof(value));
     return _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? model.Grab(client, value != 0)
@@ -107,7 +107,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
     [&](std::uint8_t* bytes) { return Fill(model, client, request, bytes); });
 }
 
-/** As sysfs writes bits: words of a long, the highest first, without leading zeros. */
+/** Formats bits as sysfs does: words of a long, the highest first, without leading zeros. */
 std::string WordsOf(const std::set<unsigned>& bits)
 {
   constexpr unsigned width = sizeof(long) * CHAR_BIT;
@@ -126,7 +126,7 @@ std::string WordsOf(const std::set<unsigned>& bits)
   return text;
 }
 
-/** The entries of udev: an input device, and its node. */
+/** The entries of udev: an input device and its node. */
 FifoNode::Device Describe(const PadModel& model, int number)
 {
   char device[80];
@@ -151,7 +151,7 @@ FifoNode::Device Describe(const PadModel& model, int number)
 
 std::unique_ptr<FifoNode> MakeNode(PadModel& model)
 {
-  // The second one has two digits, and its number is larger.
+  // The second node has two digits, and its number is larger.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   FifoNode::Answers answers;

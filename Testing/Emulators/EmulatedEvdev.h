@@ -4,7 +4,7 @@
 /**
  * A gamepad that is plugged into the kernel that umockdev plays: its node of evdev, and sysfs.
  *
- * umockdev does not tell that a file is closed: PadModel::CloseFiles.
+ * umockdev does not report that a file is closed: PadModel::CloseFiles.
  */
 #ifndef EmulatedEvdev_h
 #define EmulatedEvdev_h
@@ -20,18 +20,18 @@ class FifoNode;
 class EmulatedEvdev
 {
 public:
-  /** Plugs it in, as a node of a new number. The model has to outlive this. */
+  /** Plugs the gamepad in, as a node of a new number. The model has to outlive this. */
   explicit EmulatedEvdev(PadModel& model);
   ~EmulatedEvdev();
   EmulatedEvdev(const EmulatedEvdev&) = delete;
   EmulatedEvdev& operator=(const EmulatedEvdev&) = delete;
 
-  /** Every open file gets ENODEV from then on. */
+  /** Unplugs the gamepad: every open file gets ENODEV from then on. */
   void Unplug();
 
-  /** Such as /dev/input/event9. */
+  /** The node, such as /dev/input/event9. */
   const std::string& GetNode() const;
-  /** The mode of its node, such as 0000. */
+  /** Sets the mode of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
 private:

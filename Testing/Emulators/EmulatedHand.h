@@ -21,14 +21,14 @@ struct EmulatedHand
   static constexpr double Mass = 0.1;        ///< kg
   static constexpr double Stiffness = 300.0; ///< N/m
   static constexpr double Damping = 25.0;    ///< N s/m: slow, so that late forces do not shake it
-  static constexpr double Speed = 0.1;       ///< m/s, at which it is led to its goal
+  static constexpr double Speed = 0.1;       ///< m/s, speed towards its goal
 
   Triple Tip{}; ///< m
   Triple Velocity{};
-  Triple Led{};  ///< m: the fixed end of the spring
-  Triple Goal{}; ///< m: the position to which it is led
+  Triple Led{};  ///< m, the fixed end of the spring
+  Triple Goal{}; ///< m, the position to which the hand is led
 
-  /** A force (N) acts for a time (s). */
+  /** Applies a force (N) for a time (s). */
   void Step(double time, const Triple& force)
   {
     double distance = 0.0;
@@ -41,7 +41,7 @@ struct EmulatedHand
     {
       this->Led[a] += part * (this->Goal[a] - this->Led[a]);
       const double pull = Stiffness * (this->Led[a] - this->Tip[a]) + force[a];
-      // The damper is taken at the end of the step: stable at any step.
+      // Damping acts at the end of the step: stable for any step.
       this->Velocity[a] = (this->Velocity[a] + time / Mass * pull) / (1.0 + time * Damping / Mass);
       this->Tip[a] += time * this->Velocity[a];
     }

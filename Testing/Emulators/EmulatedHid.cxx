@@ -24,7 +24,7 @@ struct EmulatedHid::Plug : public FifoNode
 
 namespace
 {
-/** Of ioctls: hidraw's own letter, and the numbers in linux/hidraw.h. */
+/** Ioctls: hidraw's own letter, and the numbers in linux/hidraw.h. */
 enum HidIoctl
 {
   DescriptorSize = 1,
@@ -75,7 +75,7 @@ int AnswerIoctl(HidModel& model, UMockdevIoctlClient* client, unsigned long requ
     client, size, [&](std::uint8_t* bytes) { return Fill(model, request, bytes); });
 }
 
-/** The entries of udev: a hidraw node of a HID device of an interface of a USB device. */
+/** The entries of udev: a hidraw node of a HID device, of an interface of a USB device. */
 FifoNode::Device Describe(const HidModel& model, int number)
 {
   char usb[64];
@@ -135,7 +135,7 @@ EmulatedHid::EmulatedHid(HidModel& model)
 
 void EmulatedHid::PlugIn()
 {
-  // The kernel gives numbers anew, but umockdev does not; the second one has two digits.
+  // The kernel reuses numbers, but umockdev does not; the second node has two digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   char identity[40];

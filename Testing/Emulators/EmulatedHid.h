@@ -18,8 +18,8 @@ class EmulatedHid
 {
 public:
   /**
-   * Plugs it in, as a node of a new number each time: the old one may still be open. The model has
-   * to outlive this.
+   * Plugs the device in, as a node of a new number each time: the old node may still be open. The
+   * model has to outlive this.
    */
   explicit EmulatedHid(HidModel& model);
   ~EmulatedHid();
@@ -27,25 +27,27 @@ public:
   EmulatedHid& operator=(const EmulatedHid&) = delete;
 
   ///@{
-  /** Every open handle gets EIO from then on, even after the device was plugged in again. */
+  /**
+   * Unplugs the device: every open handle gets EIO from then on, even after it is plugged in again.
+   */
   void Unplug();
   void PlugIn();
   ///@}
 
-  /** Its node if it is plugged in, such as /dev/hidraw8. */
+  /** The node of a plugged-in device, such as /dev/hidraw8. */
   const std::string& GetNode() const;
 
-  /** On the kernel's behalf: what its node may be used for, such as 0000. */
+  /** Sets the mode of the node, such as 0000, as the kernel would. */
   void SetPermissions(unsigned mode);
 
-  /** The target of a handle on the node: one plug. For this carrier alone. */
+  /** The target of a handle on the node, for one plug. For this carrier alone. */
   struct Plug;
 
 private:
   HidModel& Model;
-  std::mutex Guard; ///< of Current, which models send to from threads of their own
+  std::mutex Guard; ///< guards Current; models send to it from their own threads
   Plug* Current = nullptr;
-  std::vector<Plug*> Old; ///< handles on them may still be open
+  std::vector<Plug*> Old; ///< kept, because handles on them may still be open
 };
 
 } // namespace emulated

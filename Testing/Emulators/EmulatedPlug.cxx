@@ -17,7 +17,7 @@ namespace emulated
 namespace
 {
 
-constexpr int PipeSize = 4096; // the smallest
+constexpr int PipeSize = 4096; // the smallest size of a pipe
 
 void Check(gboolean done, GError* error)
 {
@@ -45,7 +45,7 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->Path = "/sys/devices/usb" + std::to_string(bus) + "/" + port;
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&Plug::OnIoctl), this);
   g_signal_connect(this->Base, "client-vanished", G_CALLBACK(&Plug::OnVanished), this);
-  // Before there is a device, or udev is asked.
+  // Attach before there is a device, or udev is asked.
   GError* error = nullptr;
   Check(umockdev_testbed_attach_ioctl(Testbed(), this->Node.c_str(), this->Base, &error), error);
   this->AddDevice(port, address);
@@ -72,8 +72,8 @@ void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
 }
 
 /**
- * A plain file is always ready, so that poll would lie. A pipe that is full is not, and an empty
- * one is.
+ * Replaces the node by a pipe. A plain file is always ready, so poll would always succeed; a full
+ * pipe is not ready for writing, an empty one is.
  */
 void EmulatedUsb::Plug::ReplaceNode()
 {
@@ -126,7 +126,7 @@ void EmulatedUsb::Plug::ForgetProgram()
   if (this->Owner != nullptr)
   {
     this->Owner = nullptr;
-    // They are not let go of: they belong to a client that may be gone.
+    // Do not release the ioctls: they belong to a client that may have ended.
     this->Waiting.clear();
     this->Ended.clear();
     this->SetReady(false);
@@ -146,14 +146,14 @@ EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
   this->Unplug();
-  // A caller that still has one open goes on asking, and would wait for an answer in vain.
+  // A caller with an open handle would wait for an answer in vain.
   static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
   std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }
 
 void EmulatedUsb::PlugIn()
 {
-  // The kernel never gives the address of a device that was unplugged to the next one.
+  // The kernel never gives an unplugged device's address to the next device.
   static int address = 1;
   this->Plugs.push_back(std::make_unique<Plug>(this->Model, this->Port, ++address));
   Plug* const plug = this->Plugs.back().get();

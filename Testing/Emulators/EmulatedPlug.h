@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device from when it is plugged in until it is unplugged: the file under /dev/bus/usb, and
- * its ioctls. It answers until the program ends.
+ * A USB device from plugging in to unplugging: the file under /dev/bus/usb, and its ioctls. It
+ * answers until the program ends.
  */
 #ifndef EmulatedPlug_h
 #define EmulatedPlug_h
@@ -27,15 +27,15 @@ public:
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 
-  /** Passes data that the model has by itself to the waiting caller. */
+  /** Passes data that the model sends of its own accord to the waiting caller. */
   void Pump();
 
   mutable std::mutex Mutex;
-  std::string Driver;                   ///< of the kernel, bound to interface 0
-  UMockdevIoctlClient* Owner = nullptr; ///< who has claimed interface 0
+  std::string Driver;                   ///< the kernel's driver, bound to interface 0
+  UMockdevIoctlClient* Owner = nullptr; ///< the client that has claimed interface 0
 
 private:
-  /** A request that libusb has submitted, and who did. */
+  /** A request that libusb has submitted, and its client. */
   struct Urb
   {
     UMockdevIoctlData* Data;
@@ -47,7 +47,7 @@ private:
   void AddDevice(const std::string& port, int address);
   void ReplaceNode();
   ///@{
-  /** Under the mutex; 0, or -errno. */
+  /** Called under the mutex; returns 0 or -errno. */
   int Answer(UMockdevIoctlClient* client, unsigned long request, UMockdevIoctlData* argument);
   int Claim(UMockdevIoctlClient* client);
   int DisconnectAndClaim(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
@@ -64,7 +64,7 @@ private:
   UMockdevIoctlBase* const Base;
   std::string Node; ///< /dev/bus/usb/...
   std::string Path; ///< /sys/devices/...
-  std::string File; ///< stands for the node
+  std::string File; ///< replaces the node
   std::list<Urb> Waiting;
   std::list<Urb> Ended;
   int Pipe = -1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the computer that umockdev plays, and a USB device in it: what libusb asks the kernel
- * for is answered here, and what it sends goes to a model.
+ * A port of the computer that umockdev plays, and a USB device in it: it answers libusb's requests
+ * to the kernel, and passes sent data to a model.
  */
 #ifndef EmulatedUsb_h
 #define EmulatedUsb_h
@@ -19,8 +19,8 @@ class EmulatedUsb
 {
 public:
   /**
-   * Plugs the device in, under an address of its own. The port is as in sysfs: "1-2" is bus 1, port
-   * 2.
+   * Plugs the device in, under an address of its own. The port has sysfs' form: "1-2" is bus 1,
+   * port 2.
    */
   EmulatedUsb(UsbModel& model, const std::string& port);
   /** Unplugs it. */
@@ -30,27 +30,24 @@ public:
 
   ///@{
   /**
-   * With the events that the kernel would send. What flies when it is unplugged fails with
-   * ESHUTDOWN.
+   * Plug in and unplug with the kernel's events. Transfers in flight fail with ESHUTDOWN when the
+   * device is unplugged.
    */
   void PlugIn();
   void Unplug();
   ///@}
 
-  /** The file that stands for the device, for chmod. */
+  /** The file that replaces the device, for chmod. */
   std::string GetNode() const;
-  /**
-   * A driver of the kernel binds to interface 0, as it would when the device is plugged in; "" for
-   * none.
-   */
+  /** Binds a kernel driver to interface 0, as if the device were plugged in; "" for none. */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
   /** Whether a program has claimed interface 0. */
   bool IsClaimed() const;
 
   /**
-   * The program that had it was killed. umockdev does not tell if it broke off in the middle of an
-   * answer.
+   * Plays that the program that claimed it was killed. umockdev does not report a program that ends
+   * in the middle of an answer.
    */
   void ForgetProgram();
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: nothing
- * here is shared with what is tested. Positions are in metres in the device's frame, z from the
+ * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: it
+ * shares no code with the tested driver. Positions are in metres in the device's frame, z from the
  * base to the hand.
  */
 #ifndef FalconMechanics_h
@@ -16,21 +16,21 @@ namespace emulated
 
 using Numbers = std::array<double, 3>;
 
-/** The angles (degrees) of the three arms; not numbers if the grip can't be there. */
+/** The angles (degrees) of the three arms; NaN if the grip can't be there. */
 Numbers FalconArmAngles(const Numbers& grip);
 
-/** The counts of homed encoders, not rounded. */
+/** The unrounded counts of homed encoders. */
 Numbers FalconEncoderCounts(const Numbers& grip);
 
 /**
- * The force (N) on the grip, of motor commands: -1e-4 N m a unit, by the angles' differences along
+ * The force (N) on the grip for motor commands: -1e-4 N m a unit, by the angles' differences along
  * each axis.
  */
 Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands);
 
 /**
- * A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a point that
- * wanders.
+ * A grip of 0.1 kg between the motors and a hand, which is a spring and a damper on a wandering
+ * point.
  */
 class FalconGrip
 {
@@ -39,17 +39,17 @@ public:
   static constexpr double HandStiffness = 300.0; ///< N/m
   static constexpr double HandDamping = 8.0;     ///< N s/m
   static constexpr double HandSpeed = 0.8;       ///< m/s
-  static constexpr double Innermost = 0.078;     ///< m, of z
-  static constexpr double Outermost = 0.174;     ///< m, of z
+  static constexpr double Innermost = 0.078;     ///< m, along z
+  static constexpr double Outermost = 0.174;     ///< m, along z
 
-  /** A millisecond under a force of the motors (N). */
+  /** Advances by a millisecond under a force of the motors (N). */
   void Step(const Numbers& force);
 
   Numbers Place{ 0.0, 0.0, 0.11 };
   Numbers Velocity{};
   Numbers Hand = Place; ///< position of the hand
-  Numbers Aim = Place;  ///< position to which it goes
-  bool IsHeld = false;  ///< in a vice, which no force moves
+  Numbers Aim = Place;  ///< target of the hand
+  bool IsHeld = false;  ///< in a vice: no force moves it
 };
 
 } // namespace emulated

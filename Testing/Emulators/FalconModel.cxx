@@ -285,14 +285,13 @@ void FalconModel::TakePacket()
   }
   if (this->Packets % 8 == 0 && !this->Clock)
   {
-    this->Send(""); // the converter has nothing yet
+    this->Send(""); // the converter has no data yet
   }
   this->Send(report);
 }
 
 /**
- * A leg finds its zero once it has been at both ends, and keeps it as long as every packet asks for
- * it.
+ * A leg has its zero once it has been at both ends, and keeps it while every packet requests it.
  */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip that
- * the hand holds. Written from the published facts alone; every run packet is a millisecond of its
- * time.
+ * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip in a
+ * hand. Written from the published facts alone; every run packet advances its time by a
+ * millisecond.
  *
  * Homing: libnifalcon/libnifalcon, include/falcon/firmware/FalconFirmwareNovintSDK.h (commit
  * 0cf9f06), gives the three bits of homed encoders as "(If homing mode on)", and formatInput() in
  * src/firmware/FalconFirmwareNovintSDK.cpp sends the bit of the homing mode (0x01) with every
- * packet while that is on. No source says what a packet without it does to a zero that was found.
- * That it is forgotten, until the mode is on again and the grip has been at both ends anew, is the
- * conservative reading: a driver that leaves the bit out fails here, whatever a real device does.
+ * packet while that is on. No source says what a packet without this bit does to a known zero. The
+ * conservative reading is that the zero is lost, until the mode is on again and the grip has been
+ * at both ends anew: a driver that leaves the bit out fails here, whatever a real device does.
  *
- * The converter: libftdi 1.5, src/ftdi.h, has 2 to drop what the device has sent (SIO_TCIFLUSH) and
- * 1 what is on its way to it (SIO_TCOFLUSH); its older SIO_RESET_PURGE_RX and _TX, 1 and 2, are
- * deprecated there because they are the other way round.
+ * The converter: libftdi 1.5, src/ftdi.h, has 2 to drop data that the device has sent
+ * (SIO_TCIFLUSH) and 1 for data on their way to it (SIO_TCOFLUSH); its older SIO_RESET_PURGE_RX and
+ * _TX, 1 and 2, are deprecated there because they are swapped.
  *
- * Loader and answers, as libnifalcon (commit f7c727a) copes with them:
+ * Loader and answers that libnifalcon (commit f7c727a) handles:
  * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp takes the greeting's answer with a leading
  *   0x00 as well as without one, and greets up to 100 times.
  * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load, and between two tries it
@@ -50,21 +50,21 @@ enum class FalconFault
   ShortPacket, ///< the answer breaks off
   Garbage,     ///< the answer is no packet
   Silence,     ///< no answer
-  LateAnswer,  ///< the answer waits for the next packet
+  LateAnswer,  ///< the answer comes after the next packet
   StallOut,
   StallIn,
   BadCable,     ///< transfers out fail with EPROTO
-  StuckOut,     ///< transfers out do not end
+  StuckOut,     ///< transfers out never end
   Nowhere,      ///< counts that no position has
   Jump,         ///< counts that are 25 mm away
-  LostZero,     ///< an encoder is not homed any more
+  LostZero,     ///< an encoder loses its homing
   NoGreeting,   ///< the loader does not answer
   LateGreeting, ///< the answer to a greeting comes just before the host's next request
   LeadingZero,  ///< a 0x00 comes before the answer to a greeting
-  StuckLoader,  ///< nothing is answered before the device is closed and opened again, a count each
+  StuckLoader,  ///< no answer until the device is closed and opened again, a count each
   WrongEcho,    ///< a byte of the image comes back changed
   NoEcho,       ///< a block of the image does not come back
-  DeadImage     ///< the image is taken, and does not run
+  DeadImage     ///< the image is accepted, but does not run
 };
 
 class FalconModel : public UsbModel
@@ -82,36 +82,36 @@ public:
   void Released() override;
 
   ///@{
-  /** Any thread. A fault lasts for so many packets, greetings or blocks. */
+  /** Injects a fault; any thread. It lasts for this number of packets, greetings or blocks. */
   void Break(FalconFault fault, int packets = 1 << 30);
-  /** Whether answers take their time, and come one by one, or follow their packets at once. */
+  /** Whether answers take time and come one by one, or follow their packets at once. */
   void SetTimed(bool timed);
-  /** The packets in a row that came when no answer was on its way to the host any more. */
+  /** The number of packets in a row that came when no answer was still on its way to the host. */
   long GetInStep() const;
-  /** The faults of the loader's next attempts, in their order; None: the attempt succeeds. */
+  /** The faults of the loader's next attempts, in order; None: the attempt succeeds. */
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
-  /** Of all motors: 1, or -1 if they are wired the other way round. */
+  /** For all motors: 1, or -1 if they are wired the other way round. */
   void SetMotorSign(double sign);
-  void SetHeld(bool held); ///< in a vice, which follows the aim
+  void SetHeld(bool held); ///< in a vice, which moves to the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
-  Numbers GetCommands() const; ///< of the last packet
-  Numbers GetForce() const;    ///< N, of the motors, at the last packet
-  int GetLights() const;       ///< of the last packet
+  Numbers GetCommands() const; ///< from the last packet
+  Numbers GetForce() const;    ///< N, force of the motors at the last packet
+  int GetLights() const;       ///< from the last packet
   long GetPackets() const;
   double TakeLargestCommand(); ///< since the last call
-  /** The number of the last packet with a command that was not zero, and when it came. */
+  /** The number of the last packet with a command other than zero, and its time. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
-  void SetImageSize(std::size_t bytes); ///< below which an image does not run
+  void SetImageSize(std::size_t bytes); ///< fewer bytes of an image do not run
   bool IsRunning() const;
-  /** Without power it forgets its firmware and its zero. */
+  /** Interrupts the power: the device loses its firmware and its zero. */
   void SwitchOff();
   /**
-   * The transfers sent since the last call, one line each: "c 40 09 0010" is a request of type
-   * 0x40, number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
+   * The transfers that the host sent since the last call, one line each: "c 40 09 0010" is a
+   * request of type 0x40, number 9, value 0x10; "o " and the bytes in hexadecimal a transfer.
    */
   std::vector<std::string> TakeTranscript();
   ///@}
@@ -146,14 +146,14 @@ private:
   int Baud = 0;
   bool Runs;
   bool IsShaken = false;
-  std::string Waiting; ///< of a run packet, or of a greeting
+  std::string Waiting; ///< incomplete run packet or greeting
   std::vector<std::uint8_t> Image;
   std::size_t ImageSize = 1;
-  std::deque<std::string> Replies; ///< a transfer each
-  std::deque<std::string> Pending; ///< those that are on their way to the host
-  std::string Late;                ///< an answer that waits for the next packet or request
+  std::deque<std::string> Replies; ///< one transfer each
+  std::deque<std::string> Pending; ///< replies on their way to the host
+  std::string Late;                ///< an answer held until the next packet or request
   long InStep = 0;
-  std::deque<FalconFault> Attempts; ///< of loading
+  std::deque<FalconFault> Attempts; ///< faults of loading
   std::vector<std::string> Transcript;
   std::unique_ptr<ModelClock> Clock; ///< last: its thread ends first
 };

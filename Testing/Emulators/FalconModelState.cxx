@@ -18,7 +18,8 @@ void FalconModel::Break(FalconFault fault, int packets)
 
 void FalconModel::SetTimed(bool timed)
 {
-  // umockdev takes about as long for a round as the device: at its pace no answer would be late.
+  // umockdev takes about as long for a round trip as the device: at the device's pace, no answer
+  // would be late.
   constexpr int slowness = 2;
   const auto step = [this, tick = 0]() mutable
   {
@@ -32,7 +33,7 @@ void FalconModel::SetTimed(bool timed)
     const Lock lock(this->Mutex);
     std::swap(this->Clock, clock);
   }
-  // The other one ends here, outside of the lock that its thread may wait for.
+  // Stop the other clock here, outside the lock for which its thread may wait.
 }
 
 long FalconModel::GetInStep() const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A handle on one or two axes that motors push: what is around a force-feedback firmware. The
+ * A handle on one or two axes that motors push: the mechanics around a force-feedback firmware. The
  * firmwares are OpenFfboardModel and ArduinoFfbModel.
  */
 #ifndef FfbHandle_h
@@ -22,52 +22,52 @@ enum class FfbFault
 {
   None,
   ShortReport,
-  Garbage, ///< reports of random places
+  Garbage, ///< reports with random positions
   Silence,
   WriteError,
-  NoBlockLoad, ///< the report about the new effect can't be fetched
+  NoBlockLoad, ///< the report about a new effect can't be read
   FullPool
 };
 
 class FfbHandle : public HidModel
 {
 public:
-  static constexpr double FullScale = 4.0; ///< N, of each motor's full torque
+  static constexpr double FullScale = 4.0; ///< N, at each motor's full torque
   static constexpr double Travel = 0.05;   ///< m, of the handle at the end of an axis
 
   int Output(const std::uint8_t* report, int size) override;
   int SetFeature(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t* report, int size) override;
 
-  /** A millisecond goes by. */
+  /** Advances by a millisecond. */
   void Step();
   void PowerUp();
-  /** Where the hand leads the handle to (m): to the right, and away from itself. */
+  /** The target (m) of the hand with the handle: to the right, and away from itself. */
   void SetGoal(double right, double away);
-  /** m. Along an axis without a motor it is the hand alone that moves the handle, or a pedal. */
+  /** The handle (m). Along an axis without a motor, only the hand moves the handle, or a pedal. */
   Triple GetTip() const;
-  /** N on the hand: to the right, and away from it. */
+  /** The force (N) on the hand: to the right, and away from it. */
   Triple GetForce() const;
   int CountPlaying() const;
   int CountEffects() const;
-  /** The last report of an id. */
+  /** The last report with an id. */
   std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
   int GetResets() const { return this->Resets; }
   int CountOutputs() const { return this->Outputs; }
-  /** ms since power came, by the device's clock. */
+  /** The device's clock: ms since power came. */
   int GetClock() const { return this->Time; }
 
   std::atomic<FfbFault> Fault{ FfbFault::None };
   ///@{
   /**
-   * Unlike the published firmware: it reports in every millisecond, or only what is new, or it
-   * looks for news less often than in every millisecond.
+   * Unlike the published firmware: reports every millisecond, or only new values, or checks for new
+   * values less often than every millisecond.
    */
   std::atomic<bool> Streams{ false };
   std::atomic<bool> OnlySaysNews{ false };
   std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
-  /** -1: its second motor is wired the other way round. */
+  /** -1: the second motor is wired the other way round. */
   std::atomic<double> SecondSign{ 1.0 };
   std::atomic<int> Buttons{ 0 };
 
@@ -80,17 +80,19 @@ protected:
   }
 
   ///@{
-  /** The firmware, under the lock. Outputs and features with their id; sizes or -errno. */
+  /**
+   * The firmware, called under the lock. Outputs and features include their id; sizes or -errno.
+   */
   virtual int TakeOutput(const std::uint8_t* report, int size) = 0;
   virtual int TakeFeature(const std::uint8_t* report, int size) = 0;
   virtual int GiveFeature(std::uint8_t* report, int size) = 0;
   virtual void ForgetEffects() = 0;
   virtual int CountAll(bool onlyPlaying) const = 0;
-  /** Parts of the full torque, towards the positive ends of HID's axes x and y. */
+  /** Fractions of the full torque, towards the positive ends of HID's axes x and y. */
   virtual std::array<double, 2> ComputeTorques() const = 0;
-  /** The input report for a place, -1 to 1 on HID's axes. */
+  /** The input report for a position, -1 to 1 on HID's axes. */
   virtual Bytes BuildReport(double x, double y) const = 0;
-  /** After how long (ms) a report goes out although nothing is new. */
+  /** The time (ms) after which a report is sent even without news. */
   virtual int GetReminderTime() const = 0;
   ///@}
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The force-feedback firmwares' arithmetic, against numbers that were worked out by hand from the
+ * Checks the force-feedback firmwares' arithmetic against numbers worked out by hand from the
  * published formulas.
  */
 #include "ArduinoFfbModel.h"
@@ -24,7 +24,7 @@ void Send(FfbHandle& model, const Report& report)
     model.Output(report.data(), static_cast<int>(report.size())), static_cast<int>(report.size()));
 }
 
-/// A constant effect in block 1, of 100 ms, that is started.
+/// Starts a constant effect in block 1, of 100 ms.
 void Play(OpenFfboardModel& model, int bits, int x, int y, int magnitude, int gain)
 {
   const Report create{ 0x11, 1, 0, 0 };
@@ -60,11 +60,11 @@ TEST(FfbModels, OpenFfboardPushesAwayFromTheDirectionAndOlderOnesTurnY)
 
 TEST(FfbModels, OpenFfboardWithoutDirectionGoesByShares)
 {
-  // Half of x, and half of y: -(9000 - 18000) / 18000.
+  // Half of x and half of y: -(9000 - 18000) / 18000.
   OpenFfboardModel model(Kind::Joystick);
   Play(model, 3, 27000, 9000, 20000, 255);
   ExpectForce(model, -10000 * Unit, 10000 * Unit);
-  // A wheel built with the descriptor of one axis does not see that descriptor's Direction Enable.
+  // A wheel built with the one-axis descriptor does not read that descriptor's Direction Enable.
   OpenFfboardModel wheel(Kind::OneAxisWheel);
   Play(wheel, 2, 9000, 0, 20000, 255);
   ExpectForce(wheel, 0.0, 0.0);
@@ -110,11 +110,11 @@ TEST(FfbModels, ArduinosLibraryPushesTowardsTheDirection)
   play(4, 64, 0, 255);
   ExpectForce(model, 124 * unit, 0.0);
   play(4, 64, 0, 51);
-  ExpectForce(model, 124 * unit, 0.0); // the effect's gain falls out
+  ExpectForce(model, 124 * unit, 0.0); // the division loses the effect's gain
   // North: -5000 along HID's y, which is away from the hand.
   play(4, 0, 0, 255);
   ExpectForce(model, 0.0, 125 * unit);
-  // With the bits of both axes each has a direction of its own, and 0 is north for y.
+  // With the bits of both axes, each axis has its own direction, and 0 is north for y.
   play(7, 64, 0, 255);
   ExpectForce(model, 124 * unit, 125 * unit);
   Send(model, { 12, 3 });

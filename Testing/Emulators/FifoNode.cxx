@@ -57,7 +57,7 @@ FifoNode::FifoNode(const std::string& node, const Device& device, const Answers&
   const std::string file = this->Root + node;
   unlink(file.c_str());
   Require(mkfifo(file.c_str(), 0666) == 0, "mkfifo");
-  // A FIFO can't be opened in packet mode, only be put into it.
+  // A FIFO can't be opened in packet mode; it has to be switched to it.
   this->Fifo = open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   Require(this->Fifo >= 0 && fcntl(this->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
 }
@@ -75,7 +75,7 @@ void FifoNode::Unplug()
   {
     return;
   }
-  // A poll wakes up, and the read fails; also after reads that had begun before have taken some.
+  // A poll wakes up, and the read fails, even after earlier reads have taken some of these bytes.
   const std::uint8_t byte = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -98,7 +98,7 @@ void FifoNode::Send(const void* bytes, std::size_t size)
 void FifoNode::SetPermissions(unsigned mode)
 {
   chmod((this->Root + this->Node).c_str(), mode);
-  // The rest is for everyone, the socket behind the node included.
+  // Everyone may use the rest, including the socket behind the node.
   chmod(this->Root.c_str(), 0777);
   const std::string socket = this->Root + "/ioctl" + this->Node;
   for (std::size_t end = this->Root.size(); end != std::string::npos;)
@@ -115,7 +115,7 @@ int FifoNode::WithTarget(UMockdevIoctlClient* client, std::size_t size,
     umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, size, nullptr);
   if (target == nullptr)
   {
-    return -EIO; // its program has ended meanwhile
+    return -EIO; // the program has ended
   }
   const int result = answer(target->data);
   g_object_unref(target);
@@ -144,7 +144,7 @@ gboolean FifoNode::OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpoi
 gboolean FifoNode::OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node)
 {
   const FifoNode& self = *static_cast<FifoNode*>(node);
-  // Not handled: the FIFO is read.
+  // Leave it unhandled: the FIFO is read.
   return self.IsGone ? Complete(client, self.Answer.GoneResult) : FALSE;
 }
 

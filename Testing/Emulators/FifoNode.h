@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A node under /dev in the kernel that umockdev plays, from when its device is plugged in until it
- * is unplugged. Open files of it may outlast that: keep the node until they are closed.
+ * A node under /dev in the kernel that umockdev plays, from plugging in its device to unplugging
+ * it. Its open files may live longer: keep the node until they are closed.
  *
- * Data to programs come through a FIFO in packet mode in the place of the node: one write is one
- * read, poll() tells the truth, and what is not read in time is dropped, as by the kernel. Writes
- * and ioctls of programs are answered on umockdev's own thread.
+ * A FIFO in packet mode replaces the node for data to programs: one write is one read, poll() works
+ * as on a device, and data not read in time are dropped, as by the kernel. Writes and ioctls of
+ * programs are answered on umockdev's own thread.
  */
 #ifndef FifoNode_h
 #define FifoNode_h
@@ -29,37 +29,35 @@ public:
   /** How a program's calls are answered; results are 0 or more, or -errno. */
   struct Answers
   {
-    unsigned IoctlType; ///< of _IOC(); others are not handled
-    int GoneResult;     ///< of reads and writes after it was unplugged; ioctls have -ENODEV
+    unsigned IoctlType; ///< type in _IOC(); other types are not handled
+    int GoneResult;     ///< for reads and writes after unplugging; ioctls get -ENODEV
     std::function<int(const std::uint8_t* bytes, std::size_t size)> Write;
     std::function<int(UMockdevIoctlClient* client, unsigned long request)> Ioctl;
   };
 
-  /** The entries of udev as umockdev reads them, and their devices, the innermost first. */
+  /** The entries of udev in umockdev's format, and their devices, the innermost first. */
   struct Device
   {
     std::string Entries;
     std::vector<std::string> SysPaths;
   };
 
-  /** Plugs it in; `node` is as programs see it, such as /dev/hidraw8. */
+  /** Plugs it in; `node` is the path that programs see, such as /dev/hidraw8. */
   FifoNode(const std::string& node, const Device& device, const Answers& answers);
   ~FifoNode();
   FifoNode(const FifoNode&) = delete;
   FifoNode& operator=(const FifoNode&) = delete;
 
-  /** Calls of open files fail from then on. */
+  /** Makes calls of open files fail from then on. */
   void Unplug();
-  /** From any thread: to the program that reads. If the FIFO is full, it is lost. */
+  /** Sends data to the program that reads, from any thread. If the FIFO is full, they are lost. */
   void Send(const void* bytes, std::size_t size);
 
   const std::string& GetNode() const { return this->Node; }
-  /** The mode of the node, such as 0000. */
+  /** Sets the mode of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
-  /**
-   * Calls `answer` with what the argument of a client's ioctl points to, and returns its result.
-   */
+  /** Calls `answer` with the target of a client's ioctl argument, and returns its result. */
   static int WithTarget(UMockdevIoctlClient* client, std::size_t size,
     const std::function<int(std::uint8_t* bytes)>& answer);
 
@@ -69,7 +67,7 @@ private:
   static gboolean OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node);
 
   const std::string Node;
-  const std::string Root; ///< of the played file system
+  const std::string Root; ///< root of the played file system
   const std::vector<std::string> SysPaths;
   const Answers Answer;
   UMockdevIoctlBase* const Base;

@@ -50,9 +50,9 @@ struct HaplyService::Server
   std::thread EventsThread;
   std::thread HttpThread;
 
-  std::mutex Mutex; // of all that follows
+  std::mutex Mutex; // guards all members below
   std::vector<std::thread> Threads;
-  std::vector<int> Sockets; // duplicates of open connections, by which they are ended
+  std::vector<int> Sockets; // duplicates of open connections, to end them
   std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
   HaplyState Arms;
@@ -103,7 +103,7 @@ struct HaplyService::Server
           }
           catch (const std::exception&)
           {
-            // The client is gone, or this service dies.
+            // The client has ended, or this service ends.
           }
           const std::lock_guard<std::mutex> other(this->Mutex);
           this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), number));
@@ -271,13 +271,13 @@ struct HaplyService::Server
     if (hasHttp && !body.empty())
     {
       answer.result(http::status::ok);
-      // The envelope of 3.5; the same without one is in its tutorial 00.
+      // The envelope of 3.5; tutorial 00 has the same without an envelope.
       answer.body() = this->Arms.IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
     }
     answer.prepare_payload();
     http::write(socket, answer);
   }
-  /// Keeps a listener to the events until it is gone.
+  /// Serves a listener to the events until it leaves.
   void Hold(tcp::socket& socket)
   {
     websocket::stream<tcp::socket&> stream(socket);
@@ -299,7 +299,7 @@ struct HaplyService::Server
       this->Listeners.push_back(&stream);
     }
     beast::flat_buffer buffer;
-    stream.read(buffer); // nothing comes: ends when the client does
+    stream.read(buffer); // the client sends nothing: this ends when it leaves
   }
 };
 

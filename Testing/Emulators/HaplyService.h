@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A stand-in for Haply's Inverse service, with an arm that a hand holds: a real WebSocket and HTTP
+ * A stand-in for Haply's Inverse service, with an arm in a hand: a real WebSocket and HTTP
  * server on this computer.
  *
  * Written from Haply's public documentation alone, docs.haply.co/inverseSDK. Of 3.5:
@@ -10,7 +10,7 @@
  * service/api/simulation, service/realtime/control-commands ("vector"; forces of a tick),
  * service/commons/types (units), service/commons/basis (right, forward, up),
  * service/commons/mount-and-workspace (presets), service/session-configuration/sessions (profile;
- * what the Hub changes in a session of a profile it applies again to the next one),
+ * the Hub applies its changes in a session of a profile again to the next session),
  * service/events and service/api/events, service/api/http (version, envelope), service/tutorials/00
  * to 06 (handshake, omitted defaults, a grip's buttons and axis). Of 3.0: 3.0.2/service (maps of
  * devices, /3.0/version; up to 3.1.1 HTTP "on http://localhost:10000", which is not the WebSocket's
@@ -18,8 +18,8 @@
  * from programs for them: NVIDIA Isaac Lab, isaaclab/devices/haply, and jhu-saw/sawHaplyService
  * 25f21be.
  *
- * How long a force holds without another message, and what becomes of it when a client is gone, is
- * not documented. Here it holds for ever, which is the worst.
+ * It is not documented how long a force lasts without another message, or after its client has
+ * left. Here it lasts for ever, the worst case.
  */
 #ifndef PlayedHaplyService_h
 #define PlayedHaplyService_h
@@ -33,13 +33,13 @@
 namespace emulated
 {
 
-/** All that the service saw of a session. */
+/** What the service received in a session. */
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
-  std::string Arm;            ///< that it commands
-  std::vector<Triple> Forces; ///< of each message, N
-  int Refused = 0;            ///< messages that it did not understand
+  std::string Arm;            ///< the arm that it commands
+  std::vector<Triple> Forces; ///< N, one per message
+  int Refused = 0;            ///< number of messages not understood
   bool IsOpen = true;
 };
 
@@ -49,19 +49,19 @@ public:
   static constexpr const char* Id = HaplyState::Id;
   static constexpr const char* Other = HaplyState::Other;
 
-  /** Listens, and names its ports in VOLUMEHAPTICS_HAPLY. */
+  /** Listens, and writes its ports to VOLUMEHAPTICS_HAPLY. */
   explicit HaplyService(const HaplyShape& shape = {});
   ~HaplyService();
   HaplyService(const HaplyService&) = delete;
   HaplyService& operator=(const HaplyService&) = delete;
 
-  /** Closes all connections and listens no more. */
+  /** Closes all connections and stops listening. */
   void Die();
   void Break(HaplyFault fault);
-  /** To everyone who listens to the events. */
+  /** Sends an event to all listeners. */
   void PushEvent(const std::string& json);
   std::size_t CountListeners();
-  /** Ends the connections of all who listen to the events. */
+  /** Ends the connections of all listeners to events. */
   void DropListeners();
 
   ///@{
@@ -69,17 +69,17 @@ public:
   void SetGoal(const Triple& goal);
   Triple GetTip();
   ///@}
-  /** Moves the arm without its hand, as another preset would (m). */
+  /** Moves the arm without its hand (m), as a change of the preset would. */
   void Shift(const Triple& by);
-  /** The force (N) that the arm has now. */
+  /** The present force (N) of the arm. */
   Triple GetForce();
 
   void SetCalibrated(bool isCalibrated);
   void SetReady(bool isReady);
   void Unplug();
-  /** The session's transform, as a program of the Hub sets it: its position (m) and its scale. */
+  /** Sets the session's transform, as a program of the Hub does: its position (m) and its scale. */
   void SetTransform(const Triple& position, double scale);
-  /** The wireless grip: orientation (w, x, y, z) and its button a. */
+  /** Sets the wireless grip: orientation (w, x, y, z) and its button a. */
   void SetGrip(const std::array<double, 4>& orientation, bool isPressed);
 
   std::vector<HaplySession> GetSessions();

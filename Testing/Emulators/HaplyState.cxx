@@ -14,10 +14,10 @@ using Clock = std::chrono::steady_clock;
 
 /// The position in the documentation's example of an inventory: a tip in front of the arm's base.
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
-constexpr double LongestStep = 5e-3; // s: a machine that stands still does not move the hand
+constexpr double LongestStep = 5e-3; // s: a machine that stands still longer does not move the hand
 constexpr double ShortStep = 1e-4;   // s
 
-/// The axis of Haply's for each of a session's, and its sign.
+/// Haply's axis for each axis of a session, and its sign.
 std::array<std::pair<int, double>, 3> ReadBasis(const std::string& basis)
 {
   std::array<std::pair<int, double>, 3> axes{};
@@ -60,14 +60,14 @@ Triple HaplyView::FromSession(const Triple& session) const
 std::array<double, 4> HaplyView::ToSession(const std::array<double, 4>& haply) const
 {
   const auto axes = ReadBasis(this->Basis);
-  // Axes of the other hand turn the other way.
+  // Axes of the other handedness turn the other way.
   const bool isCyclic = (axes[0].first + 1) % 3 == axes[1].first;
   const double hand = (isCyclic ? 1.0 : -1.0) * axes[0].second * axes[1].second * axes[2].second;
   const Triple axis = this->ToSession(Triple{ haply[1], haply[2], haply[3] });
   return { haply[0], hand * axis[0], hand * axis[1], hand * axis[2] };
 }
 
-/// Objects as text, so that the order and the omissions are those of a service.
+/// Write objects as text, so that order and omissions are a service's.
 class HaplyState::Writer
 {
 public:
@@ -127,7 +127,7 @@ public:
     }
     return this->Object(members);
   }
-  /// A list, or a map.
+  /// Either a list or a map.
   std::string Family(const std::vector<std::pair<std::string, Members>>& devices) const
   {
     if (this->Shape.HasMaps)
@@ -197,7 +197,8 @@ HaplyState::Members HaplyState::MakeArm(
         { "handedness", "\"right\"" } }));
   }
   arm.emplace_back("state", write.Object(state));
-  // Told in full or not: a missing flag is not a default that the documentation states.
+  // Always tell flags, or omit all false ones: the documentation states no default for a missing
+  // flag.
   Members status;
   for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
          std::pair("in_use", isInUse), std::pair("power_supply", true),

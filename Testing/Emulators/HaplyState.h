@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The arms and the grip of a played Inverse service, and its messages about them, for
- * HaplyService.h, which names the sources.
+ * The arms and the grip of a played Inverse service, and its messages about them. HaplyService.h
+ * names the sources.
  */
 #ifndef HaplyState_h
 #define HaplyState_h
@@ -23,43 +23,43 @@ namespace emulated
 struct HaplyShape
 {
   std::string Version = "3.5.0";
-  std::string Family = "inverse3"; ///< of both arms
+  std::string Family = "inverse3"; ///< family of both arms
   std::string Type = "inverse3";
-  bool HasMaps = false;       ///< as in 3.0: maps from identifiers to devices
-  bool OmitsDefaults = false; ///< numbers that have their default, and buttons that are not pressed
-  bool IsReordered = false;   ///< members of objects in the other order
+  bool HasMaps = false;       ///< maps from identifiers to devices, as in 3.0
+  bool OmitsDefaults = false; ///< omits numbers equal to their default, and released buttons
+  bool IsReordered = false;   ///< writes members of objects in reverse order
   bool HasEvents = true;
-  bool HasOwnHttp = false;      ///< at another port than that of the states, as up to 3.1
-  bool HasDeviceList = true;    ///< by HTTP
-  bool OmitsFalseFlags = false; ///< of a status
-  bool HasStatus = true;        ///< in states, too; else in the inventory only
-  int DropTime = 0;             ///< ms, after which a session that was closed is in use no more
-  /** Of a session that names none: Haply's Hub applies those again that it has had before. */
+  bool HasOwnHttp = false;      ///< HTTP at another port than the states, as up to 3.1
+  bool HasDeviceList = true;    ///< lists devices by HTTP
+  bool OmitsFalseFlags = false; ///< omits false flags of a status
+  bool HasStatus = true;        ///< status in states, too; else only in the inventory
+  int DropTime = 0;             ///< ms until a closed session is no longer in use
+  /** The basis of a session that names none: Haply's Hub applies a previous one again. */
   std::string Basis = "XYZ";
-  /** The x of a position (m) is this times the number of the session's message that it answers. */
+  /** Sets a position's x (m) to this times the number of the session's message that it answers. */
   double NumberScale = 0.0;
-  std::string VersionNotes; ///< JSON that is told with the version
+  std::string VersionNotes; ///< JSON sent with the version
 };
 
 enum class HaplyFault
 {
   None,
-  Silent,   ///< it takes messages and answers none
-  Slow,     ///< each state comes after 60 ms
-  Junk,     ///< its states are no JSON
-  Blind,    ///< its states have no position
-  NoNumber, ///< a coordinate is NaN, as nlohmann's library writes it: null
-  NoScale,  ///< so is one of the transform
-  Deep,     ///< its states have a further member: HaplyState::DeepJson
-  Twice     ///< it answers each message twice
+  Silent,   ///< accepts messages and answers none
+  Slow,     ///< delays each state by 60 ms
+  Junk,     ///< sends states that are no JSON
+  Blind,    ///< sends states without a position
+  NoNumber, ///< a coordinate is NaN, which nlohmann's library writes as null
+  NoScale,  ///< the transform's scale is null
+  Deep,     ///< sends states with a further member: HaplyState::DeepJson
+  Twice     ///< answers each message twice
 };
 
-/// The axes in which a session has vectors.
+/// The axes of a session's vectors.
 struct HaplyView
 {
-  bool IsCentred = false; ///< else from the arm's base
+  bool IsCentred = false; ///< else relative to the arm's base
   /// "YZX": the session's x is Haply's y, its y Haply's z, and its z Haply's x; a minus before a
-  /// letter turns that axis round.
+  /// letter reverses that axis.
   std::string Basis = "XYZ";
 
   Triple ToSession(const Triple& haply) const;
@@ -72,8 +72,8 @@ class HaplyState
 {
 public:
   static constexpr const char* Id = "049D";
-  static constexpr const char* Other = "04BA"; ///< a second arm, which no force moves
-  /// 200 kB of lists in lists: correct, by RFC 8259, and of use for nobody.
+  static constexpr const char* Other = "04BA"; ///< a second arm; no force moves it
+  /// 200 kB of nested lists: correct by RFC 8259, but useless.
   static std::string DeepJson() { return std::string(100000, '[') + std::string(100000, ']'); }
 
   explicit HaplyState(const HaplyShape& shape)
@@ -81,10 +81,10 @@ public:
   {
   }
   bool IsNew() const { return this->Shape.Version >= "3.5"; }
-  /// The inventory, or a state; `number` is that of the message that it answers.
+  /// The inventory, or a state; `number` is the number of the message that it answers.
   std::string MakeMessage(bool hasConfig, const HaplyView& view,
     const std::function<bool(const std::string&)>& isInUse, std::size_t number);
-  /// Moves the hand until now.
+  /// Moves the hand up to now.
   void Step();
 
   const HaplyShape Shape;

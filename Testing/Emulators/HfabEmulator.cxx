@@ -23,12 +23,12 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
-/// A host sends no second message for longer than this unless the first is answered.
+/// A host waits at most this long for an answer before it sends a second message.
 constexpr auto Patience = std::chrono::milliseconds(15);
-/// After such a pause, answers and messages cross on their way for a while.
+/// After such a pause, answers and messages cross each other for a while.
 constexpr auto Confusion = std::chrono::milliseconds(200);
 
-/** A row of the host's tables, in its own order and words. */
+/** A row of the host's tables, in the host's order and words. */
 struct Row
 {
   Triple CapstanDiameters;
@@ -60,7 +60,7 @@ double Square(double x)
   return x * x;
 }
 
-/** The host's positions of Polhem, by three angles of triangles at the elbow. */
+/** The host's positions of Polhem, from three angles of triangles at the elbow. */
 Triple PolhemTip(const Triple& t)
 {
   constexpr double l0 = 34e-3;
@@ -87,7 +87,7 @@ double Determinant(const Triple& a, const Triple& b, const Triple& c)
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/** The tip's differences by each angle. */
+/** The tip's derivatives by each angle, from differences. */
 std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
 {
   constexpr double h = 1e-5;
@@ -108,7 +108,7 @@ std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
   return slopes;
 }
 
-/** Angles of the tip, by Newton's method from near by. */
+/** The angles for a tip position, by Newton's method from nearby. */
 void Follow(int model, const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -276,7 +276,7 @@ Triple HfabEmulator::GetForce() const
     torques[j] = 1e-3 * this->Currents[j] * row.TorqueConstants[j] * SignOf(row, j) *
       row.BodyDiameters[j] / row.CapstanDiameters[j];
   }
-  // Torques at the joints are the force's along each slope: three equations for the force.
+  // Joint torques are the force along each slope: three equations for the force.
   const std::array<Triple, 3> m = SlopesOf(this->Model, this->Angles);
   const Triple x{ m[0][0], m[1][0], m[2][0] };
   const Triple y{ m[0][1], m[1][1], m[2][1] };
@@ -322,16 +322,16 @@ void HfabEmulator::Run()
       continue;
     }
     const ssize_t size = read(master, bytes, sizeof(bytes));
-    // A controller is never held up, but this thread is, and so are bytes on their way to it: what
-    // comes together then was sent one message after the other.
+    // A controller never stalls, but this thread does, and so do bytes on their way to it: treat
+    // bytes that arrive together as sent one message after the other.
     const auto now = Clock::now();
     this->HeldUpUntil = now - this->LastBytes > Patience ? now + Confusion : this->HeldUpUntil;
     const bool wasHeldUp = now < this->HeldUpUntil && this->Fault != HfabFault::Late;
     this->LastBytes = now;
     for (ssize_t i = 0; i < size; ++i)
     {
-      // After a message, the firmware throws away what waits. If that is more than the end of the
-      // line, it does not take the message.
+      // After a message, the firmware drops the bytes that wait. If these are more than the end of
+      // the line, it rejects the message.
       const bool isTrailed = !wasHeldUp &&
         std::any_of(
           bytes + i + 1, bytes + size, [](char c) { return c != '\n' && c != '\r' && c != '\0'; });
@@ -353,7 +353,7 @@ void HfabEmulator::Move()
   }
 }
 
-/** As await_message() of the firmware, which waits for a ']' and counts brackets and commas. */
+/** Like await_message() of the firmware, which waits for a ']' and counts brackets and commas. */
 void HfabEmulator::Take(char byte, bool isTrailed)
 {
   this->Line += byte;
@@ -405,7 +405,7 @@ void HfabEmulator::TakeCurrents(const std::array<int, 3>& milliamperes)
   {
     this->Currents[j] = std::abs(milliamperes[j]) <= LargestCurrent ? milliamperes[j] : 0;
   }
-  // The hand moves in the time since the last message, in steps of a millisecond at most.
+  // Move the hand for the time since the last message, in steps of a millisecond at most.
   const double time = std::min(0.02, std::chrono::duration<double>(now - this->LastMove).count());
   this->LastMove = now;
   const int steps = 1 + static_cast<int>(time / 1e-3);

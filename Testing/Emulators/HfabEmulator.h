@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An arm with an hfab controller behind a pseudo-terminal, as its published firmware and host show
- * it.
+ * An arm with an hfab controller behind a pseudo-terminal, written from its published firmware and
+ * host.
  *
  * The controller is the firmware of forsslund/woodenhaptics, firmware/woody_teensy_mini (commit
- * 86ecdba): it reads byte by byte up to a ']'; answers 256, 512, 8, 128 and 1024 are messages that
- * it did not take, with the counts of before; a message that it takes feeds a watchdog of 100 ms,
- * which takes the currents away; a current beyond the amplifiers' largest one is no current, for
- * that motor alone; its button makes all counts 0, as power does.
+ * 86ecdba): it reads byte by byte up to a ']'; answers 256, 512, 8, 128 and 1024 mean a rejected
+ * message, with the previous counts; an accepted message feeds a watchdog of 100 ms, which else
+ * switches the currents off; a current beyond the amplifiers' limit counts as zero, for that motor
+ * alone; its button sets all counts to 0, as power-on does.
  *
  * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of
  * hfab_math.h, positions of hfab_kinematics.cpp, Polhem's linkage by the three angles of
- * hfab_polhem.h. Slopes are differences of these positions, as the host takes them for Polhem.
+ * hfab_polhem.h. Slopes are differences of these positions, as in the host for Polhem.
  */
 #ifndef HfabEmulator_h
 #define HfabEmulator_h
@@ -33,17 +33,17 @@ enum class HfabFault
 {
   None,
   Silence,
-  Junk,     ///< sends what is no answer
+  Junk,     ///< sends bytes that are no answer
   Late,     ///< answers after 30 ms
-  OtherArm, ///< says another model
-  Refusal,  ///< takes no message, as if each had another behind it
-  Jump      ///< an encoder counts 1000 more at once
+  OtherArm, ///< reports another model
+  Refusal,  ///< rejects messages, as if another one followed each
+  Jump      ///< an encoder jumps by 1000 counts
 };
 
 class HfabEmulator
 {
 public:
-  /** 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
+  /** The model: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
   explicit HfabEmulator(int model);
   ~HfabEmulator();
   HfabEmulator(const HfabEmulator&) = delete;
@@ -52,16 +52,16 @@ public:
   /** The port's node. */
   const std::string& GetPort() const { return this->Port; }
   void Unplug();
-  /** The hand puts the arm into its pose for calibration, at once. */
+  /** Puts the arm into its pose for calibration, at once. */
   void PlaceAtHome();
   void PressButton();
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
-  /** N on the hand, of the currents that flow. */
+  /** The force (N) on the hand from the present currents. */
   Triple GetForce() const;
   std::array<int, 3> GetCurrents() const;
   int GetMessages() const { return this->Messages; }
-  /** How often the watchdog took currents away, and the mistakes in messages so far (bits). */
+  /** The number of times the watchdog switched currents off, and the errors in messages (bits). */
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
   /** The longest time (s) between two messages since the last call. */
@@ -70,7 +70,7 @@ public:
   bool IsRaw() const;
 
   ///@{
-  /** The published arithmetic, for counts after calibration. */
+  /** The published arithmetic, for calibrated counts. */
   static Triple TipOf(int model, const Triple& angles);
   static Triple AnglesOf(int model, const std::array<int, 3>& counts);
   static std::array<int, 3> HomeOf(int model);
@@ -93,7 +93,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};
-  std::array<int, 3> Offset{}; ///< what the encoders would read if they had counted from home
+  std::array<int, 3> Offset{}; ///< the encoders' counts if they had counted from home
   std::array<int, 3> Counts{};
   std::array<int, 3> Currents{};
   std::string Line;

@@ -29,7 +29,7 @@ public:
     ApplicationCollection = 1,
     LogicalCollection = 2
   };
-  /** Of a main item: bit 0 constant, bit 1 variable, bit 2 relative. */
+  /** Flags of a main item: bit 0 constant, bit 1 variable, bit 2 relative. */
   enum FieldKind : std::uint8_t
   {
     Array = 0,
@@ -95,7 +95,7 @@ private:
   {
     return this->Item(prefix, data, data < 0x100 ? 1 : data < 0x10000 ? 2 : 4);
   }
-  /** Long enough for the sign: 255 takes two bytes. */
+  /** Use enough bytes for the sign: 255 takes two. */
   HidItems& Signed(std::uint8_t prefix, std::int64_t data)
   {
     const int size = data >= -0x80 && data < 0x80 ? 1 : data >= -0x8000 && data < 0x8000 ? 2 : 4;

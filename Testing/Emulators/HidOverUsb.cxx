@@ -62,7 +62,7 @@ HidOverUsb::HidOverUsb(HidModel& model)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      // There may be no reader; a device keeps what is new.
+      // There may be no reader; a device keeps its newest reports.
       if (this->Inputs.size() == MostInputs)
       {
         this->Inputs.pop_front();
@@ -89,7 +89,7 @@ std::vector<std::uint8_t> HidOverUsb::GetDescriptors() const
     High(product), 0x00, 0x01, 1, 2, 0, 1 };
   const Bytes configuration = { 9, 2, 41, 0, 1, 1, 0, 0x80, 50 };
   const Bytes interface = { 9, 4, 0, 0, 2, 3, 0, 0, 0 };
-  // Interrupts, 64 bytes, every millisecond.
+  // Interrupt endpoint, 64 bytes, every millisecond.
   const Bytes endpoints = { 7, 5, 0x81, 3, 64, 0, 1, 7, 5, 0x02, 3, 64, 0, 1 };
   for (const Bytes& part : { configuration, interface, hid, endpoints })
   {
@@ -116,7 +116,7 @@ int HidOverUsb::GetDescriptor(const std::uint8_t setup[8], std::uint8_t* data, i
   {
     return -EPIPE;
   }
-  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // which languages there are: English
+  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // the list of languages: English
   if (index > 0)
   {
     const std::string name = index == 1 ? "Emulated" : this->Model.GetName();
@@ -156,7 +156,7 @@ int HidOverUsb::GetReport(std::uint8_t type, std::uint8_t id, std::uint8_t* data
   {
     return -EPIPE;
   }
-  // Models always have an id in front; the wire only if there are ids.
+  // Models always put an id in front; the wire only if there are ids.
   Bytes report(static_cast<std::size_t>(size) + 64, 0);
   report[0] = id;
   const int given = this->Model.GetFeature(report.data(), static_cast<int>(report.size()));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a USB device of a model of a HID device: descriptors, the requests of the HID class, two
- * interrupt endpoints.
+ * Makes a USB device from the model of a HID device: descriptors, the requests of the HID class,
+ * two interrupt endpoints.
  */
 #ifndef HidOverUsb_h
 #define HidOverUsb_h
@@ -18,7 +18,7 @@ namespace emulated
 class HidOverUsb : public UsbModel
 {
 public:
-  /** The model outlives this; its Input is set here, and may be called from any thread. */
+  /** The model has to outlive this; its Input is set here, and may be called from any thread. */
   explicit HidOverUsb(HidModel& model);
 
   std::vector<std::uint8_t> GetDescriptors() const override;
@@ -26,7 +26,7 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
-  /** Forgets input reports that were not asked for, as without power. */
+  /** Drops input reports that were not requested, like a loss of power. */
   void Forget();
 
 private:

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The requests of a kernel to a HID device over USB, with and without report ids.
- */
+/** Checks the requests of a kernel to a HID device over USB, with and without report ids. */
 #include "HidOverUsb.h"
 #include "PlayedKernel.h"
 #include "SmallModels.h"
@@ -13,7 +11,7 @@ namespace machinetest
 class HidOverUsbTest : public testing::TestWithParam<bool>
 {
 protected:
-  /// The bytes on the wire: without the id if there are no ids.
+  /// The bytes on the wire: without an id if there are no ids.
   static Bytes Wire(Bytes report)
   {
     report.erase(report.begin(), report.begin() + (GetParam() ? 0 : 1));

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The handle of a haptic device that a weight can be hung on, or that presses a kitchen scale, in
- * simulated time.
- *
+ * The handle of a haptic device, in simulated time; it can carry a weight or press a kitchen scale.
  * It follows Newton's second law, m a = sum of forces, with Coulomb's dry friction, a friction
  * proportional to the speed, and Hooke's law for the arm's own springs and for the scale. The
- * motors give `Strength` newtons for each one that they are asked for. That law, not the device's
- * driver or its tool, is the source: what a measurement should find is what is set here.
+ * motors give `Strength` newtons for each newton of a command. This law is the source, not the
+ * device's driver or its tool: a measurement should find the values that are set here.
  */
 #ifndef HungHandle_h
 #define HungHandle_h
@@ -23,23 +21,23 @@ class HungHandle
 public:
   static constexpr double Gravity = 9.80665; ///< m/s^2
 
-  double Strength = 1.0;          ///< N for each one that is asked for
+  double Strength = 1.0;          ///< N for each newton of a command
   double Mass = 0.15;             ///< kg, of handle and arm
-  double Balance = 0.9;           ///< the part of the handle's weight that the arm carries
+  double Balance = 0.9;           ///< fraction of the handle's weight that the arm carries
   double ArmStiffness = 15.0;     ///< N/m, of the arm's own springs
   double Viscosity = 1.0;         ///< N s/m
   double Friction = 0.1;          ///< N, Coulomb's
   Triple Down{ 0.0, -1.0, 0.0 };  ///< the direction of gravity, a unit vector
   double Quantum = 0.02e-3;       ///< m, of the encoders
-  double Weight = 0.0;            ///< kg, of what hangs on it
-  bool IsHeld = true;             ///< a hand holds it at its place
-  double Tremor = 0.0;            ///< m, of a hand that does not let it go
+  double Weight = 0.0;            ///< kg, of the weight on it
+  bool IsHeld = true;             ///< a hand holds it in place
+  double Tremor = 0.0;            ///< m, of the holding hand
   bool HasScale = false;          ///< its plate is below, across y
-  double PlateBelow = 0.005;      ///< m, below the beginning
+  double PlateBelow = 0.005;      ///< m, below the start
   double ScaleStiffness = 5000.0; ///< N/m
   double ScaleDamping = 20.0;     ///< N s/m
 
-  /// The motors are asked for a force (N) for a time (s).
+  /// Commands a force (N) for a time (s).
   void Step(const Triple& asked, double time)
   {
     constexpr double shortest = 1e-4;
@@ -48,7 +46,7 @@ public:
       this->StepOnce(asked, std::min(shortest, time - done));
     }
   }
-  /// As the encoders have it (m).
+  /// The position as the encoders measure it (m).
   Triple GetTip() const
   {
     Triple tip = this->Place;
@@ -90,7 +88,7 @@ private:
           std::max(0.0, this->ScaleStiffness * depth - this->ScaleDamping * this->Velocity[a]);
         force += this->OnScale;
       }
-      // Friction takes speed away, but never turns it round; viscosity is taken at the step's end.
+      // Friction reduces speed, but never reverses it; viscosity acts at the step's end.
       const double pushed = this->Velocity[a] + time / mass * force;
       const double taken = time / mass * this->Friction;
       const double left = std::max(0.0, std::abs(pushed) - taken);

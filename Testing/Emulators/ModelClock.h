@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Calls a model once in a millisecond of its own time, which never runs ahead of the clock.
- */
+/** Calls a model once per millisecond of its own time, which never runs ahead of the clock. */
 #ifndef ModelClock_h
 #define ModelClock_h
 
@@ -35,7 +33,7 @@ private:
     while (!this->Stop)
     {
       step();
-      // Missed ticks are not made up for: a busy machine makes the model slow, not jumpy.
+      // Do not catch up missed ticks: a busy machine makes the model slow, not jumpy.
       next = std::max(std::chrono::steady_clock::now(), next + std::chrono::milliseconds(1));
       std::this_thread::sleep_until(next);
     }

@@ -9,7 +9,7 @@ namespace emulated
 {
 namespace
 {
-/** ffb_defs.h. Input reports share their numbers with outputs. */
+/** From ffb_defs.h. Input reports share their numbers with outputs. */
 enum ReportId : std::uint8_t
 {
   Place = 0x01,
@@ -44,7 +44,9 @@ void EffectTypes(HidItems& items)
   items.Logical(1, 11).Bounds(1, 11).Fields(8, 1);
 }
 
-/** A vendor's way to the board's settings, both ways: 64 bits each for a value and an address. */
+/**
+ * The vendor's access to the board's settings, both ways: 64 bits each for a value and an address.
+ */
 void DescribeCommands(HidItems& items)
 {
   items.Page(0xFF00).Usage(0x00).Open(HidItems::ApplicationCollection).Id(Command);
@@ -164,7 +166,7 @@ std::vector<std::uint8_t> OpenFfboardModel::GetReportDescriptor() const
   BlockIndex(items);
   items.Close();
 
-  // A bit each, of eight, with a range of 1 to 6.
+  // Eight bits, one each, with a range of 1 to 6.
   items.Usage(0x95)
     .Open(HidItems::LogicalCollection)
     .Id(DeviceControl)
@@ -403,7 +405,7 @@ FfbHandle::Bytes OpenFfboardModel::BuildReport(double x, double y) const
   const double second = this->Model == Kind::Joystick ? y : this->Pedal.load();
   Append(report, static_cast<int>(std::lround(32767.0 * x)));
   Append(report, static_cast<int>(std::lround(32767.0 * second)));
-  report.resize(25); // six axes more
+  report.resize(25); // six more axes
   return report;
 }
 

@@ -9,8 +9,8 @@
  *   reports, with vendor's fields of 64 bits, and two bits with a range of 0 to 0 in the descriptor
  *   of one axis;
  * - UserExtensions/Src/FFBWheel.cpp and FFBJoystick.cpp: a wheel has the descriptor of two axes,
- *   too, unless it was built with FFBWHEEL_USE_1AXIS_DESC; it takes bit 2 for Direction Enable
- *   either way, where the descriptor of one axis says bit 1;
+ *   too, unless it was built with FFBWHEEL_USE_1AXIS_DESC; it reads bit 2 as Direction Enable in
+ *   both cases, although the descriptor of one axis says bit 1;
  * - UserExtensions/Src/usb_descriptors.cpp: names and numbers. The board's name follows "FFBoard "
  *   since version 1.16.5;
  * - Src/HidFFB.cpp: its reports' effects; Src/EffectsCalculator.cpp: their torques;
@@ -21,8 +21,9 @@
  * (the torque of a spring is -coefficient times position). Without it, and with the axis' bit, the
  * share is (direction - 18000) / 18000 of x and the negative of that of y's own direction.
  *
- * The version before, 1.16.0 (HidFFB.cpp of commit 92c62ee8), has cos(direction) for y: it pushes y
- * the other way. So do all since 1.10.0 (commit 6ae9fac1); those before it push y as 1.17.1 does.
+ * The previous version, 1.16.0 (HidFFB.cpp of commit 92c62ee8), has cos(direction) for y: it pushes
+ * y the other way. So do all versions since 1.10.0 (commit 6ae9fac1); older versions push y as
+ * 1.17.1 does.
  */
 #ifndef OpenFfboardModel_h
 #define OpenFfboardModel_h
@@ -38,8 +39,8 @@ class OpenFfboardModel : public FfbHandle
 public:
   enum class Kind : std::uint8_t
   {
-    Wheel,        ///< one motor, the descriptor of two axes: as it is published
-    OneAxisWheel, ///< built with the descriptor of one axis
+    Wheel,        ///< one motor, the descriptor of two axes: as published
+    OneAxisWheel, ///< built with the one-axis descriptor
     Joystick      ///< two motors
   };
   enum class Version : std::uint8_t

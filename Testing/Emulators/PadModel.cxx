@@ -105,7 +105,7 @@ void PadModel::MoveUnheard(unsigned axis, double share)
   input_event rest{};
   rest.type = EV_ABS;
   rest.code = static_cast<__u16>(axis);
-  rest.value = this->Axes.at(axis).minimum; // of before; not valid any more
+  rest.value = this->Axes.at(axis).minimum; // previous value; not valid any more
   this->Input({ dropped, rest, {} });
 }
 
@@ -307,7 +307,7 @@ void PadModel::PlayEffects()
       weak = std::min(0xFFFF, weak + scale(effect.What.u.rumble.weak_magnitude));
     }
   }
-  // Motors get new speeds only if an effect begins, plays or ends.
+  // Motors get new speeds only when an effect begins, plays or ends.
   if (hasAny && (strong != this->Motors.Strong || weak != this->Motors.Weak))
   {
     this->Motors = { this->GetTime(), strong, weak };

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A gamepad and the kernel's driver of it, as a program sees both through evdev.
+ * A gamepad and its kernel driver, as a program sees them through evdev.
  *
  * Written from the kernel, not from the driver of this library: linux/input.h (structures and
- * requests), ff.rst and gamepad.rst of its documentation of input; drivers/input/ff-core.c (whose
- * effects they are, and that a closed file takes its own along), drivers/input/ff-memless.c (when
- * effects begin, end and add up; that an effect which is changed while it plays is not known as
- * playing until the timer's next tick, and that one which is stopped before that leaves the motors
- * on), drivers/input/evdev.c (grabs, lost events). Axes: drivers/input/joystick/xpad.c, and
+ * requests), ff.rst and gamepad.rst of its documentation of input; drivers/input/ff-core.c (the
+ * owners of effects, and that closing a file removes its effects), drivers/input/ff-memless.c (when
+ * effects begin, end and add up; an effect that is changed while it plays does not count as playing
+ * until the timer's next tick, and if it is stopped before that, the motors stay on),
+ * drivers/input/evdev.c (grabs, lost events). Axes: drivers/input/joystick/xpad.c, and
  * drivers/hid/hid-playstation.c. A jiffy is 4 ms, as of Debian's kernels.
  */
 #ifndef PadModel_h
@@ -39,10 +39,10 @@ public:
     Older        ///< the right stick at Z and RZ; no rumble
   };
 
-  /** The speeds of the motors from a moment on, 0 to 65535. */
+  /** The speeds of the motors from a time on, 0 to 65535. */
   struct Change
   {
-    double Time = 0.0; ///< s, since the model began
+    double Time = 0.0; ///< s since the model began
     int Strong = 0;
     int Weak = 0;
   };
@@ -50,7 +50,7 @@ public:
   explicit PadModel(Kind kind);
 
   ///@{
-  /** What sysfs tells. */
+  /** The entries of sysfs. */
   std::string GetName() const;
   int GetVendor() const;
   int GetProduct() const;
@@ -60,20 +60,22 @@ public:
   ///@}
 
   ///@{
-  /** The hand: a stick or a trigger at a share of its range (-1 to 1, 0 to 1), a button. */
+  /**
+   * Moves the hand: a stick or a trigger to a fraction of its range (-1 to 1, 0 to 1), a button.
+   */
   void Move(unsigned axis, double share);
   void Press(unsigned button, bool isHeld);
-  /** Moves it, but the event is lost with others: the buffer was full. */
+  /** Moves it, but loses the event with others: the buffer was full. */
   void MoveUnheard(unsigned axis, double share);
   ///@}
 
   ///@{
-  /** A program's file, by any number that names it. Results are 0 or more, or -errno. */
+  /** A program's file, named by any number. Results are 0 or more, or -errno. */
   int Grab(const void* file, bool isOn);
   int Upload(const void* file, ff_effect& effect);
   int Erase(const void* file, int id);
   int Write(const input_event& event);
-  /** The program has ended, in whatever way, and the kernel has closed its files. */
+  /** The program has ended in any way, and the kernel has closed its files. */
   void CloseFiles();
   input_absinfo GetAxis(unsigned code);
   bool IsPressed(unsigned button);
@@ -90,11 +92,11 @@ public:
   void ForgetHistory();
   double GetTime() const;
   int CountEffects();
-  /** The longest effect that was ever asked for, in ms. 0: one had no end. */
+  /** The longest effect requested so far, in ms. 0: an effect without end. */
   int GetLongestReplay();
   ///@}
 
-  /** Set by the carrier: hands events to the program that reads. */
+  /** Set by the carrier: passes events to the program that reads. */
   std::function<void(const std::vector<input_event>&)> Input = [](const auto&) {};
 
 private:

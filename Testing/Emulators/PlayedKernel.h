@@ -25,7 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Reply
 {
-  std::uint32_t Command = 0; ///< 3 to a transfer, 4 to taking one back, 0 if nothing came
+  std::uint32_t Command = 0; ///< 3 answers a transfer, 4 an unlink request, 0: nothing came
   std::uint32_t Number = 0;
   int Status = 0;
   Bytes Data;
@@ -46,7 +46,7 @@ public:
   }
 
   ///@{
-  /** Whether the device understands it. */
+  /** Sends a transfer; false if the device does not understand it. */
   bool In(std::uint32_t number, std::uint32_t endpoint, std::uint32_t size)
   {
     return this->Send({ 1, number, 0, 1, endpoint, 0, size, 0, 0, 0 }, Bytes(8), {});
@@ -63,7 +63,7 @@ public:
   bool Raw(const std::vector<std::uint32_t>& numbers) { return this->Send(numbers, Bytes(8), {}); }
   ///@}
 
-  /** A control request, answered: by data, or by a size of what went out. */
+  /** Makes a control request; the answer is data, or the size of the sent data. */
   Reply Request(const Bytes& setup, const Bytes& data = {})
   {
     const std::uint32_t isIn = setup[0] >> 7;

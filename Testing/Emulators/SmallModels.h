@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Two devices that send back what they get: they show what carries them, and nothing else.
- */
+/** Two devices that send back what they get, to test the carriers alone. */
 #ifndef SmallModels_h
 #define SmallModels_h
 
@@ -16,7 +14,7 @@
 
 namespace machinetest
 {
-/** Two bulk endpoints; vendor's requests without data go through, everything else stalls. */
+/** A device with two bulk endpoints; vendor's requests without data succeed, all others stall. */
 class EchoUsb : public emulated::UsbModel
 {
 public:
@@ -55,8 +53,8 @@ private:
 };
 
 /**
- * Reports of four bytes with or without ids: outputs come back as inputs, a feature keeps its
- * value.
+ * A device with reports of four bytes, with or without ids: outputs come back as inputs, a feature
+ * keeps its value.
  */
 class EchoHid : public emulated::HidModel
 {
@@ -70,7 +68,7 @@ public:
   std::string GetName() const override { return this->HasIds ? "Echo with ids" : "Echo"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // Four bytes each of input, output and feature.
+    // Four bytes each for input, output and feature.
     std::vector<std::uint8_t> all = { 0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 5, //
       0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x04,                              //
       0x09, 0x02, 0x81, 0x02, 0x09, 0x03, 0x91, 0x02, 0x09, 0x04, 0xB1, 0x02, 0xC0 };

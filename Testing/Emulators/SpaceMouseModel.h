@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A six-axis mouse: its cap is pushed and turned by counts, which it repeats while it is held.
- *
- * Which models there are, that of most y is towards the hand and z down and of some y is up and z
- * away from the hand, and the numbers of the Enterprise's keys: FreeSpacenav/spacenavd, src/dev.c,
- * commit bac572a (usbdb, bnhack_sment(), where the kernel's code of a key is 255 more than its
- * number in the report). Lengths of the reports: that file does not say them, since it listens to
- * evdev; they are 3Dconnexion's, as other public drivers have them.
+ * A six-axis mouse: a hand pushes and turns its cap by counts, which the mouse repeats while the
+ * cap is held. Which models there are, that of most y is towards the hand and z down and of some y
+ * is up and z away from the hand, and the numbers of the Enterprise's keys: FreeSpacenav/spacenavd,
+ * src/dev.c, commit bac572a (usbdb, bnhack_sment(), where the kernel's code of a key is 255 more
+ * than its number in the report). That file does not state the lengths of reports, because it reads
+ * evdev; here they are 3Dconnexion's, as in other public drivers.
  */
 #ifndef SpaceMouseModel_h
 #define SpaceMouseModel_h
@@ -31,9 +30,9 @@ public:
   enum class Kind : std::uint8_t
   {
     Navigator, ///< sends pushes and turns one after the other
-    PlusXt,    ///< so does this; its y is up
+    PlusXt,    ///< sends both one after the other, too; its y is up
     Compact,
-    Enterprise ///< keys of numbers up to 176
+    Enterprise ///< numbers keys up to 176
   };
 
   explicit SpaceMouseModel(Kind kind)
@@ -87,14 +86,14 @@ public:
   }
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** From now on; zeros are said once. */
+  /** Sets the motion from now on; zeros are reported once. */
   void Push(const Counts& counts)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Held = counts;
     this->Report();
   }
-  /** A millisecond goes by: what is held is said again every 16. */
+  /** Advances by a millisecond: a held motion is repeated every 16. */
   void Step()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -108,7 +107,7 @@ public:
     const std::uint8_t report[3]{ 3, buttons, 0 };
     this->Input(report, 3);
   }
-  /** The Enterprise's: the key of a number, 1 to 176, alone; 0 lets go. */
+  /** Presses one key of the Enterprise, 1 to 176; 0 releases it. */
   void PressKey(int number)
   {
     std::uint8_t report[23]{ 3 };

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The kernel that umockdev plays: one for a whole program.
- */
+/** The kernel that umockdev plays: one per program. */
 #ifndef Testbed_h
 #define Testbed_h
 
@@ -15,8 +13,8 @@ namespace emulated
 {
 UMockdevTestbed* Testbed();
 /**
- * From now on the signs of a device with this identity count as confirmed, as in the user's file of
- * devices: tests that are about something else begin with devices that were armed before.
+ * Marks the signs of a device with this identity as confirmed, as in the user's file of devices,
+ * for tests of other subjects.
  */
 void RememberConfirmed(const std::string& identity);
 } // namespace emulated

@@ -102,7 +102,7 @@ bool UsbIp::Submit(const Message& message)
   std::memcpy(setup, &message[10], sizeof(setup));
   const int room = static_cast<int>(size);
   const int result = this->Control(setup, data.data(), room);
-  // A transfer out that did not stall has gone out whole.
+  // A transfer out that did not stall was sent completely.
   return this->Answer(number, result < 0 || isIn ? result : room, isIn ? data.data() : nullptr);
 }
 
@@ -142,7 +142,7 @@ bool UsbIp::Unlink(const Message& message)
 
 bool UsbIp::AnswerWaiting()
 {
-  // Output first: the model may answer it with the input.
+  // Output first: the model may answer with the input.
   for (const int direction : { 0, 0x80 })
   {
     for (auto transfer = this->Waiting.begin(); transfer != this->Waiting.end();)
@@ -172,7 +172,7 @@ int UsbIp::Describe(std::size_t from, std::size_t size, std::uint8_t* data, int 
   return static_cast<int>(given);
 }
 
-/** Requests that every device handles in the same way; the model handles the rest. */
+/** Handles the requests that are the same for every device; the model handles the rest. */
 int UsbIp::Control(const std::uint8_t setup[8], std::uint8_t* data, int size)
 {
   constexpr std::uint8_t GetStatus = 0, ClearFeature = 1, GetDescriptor = 6, SetConfiguration = 9,

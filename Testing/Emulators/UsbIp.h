@@ -4,8 +4,8 @@
 /**
  * The device's side of USB/IP, in which Linux speaks to USB devices over a socket.
  *
- * Messages are 48 bytes of numbers, big-endian, and data. A transfer that the model has nothing
- * for, or no room, waits until it has, or until the kernel takes it back.
+ * Messages are 48 bytes of numbers, big-endian, and data. A transfer waits until the model has data
+ * or room for it, or until the kernel unlinks it.
  */
 #ifndef UsbIp_h
 #define UsbIp_h
@@ -21,7 +21,7 @@ namespace emulated
 class UsbIp
 {
 public:
-  /** Answers on the socket; both have to outlive this. */
+  /** Answers on the socket; socket and model have to outlive this. */
   UsbIp(UsbModel& model, int socket)
     : Model(model)
     , Socket(socket)
@@ -29,37 +29,37 @@ public:
   {
   }
 
-  /** Takes one message and answers it; false once the other side has hung up or makes no sense. */
+  /** Reads one message and answers it; false if the other side has hung up or sends nonsense. */
   bool Receive();
-  /** Answers those waiting transfers that the model has something for by now. */
+  /** Answers those waiting transfers for which the model now has data. */
   bool AnswerWaiting();
 
 private:
   using Bytes = std::vector<std::uint8_t>;
-  using Message = std::array<std::uint32_t, 12>; ///< in the network's order
+  using Message = std::array<std::uint32_t, 12>; ///< in network byte order
   struct Transfer
   {
     std::uint32_t Number;
-    std::uint8_t Endpoint; ///< its address
-    Bytes Data;            ///< with the size of what is asked for, or what goes out
+    std::uint8_t Endpoint; ///< its number
+    Bytes Data;            ///< its size is the requested one, or that of the sent data
   };
 
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size);
   int Describe(std::size_t from, std::size_t size, std::uint8_t* data, int room) const;
   bool Submit(const Message& message);
   bool Unlink(const Message& message);
-  /** A result is a size or -errno; -EAGAIN if the model has nothing for it, or no room. */
+  /** Returns a size or -errno; -EAGAIN if the model has no data or no room. */
   int Try(Transfer& transfer);
-  /** A result is a size or -errno; data follow if there are any. */
+  /** Returns a size or -errno; sets the data if there are any. */
   bool Answer(std::uint32_t number, int result, const std::uint8_t* data);
   bool Send(const void* bytes, std::size_t size);
 
   UsbModel& Model;
   const int Socket;
   const Bytes Descriptors;
-  std::list<Transfer> Waiting; ///< in the order in which they came
+  std::list<Transfer> Waiting; ///< in order of arrival
   std::uint32_t Newest = 0;    ///< number of a transfer
-  /** Taken back before they came: the kernel's thread that sends may mix up the two. */
+  /** Unlinked before they arrived: the kernel's sending thread may swap both messages. */
   std::set<std::uint32_t> TakenBack;
 };
 } // namespace emulated

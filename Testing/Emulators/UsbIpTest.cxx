@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The device's side of USB/IP, with the test in the place of the kernel.
- */
+/** Checks the device's side of USB/IP; the test plays the kernel. */
 #include "PlayedKernel.h"
 #include "SmallModels.h"
 
@@ -52,7 +50,7 @@ TEST_F(UsbIpTest, LetsTransfersWait)
   EXPECT_EQ(in.Number, 1u) << "the one that has waited longest";
   EXPECT_EQ(in.Data, Bytes({ 7, 8, 9 }));
 
-  // A report that the model has by itself.
+  // A report that the model sends of its own accord.
   const std::uint8_t byte = 5;
   this->Model.Out(2, &byte, 1);
   EXPECT_TRUE(this->Kernel.GetDevice().AnswerWaiting());

@@ -91,7 +91,7 @@ void VirtualUsb::Plug()
   const Descriptor kernels(ends[1]);
   this->Thread = std::thread([this] { this->Serve(); });
   std::ostringstream order;
-  // The number identifies the device; the kernel only hands it back.
+  // The number identifies the device; the kernel only returns it.
   order << this->Port << ' ' << kernels.Number << ' ' << 0x10001 + this->Port << ' ' << FullSpeed;
   if (!Tell("attach", order.str()))
   {
@@ -127,7 +127,7 @@ void VirtualUsb::Serve()
   {
     if (poll(sources, 2, -1) < 0)
     {
-      // A signal, such as when the process changes its user.
+      // Interrupted by a signal, such as when the process changes its user.
       goesOn = errno == EINTR;
       continue;
     }

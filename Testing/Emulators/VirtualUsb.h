@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in: everything above it is
- * a real kernel's.
+ * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in; everything above is a
+ * real kernel.
  *
  * Needs root and the module vhci_hcd; meant for a virtual machine of its own.
  */
@@ -21,17 +21,21 @@ class VirtualUsb
 {
 public:
   /**
-   * Nothing is plugged in yet. The model outlives the port; its Ready is set here, and stays set.
+   * Begins with nothing plugged in. The model has to outlive the port; its Ready is set here, and
+   * stays set.
    */
   VirtualUsb(UsbModel& model, int port);
-  /** Unplugs. */
+  /** Unplugs the device. */
   ~VirtualUsb();
   VirtualUsb(const VirtualUsb&) = delete;
   VirtualUsb& operator=(const VirtualUsb&) = delete;
 
-  /** The kernel begins to ask for descriptors; std::runtime_error if it takes no devices. */
+  /**
+   * Plugs it in: the kernel requests descriptors. std::runtime_error if the kernel accepts no
+   * devices.
+   */
   void Plug();
-  /** In the midst of whatever goes on. Returns once the port is free again. */
+  /** Unplugs it at any moment. Returns once the port is free again. */
   void Unplug();
 
   bool IsPlugged() const { return this->Thread.joinable(); }
@@ -42,7 +46,7 @@ private:
 
   UsbModel& Model;
   const int Port;
-  const std::shared_ptr<Descriptor> Wake; ///< an eventfd, which Ready writes to
+  const std::shared_ptr<Descriptor> Wake; ///< an eventfd to which Ready writes
   std::unique_ptr<Descriptor> Socket;
   std::thread Thread;
 };

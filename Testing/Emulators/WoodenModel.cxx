@@ -32,7 +32,7 @@ Triple TipOf(const Triple& t)
     Height + Upper * std::cos(t[1]) - Fore * std::cos(t[2]) - Foot[2] };
 }
 
-/** Columns: how the tip moves with each angle, by differences. */
+/** Columns: the motion of the tip with each angle, by differences. */
 std::array<Triple, 3> Slopes(const Triple& angles)
 {
   constexpr double h = 1e-6;
@@ -62,7 +62,7 @@ Triple RowOf(const std::array<Triple, 3>& m, int row)
   return { m[0][row], m[1][row], m[2][row] };
 }
 
-/** Angles of the tip, by Newton's method from near by. */
+/** The angles for a tip position, by Newton's method from nearby. */
 void Follow(const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -90,7 +90,7 @@ void WoodenModel::PowerUp()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Angles = RestAngles;
   this->Hand.Place(TipOf(RestAngles));
-  // The counts of encoders that were switched on there.
+  // The counts of encoders that were switched on in that pose.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
   this->Button = false;
@@ -173,7 +173,7 @@ void WoodenModel::SendCounts()
 
 Triple WoodenModel::ComputeForce() const
 {
-  // Torques at the joints are the force's along each slope: three equations for the force.
+  // Joint torques are the force along each slope: three equations for the force.
   Triple torques;
   for (int j = 0; j < 3; ++j)
   {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A WoodenHaptics of 2015 as its firmware and its mechanics show it, written from published source.
+ * A WoodenHaptics of 2015, with its firmware and its mechanics, written from published source.
  *
  * The packets of 14 bytes, the watchdog and the calibration button are those of the mbed firmware
  * (Forsslund Systems, 2019-09-10, "Polhem USB HID interface based on the woodenhapitcs hid";
  * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e): all counts are 0 when power
- * comes; `info` is the flag of the calibration button, 0 until that is pressed, and cleared by
- * command 1; command 1 takes the attributes as the first three counts and the currents as the
- * others, and no current flows meanwhile; of packets that wait it takes the last one; after 0.5 s
- * without a packet the motors are off. It sends a packet for each that it gets.
+ * comes; `info` is the flag of the calibration button, 0 until the button is pressed, and cleared
+ * by command 1; command 1 sets the first three counts to the attributes and the others to the
+ * currents, while no current flows; of waiting packets it reads the last one; after 0.5 s without a
+ * packet the motors are off. It answers each packet with a packet.
  *
  * Name, numbers and report descriptor are mbed's defaults (WoodenHaptics/woody-experimental, commit
  * 726e186, mbed-code/WoodenHapticsHID/USBDevice/USBHID/USBHID.h and USBHID.cpp), or those of PJRC's
@@ -36,14 +36,11 @@ enum class WoodenFault
   ShortReport,
   Silence,
   WriteError,
-  Jump,    ///< an encoder counts 2000 more at once
-  LostZero ///< the controller restarted: its encoders begin anew, and it says nothing of it
+  Jump,    ///< an encoder jumps by 2000 counts
+  LostZero ///< the controller restarts without notice: its encoders begin anew
 };
 
-/**
- * A millisecond of its time goes by with each packet that it gets, which it answers with one of its
- * own.
- */
+/** Each packet that it gets advances its time by a millisecond, and is answered by a packet. */
 class WoodenModel : public HidModel
 {
 public:
@@ -65,22 +62,22 @@ public:
   int Output(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Power comes: the arm is in its rest pose, and the encoders know nothing of it. */
+  /** Switches power on: the arm is in its rest pose, which the encoders do not know. */
   void PowerUp();
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
-  /** N on the hand, of the currents that flow. */
+  /** The force (N) on the hand from the present currents. */
   Triple GetForce() const;
   std::vector<std::uint8_t> GetLastPacket() const;
   std::vector<std::uint8_t> GetLastPreset() const;
-  /** Time (s) without a packet: after half a second the firmware takes the currents away. */
+  /** The time (s) without a packet: after half a second the firmware switches the currents off. */
   void PassTime(double time);
   int GetPresets() const { return this->Presets; }
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
-  std::atomic<int> MissedPresets{ 0 }; ///< as many are followed at once by another packet
-  std::atomic<bool> Button{ false };   ///< was pressed, and no preset has come since
+  std::atomic<int> MissedPresets{ 0 }; ///< presets to miss, as another packet follows at once
+  std::atomic<bool> Button{ false };   ///< pressed, without a preset since
 
 private:
   bool IsMbed() const { return this->Controller == Board::Mbed; }
@@ -93,7 +90,7 @@ private:
   mutable std::mutex Guard;
   EmulatedHand Hand;
   Triple Angles{};             ///< rad
-  std::array<int, 3> Offset{}; ///< counts, of the encoders' zero
+  std::array<int, 3> Offset{}; ///< counts, zero of the encoders
   std::array<int, 3> Currents{};
   std::vector<std::uint8_t> Last;
   std::vector<std::uint8_t> LastPreset;

@@ -3,10 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plays RealtimeKit on a bus of its own ($DBUS_SESSION_BUS_ADDRESS), without giving any priority.
 
-Written from what rtkit 0.13 publishes (github.com/heftig/rtkit): its interface is that of
-org.freedesktop.RealtimeKit1.xml; what it refuses is as README and rtkit-daemon.c tell: a priority above
-MaxRealtimePriority, a thread of another process, and a process whose hard limit RLIMIT_RTTIME, which is read
-from /proc, is above RTTimeUSecMax.
+Written from what rtkit 0.13 publishes (github.com/heftig/rtkit): its interface is org.freedesktop.RealtimeKit1.xml; it
+refuses what README and rtkit-daemon.c say: a priority above MaxRealtimePriority, a thread of another process, and a
+process whose hard limit RLIMIT_RTTIME, which is read from /proc, is above RTTimeUSecMax.
 
 Each call is a line of output.
 """

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 const char* lastError = "no error";
 Clock::time_point lastRead;
 
-/** The fake, locked, if this device is open. */
+/** Locks the fake, if this device is open. */
 struct Opened
 {
   explicit Opened(char id)
@@ -37,7 +37,7 @@ struct Opened
   const bool Is;
 };
 
-/** The hand moves in the time since the last read, in steps of a millisecond at most. */
+/** Moves the hand for the time since the last read, in steps of a millisecond at most. */
 bool Move(FakeForceDimension& fake)
 {
   const auto now = Clock::now();

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library in the place of Force Dimension's, with a device that a hand holds. It behaves as the
- * SDK's public documentation says (Haptic and Robotic SDK 3.14): IDs of devices that are not open
- * are errors; results above zero are none; x is towards the user, y to the right, z up; metres,
+ * A library that replaces Force Dimension's, with a device in a hand. It behaves as the SDK's
+ * public documentation says (Haptic and Robotic SDK 3.14): IDs of devices that are not open are
+ * errors; results above zero are no errors; x is towards the user, y to the right, z up; metres,
  * newtons; forces have no effect while they are switched off.
  *
- * The search for the zero is the robotic library's regulation, which goes on until drdStop(), as
- * programs for the SDK know it: sawForceDimensionSDK (jhu-saw), mtsForceDimensionDevice::Startup(),
+ * The search for the zero is the robotic library's regulation, which continues until drdStop(), as
+ * programs for the SDK assume: sawForceDimensionSDK (jhu-saw), mtsForceDimensionDevice::Startup(),
  * and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after drdAutoInit(). Until then this library
- * takes no force; false switches the force off, too.
+ * accepts no force; drdStop(false) switches the force off, too.
  */
 #ifndef FakeForceDimension_h
 #define FakeForceDimension_h
@@ -33,12 +33,12 @@ struct FakeForceDimension
   bool HasWrist = true;
   bool HasGripper = false;
   bool IsGripperClosed = false;
-  bool EmulatesButton = false; ///< the gripper's, which it does only if it is told to
+  bool EmulatesButton = false; ///< the gripper as a button; off unless requested
   bool IsOpen = false;
   bool IsInitialised = true;
   bool HasPower = true;
   bool ForceIsOn = false;
-  bool IsRegulating = false; ///< by itself, since it searched for its zero
+  bool IsRegulating = false; ///< regulates by itself, since the search for its zero
   bool FailsToInit = false;
   bool FailsToOpen = false;
   bool FailsToRead = false;
@@ -48,12 +48,12 @@ struct FakeForceDimension
   unsigned Buttons = 0;
   std::array<std::array<double, 3>, 3> Frame{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   EmulatedHand Hand;
-  Triple Force{};                 ///< N, as it was set last
+  Triple Force{};                 ///< N, last set force
   Triple Torque{};                ///< N m
-  int ForcesBeforeZero = 0;       ///< forces other than zero that were set before it knew its zero
-  std::vector<std::string> Calls; ///< apart from reads, and writes of the same force
+  int ForcesBeforeZero = 0;       ///< number of nonzero forces set before it knew its zero
+  std::vector<std::string> Calls; ///< without reads, and writes of the same force
 
-  /** The library's, if the program is linked to it. */
+  /** The fake in the library, if the program is linked to it. */
   static FakeForceDimension& Get();
 };
 

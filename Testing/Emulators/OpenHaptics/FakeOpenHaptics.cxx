@@ -26,7 +26,7 @@ struct Scheduler
 Scheduler scheduler;
 bool isOpen = false;
 bool isForceEnabled = false;
-bool isInFrame = false; // used by the scheduler's thread
+bool isInFrame = false; // used by the scheduler thread
 Triple frameForce{};
 Triple frameTorque{};
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library in the place of OpenHaptics' libHD, with a device that a hand holds. It behaves as the
+ * A library that replaces OpenHaptics' libHD, with a device in a hand. It behaves as the
  * toolkit's public documentation says (OpenHaptics Toolkit 3.5, API Reference and Programmer's
  * Guide): callbacks run on the scheduler's thread; forces are set between hdBeginFrame and
- * hdEndFrame, else that is an error; faults are on a stack that hdGetError takes from; millimetres,
+ * hdEndFrame, else that is an error; hdGetError pops faults from a stack; millimetres,
  * newtons, millinewton metres; matrices have their columns first.
  */
 #ifndef FakeOpenHaptics_h
@@ -29,20 +29,20 @@ struct FakeOpenHaptics
   bool StandsStill = false; ///< the scheduler does not run its callbacks
   int OutputDof = 3;
   unsigned Calibration = 301;   ///< HD_CALIBRATION_OK
-  std::vector<unsigned> Faults; ///< the stack
+  std::vector<unsigned> Faults; ///< the stack of faults
   int Buttons = 0;
   bool TellsNonsense = false;
-  /// Of the stylus: three columns of a turn.
+  /// The stylus: three columns of a rotation.
   std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   EmulatedHand Hand;              ///< m
-  Triple Force{};                 ///< N, of the last frame
+  Triple Force{};                 ///< N, from the last frame
   Triple Torque{};                ///< mN m
-  int ForcesBeforeZero = 0;       ///< in frames before it knew its zero
-  int ForcesAtTheEnd = 0;         ///< how often the scheduler was stopped under force
-  std::vector<std::string> Calls; ///< outside of frames
+  int ForcesBeforeZero = 0;       ///< set in frames before it knew its zero
+  int ForcesAtTheEnd = 0;         ///< number of scheduler stops under force
+  std::vector<std::string> Calls; ///< set outside frames
   std::atomic<long> Frames{ 0 };
 
-  /** The library's, if the program is linked to it. */
+  /** The fake in the library, if the program is linked to it. */
   static FakeOpenHaptics& Get();
 };
 
