@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The scalar types and the estimators, to go through them.
- */
+/** Lists of the scalar types and the estimators, for loops over them. */
 #ifndef AllScalarTypes_h
 #define AllScalarTypes_h
 

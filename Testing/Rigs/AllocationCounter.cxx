@@ -43,7 +43,7 @@ Allocations CountAllocations()
 }
 } // namespace coretest
 
-// operator new[] and the variants without exceptions come down to these.
+// operator new[] and the variants without exceptions call these.
 void* operator new(std::size_t bytes)
 {
   return Allocate(bytes);

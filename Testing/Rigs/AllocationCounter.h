@@ -15,9 +15,9 @@ namespace coretest
 {
 struct Allocations
 {
-  /// Calls so far, of operator new and of malloc, calloc, realloc.
+  /// Number of calls of operator new and of malloc, calloc, realloc.
   std::size_t Calls = 0;
-  /// Bytes that operator new has handed out and that were not given back.
+  /// Bytes allocated by operator new and not yet freed.
   std::size_t LiveBytes = 0;
 };
 

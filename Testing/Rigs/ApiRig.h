@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A filter on a small volume with a path through it, and everything that it says recorded.
- */
+/** A filter on a small volume with a path through it, which records all its messages. */
 #ifndef ApiRig_h
 #define ApiRig_h
 
@@ -28,7 +26,7 @@ namespace apitest
 {
 using Point = std::array<double, 3>;
 
-/// The errors and warnings of an object, instead of on the console.
+/// Collects the errors and warnings of an object, instead of printing them.
 class MessageLog
 {
 public:
@@ -49,24 +47,24 @@ private:
 vtkSmartPointer<vtkImageData> MakeImage(
   int n, int scalarType, const std::function<double(const Point&)>& value);
 
-/// V = 100 z.
+/// The ramp V = 100 z.
 vtkSmartPointer<vtkImageData> MakeRamp(int n = 16, int scalarType = VTK_DOUBLE);
 
-/// One point a tick, or with `times` (s) in a point array "Time".
+/// A path with one point a tick, or with `times` (s) in a point array "Time".
 vtkSmartPointer<vtkPolyData> MakePath(
   const std::vector<Point>& points, const std::vector<double>& times = {});
 
-/// From a to b, both included, in `steps` steps.
+/// A path from a to b, both included, in `steps` steps.
 std::vector<Point> Line(const Point& a, const Point& b, int steps);
 
-/// Remove all points and add one: a constant.
+/// Makes a function constant: removes all points and adds one.
 void SetConstant(vtkPiecewiseFunction* function, double value);
 
-/// Entry of a point array of an output; fails the test if there is no such array.
+/// An entry of an output's point array; fails the test if there is no such array.
 double Get(vtkPolyData* output, const char* array, vtkIdType tick, int component = 0);
 
-/// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are the same to
-/// the bit.
+/// Whether points, lines and all point arrays of the first `ticks` ticks (all: -1) are equal to the
+/// bit.
 bool IsSame(vtkPolyData* a, vtkPolyData* b, vtkIdType ticks = -1);
 
 /// A copy of a filter's output that outlives the next update.
@@ -78,9 +76,9 @@ class ApiTest : public testing::Test
 protected:
   ApiTest();
 
-  /// Update, expecting no message and `ticks` points; returns the output.
+  /// Updates, expecting no message and `ticks` points; returns the output.
   vtkPolyData* Run(vtkIdType ticks);
-  /// Update, expecting one error with all these words in it, and an empty output.
+  /// Updates, expecting one error with all these words in it, and an empty output.
   void ExpectError(const std::vector<std::string>& words);
 
   vtkSmartPointer<vtkImageData> Image = MakeRamp();
@@ -88,7 +86,7 @@ protected:
   vtkNew<vtkVolumeHapticsFilter> Filter;
   vtkHapticProperty* const Property = this->Filter->GetProperty();
   MessageLog Log{ this->Filter };
-  /// If a filter fails, VTK's executive also reports an error; that one is not the filter's.
+  /// If a filter fails, VTK's executive also reports an error: ignore it.
   MessageLog ExecutiveLog;
 };
 } // namespace apitest

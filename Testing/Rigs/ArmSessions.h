@@ -5,10 +5,9 @@
  * Random sessions of an arm, a device and a volume in closed loop through the safety stage: honest
  * ones, and loops that are unstable.
  *
- * It shares nothing with PortSessions.h, on which the bounds of the observers were found. The arm
- * is a second mass, which muscles lead along a path, and which holds the device's mass by a soft
- * grip; the device has viscous friction and friction with a Stribeck curve, so that it sticks and
- * slips:
+ * It shares nothing with PortSessions.h, on which the bounds of the observers were chosen. The arm
+ * is a second mass, led by muscles along a path, that holds the device's mass by a soft grip; the
+ * device has viscous friction and friction with a Stribeck curve, so that it sticks and slips:
  *
  *   m x''  = F - b x' - f(x') + c (y' - x') + g (y - x),
  *   M y''  = -c (y' - x') - g (y - x) + C (p' - y') + K (p - y),
@@ -19,13 +18,13 @@
  * finger tip", 1997), voluntary motion of at most 6 Hz and 10 m/s^2, tremor as in HeldDevice.h.
  *
  * The volume is a plane or a sphere with friction, a rippled surface, tissue that yields, a thick
- * fluid, a wall that is published anew 30 or 60 times a second at another place, or the force
- * fields of the method FORCE_FIELD: layers, a well, and a vortex, which gives energy for as long as
- * a hand goes round with it.
+ * fluid, a wall that is published at a new place 30 or 60 times a second, or the force fields of
+ * the method FORCE_FIELD: layers, a well, and a vortex, which gives energy as long as a hand
+ * circles with it.
  *
- * Of a spring k on a mass with damping b, sampled with period T and with forces late by d, the loop
- * is stable if b > k (d + T / 2), to first order. Honest loops have b > 1.3 k (d + T / 2), with the
- * device's own friction and half of that of the grip. Unstable ones have a fraction of it.
+ * The loop of a spring k on a mass with damping b, sampled with period T and with forces late by d,
+ * is stable if b > k (d + T / 2), to first order. Honest loops have b > 1.3 k (d + T / 2), counting
+ * the device's own friction and half of the grip's. Unstable loops have a fraction of that.
  */
 #ifndef ArmSessions_h
 #define ArmSessions_h
@@ -64,18 +63,18 @@ enum class Gesture : std::uint8_t
   Scrub
 };
 
-/** All of a session that is drawn by chance. */
+/** The random properties of a session. */
 struct ArmScene
 {
   double Rate = 1000.0;  ///< Hz
-  int Delay = 0;         ///< ticks, of forces on their way
+  int Delay = 0;         ///< ticks until a force acts
   int Every = 1;         ///< ticks from one report to the next
   double Quantum = 1e-5; ///< m, of the encoders
   double Mass = 0.1;     ///< kg, of the device
   double Damping = 1.0;  ///< N s/m, of the device
   double Static = 0.0;   ///< N, friction of the device at rest
   double Kinetic = 0.0;  ///< N
-  bool IsHeld = true;    ///< else only a weight presses
+  bool IsHeld = true;    ///< otherwise only a weight presses
   double Weight = 0.0;   ///< N, down
   double ArmMass = 0.5;  ///< kg
   double Grip = 500.0;   ///< N/m
@@ -98,13 +97,13 @@ struct ArmScene
 struct ArmResult
 {
   bool IsDamped = false;
-  bool IsCut = false;       ///< with a fault
-  bool RanAway = false;     ///< the fault was that of PortObserver
-  double GivenDamped = 0.0; ///< J, the device had given until it was damped
-  double Given = 0.0;       ///< J, until it was cut, or to the end
-  double WayDamped = 0.0;   ///< m, from the lowest to the highest tip of a second, until then
+  bool IsCut = false;       ///< ended with a fault
+  bool RanAway = false;     ///< the fault came from PortObserver
+  double GivenDamped = 0.0; ///< J, energy from the device until it was damped
+  double Given = 0.0;       ///< J, energy until it was cut, or to the end
+  double WayDamped = 0.0;   ///< m, between lowest and highest tip in the second before
   double Way = 0.0;         ///< m, until it was cut, or to the end
-  double LastSwing = 0.0;   ///< m, from the lowest to the highest tip of the last 0.2 s
+  double LastSwing = 0.0;   ///< m, between lowest and highest tip in the last 0.2 s
 };
 
 class ArmSession
@@ -120,7 +119,7 @@ public:
         this->Pick(-1.0, 1.0), this->Pick(-1.0, 1.0) };
     }
     this->WaveLength = this->Pick(0.5e-3, 4e-3);
-    // Along the surface the force changes by k depth height (2 pi / length)^2: no more than k.
+    // Along the surface the force changes by k depth height (2 pi / length)^2: limit this to k.
     const double turn = 2.0 * Pi / this->WaveLength;
     const double deepest = scene.MaximumForce / (RippleShare * scene.Stiffness);
     this->WaveHeight =
@@ -170,7 +169,7 @@ public:
     limits.MaximumForce = this->S.MaximumForce;
     limits.MaximumDamping = this->S.MaximumDamping;
     limits.MovesTip = true;
-    // A weight does not wait for the force, as a hand does.
+    // A weight, unlike a hand, does not wait for the force.
     limits.RampTime = this->S.IsHeld ? limits.RampTime : 0.0;
     ForceGate gate;
     SafetyStage stage;
@@ -252,7 +251,7 @@ private:
   using State = std::array<Vector3, 4>; ///< device, its velocity, arm, its velocity
 
   static constexpr double Pi = 3.14159265358979323846;
-  static constexpr double RippleShare = 0.4; ///< of the stiffness, so that no direction has more
+  static constexpr double RippleShare = 0.4; ///< of the stiffness, so that no direction is stiffer
   double Pick(double from, double to) { return from + (to - from) * (this->Engine() * 0x1p-32); }
 
   Vector3 Measure() const
@@ -263,14 +262,14 @@ private:
     return { count(this->Body[0].X), count(this->Body[0].Y), count(this->Body[0].Z) };
   }
 
-  /// The place to which the muscles lead the arm. The wall is below z = 0.
+  /// The target to which the muscles lead the arm. The wall is below z = 0.
   Vector3 FindPath(double time) const
   {
     Vector3 path;
     const double beat = 2.0 * Pi * this->S.Beat;
-    // A hand does not accelerate faster.
+    // A hand does not accelerate faster than this.
     const double most = 10.0 / (beat * beat);
-    // From rest.
+    // Starts from rest.
     const double begun = std::clamp((time - 0.1) / 0.5, 0.0, 1.0);
     const double share = begun * begun * (3.0 - 2.0 * begun);
     const double down = share * this->S.Depth;
@@ -347,7 +346,7 @@ private:
         return {};
       case Matter::Layers:
       {
-        // Of 4 mm, with no more than k.
+        // Layers of 4 mm, with a slope of k at most.
         const double turn = 2.0 * Pi / 4e-3;
         return { 0.0, 0.0, k / turn * (1.0 + std::sin(turn * tip.Z)) };
       }
@@ -368,9 +367,9 @@ private:
   }
 
   /**
-   * A wall with a proxy, whose goal is the place of the surface next to the tip: friction holds it
-   * back, and then it slides along the surface, down to the cone of friction. `place` puts a point
-   * onto the surface.
+   * A wall with a proxy, whose goal is the surface point next to the tip: friction holds the proxy,
+   * until it slides along the surface, down to the friction cone. `place` projects a point onto the
+   * surface.
    */
   template <class Place>
   Vector3 Push(const Vector3& tip, const Vector3& goal, bool isInside, const Place& place)
@@ -390,7 +389,7 @@ private:
     }
     return VolumeHaptics::ClampNorm(this->S.Stiffness * (this->Proxy - tip), this->S.MaximumForce);
   }
-  /// A floor; it sinks in where it yields, and stays there while the tip is in it.
+  /// A floor that sinks where it yields, and stays there while the tip is in it.
   Vector3 PushFloor(const Vector3& tip, double floor, double yield)
   {
     this->Sunk = tip.Z < floor ? std::max(this->Sunk, floor - tip.Z - yield) : 0.0;
@@ -433,7 +432,7 @@ private:
     return { a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2], a[3] + h * b[3] };
   }
 
-  /// A tick; the energy (J) that the device gives.
+  /// Moves for a tick; returns the energy (J) that the device gives.
   double Move(double time, const Vector3& force)
   {
     const double period = 1.0 / this->S.Rate;

@@ -34,7 +34,7 @@ class BadImageTest
   , public testing::WithParamInterface<BadImage>
 {
 protected:
-  /// Expects one error with the words of the parameter, and none once the image is repaired.
+  /// Expects one error with the parameter's words, and no error once the image is repaired.
   void ExpectErrorAndRecovery()
   {
     this->Run(51);

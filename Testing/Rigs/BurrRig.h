@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A burr in a hand. In millimetres, unless it is said otherwise.
- */
+/** A burr in a hand. Lengths are in millimetres unless stated otherwise. */
 #ifndef BurrRig_h
 #define BurrRig_h
 
@@ -14,7 +12,7 @@
 
 namespace coretest
 {
-/// Solid above z = surface, with the tissue removed below; voxels of `size` mm.
+/// A volume that is solid above z = surface, with the tissue removed below; voxels of `size` mm.
 struct HalfSpace
 {
   HalfSpace(const TestVolume::Size& n, double size, std::int64_t surface)
@@ -35,7 +33,7 @@ struct HalfSpace
   HapticModelDescription Scene;
 };
 
-/// A burr and how its head is felt; lengths in the world.
+/// A burr and the settings of its head's contact; lengths in the world.
 struct BurrInHand : BurrSettings
 {
   ShellSettings Shell;
@@ -53,7 +51,7 @@ inline ToolDescription DescribeBurr(
   return tool;
 }
 
-/// A burr that is led through a volume, a millisecond a tick.
+/// A burr led through a volume, a millisecond a tick.
 class BurrInVolume
 {
 public:
@@ -73,7 +71,7 @@ public:
     TissueRemoval* const removal = this->Model.Baked->Removal.get();
     if (removal && removal->Serve())
     {
-      // As the servo does (ServoTick.h).
+      // Do what the servo does (ServoTick.h).
       this->Shell.Enabled = false;
       this->State = BurrState{};
       this->Record = BurrRecord{};
@@ -107,7 +105,7 @@ public:
     }
     return this->Record;
   }
-  /// Presses with a force (N) along z, by following the tool at the spring's length.
+  /// Presses with a force (N) along z: keeps the hand at the spring's length from the tool.
   const BurrRecord& Press(double force)
   {
     Vector3 hand = this->Record.Shell.Hand.Position;
@@ -129,9 +127,9 @@ public:
   BurrRecord Record;
   bool IsSpinning = true;
   double Step = 1e-3;         ///< s
-  double Work = 0.0;          ///< J, of the hand on the spring
-  double VibrationWork = 0.0; ///< J, of the hand against the vibration
-  double Earned = 0.0;        ///< J, mu F v of all ticks
+  double Work = 0.0;          ///< J, work of the hand on the spring
+  double VibrationWork = 0.0; ///< J, work of the hand against the vibration
+  double Earned = 0.0;        ///< J, mu F v summed over all ticks
   double Energy = 0.0;        ///< J, spent on removal
   double Removed = 0.0;       ///< mm^3
 
@@ -143,7 +141,7 @@ private:
   }
 };
 
-/// A burr of 2 mm at 60 000/min, mu 0.3, that bone of `kappa` N/m^3 holds.
+/// A burr of 2 mm at 60 000/min, mu 0.3, on bone of stiffness `kappa` N/m^3.
 inline BurrInHand MakeBurr(double kappa, double level)
 {
   BurrInHand settings;
@@ -151,7 +149,7 @@ inline BurrInHand MakeBurr(double kappa, double level)
   settings.Speed = 1000.0;
   settings.Friction = 0.3;
   settings.Shell.Level = level;
-  settings.Shell.ContactArea = 1e6 * 500.0 / kappa; // mm^2, of the default stiffness
+  settings.Shell.ContactArea = 1e6 * 500.0 / kappa; // mm^2, for the default stiffness
   return settings;
 }
 } // namespace coretest

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Removal from small volumes, and the same in loops over all samples.
- */
+/** Removal from small volumes, and a reference in loops over all samples. */
 #ifndef CarvingRig_h
 #define CarvingRig_h
 
@@ -15,7 +13,7 @@
 
 namespace coretest
 {
-/// Sets the share at one sample, whatever it was.
+/// Sets the share at one sample, whatever it was before.
 inline void SetShare(
   CarvedBricks& bricks, std::int64_t i, std::int64_t j, std::int64_t k, std::uint8_t share)
 {
@@ -27,7 +25,7 @@ inline void SetShare(
   bricks.MarkChanged(brick);
 }
 
-/// What is left of a volume, as doubles: V - (1 - rho) (V - V_air).
+/// The remaining values of a volume, as doubles: V - (1 - rho) (V - V_air).
 inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks, double air)
 {
   const std::int64_t* const n = volume.View.Dimensions;
@@ -46,7 +44,7 @@ inline TestVolume MakeLeft(const TestVolume& volume, const CarvedBricks& bricks,
   return left;
 }
 
-/// All samples' shares, x first.
+/// The shares of all samples, x first.
 inline std::vector<std::uint8_t> CopyShares(const CarvedBricks& bricks, const std::int64_t* n)
 {
   std::vector<std::uint8_t> shares;
@@ -63,14 +61,14 @@ inline std::vector<std::uint8_t> CopyShares(const CarvedBricks& bricks, const st
   return shares;
 }
 
-/// The share with which a sample of a solid value has the level: r = (V_c - V_air)/(V - V_air),
-/// from half a share of 255 to as much less than all.
+/// The share at which a sample of a solid value reaches the level: r = (V_c - V_air)/(V - V_air),
+/// between half a 255th and one minus that.
 inline double EdgeOf(double value, double level, double air)
 {
   return std::clamp((level - air) / (value - air), 0.5 / 255.0, 1.0 - 0.5 / 255.0);
 }
 
-/// The part of a voxel's volume that the share rho leaves: it falls from 1 at r + 1/12 to 0 at
+/// The fraction of a voxel's volume that the share rho leaves: it falls from 1 at r + 1/12 to 0 at
 /// r - 1/12, or at 1 and 0 if those are nearer.
 inline double LeftOf(double rho, double edge)
 {
@@ -83,8 +81,8 @@ inline double LeftOf(std::uint8_t share, double edge = 0.5)
   return LeftOf(share / 255.0, edge);
 }
 
-/// rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) of all samples, whose level is
-/// half of their value; in voxels of size 1, w = 3.
+/// Sets rho <- min(rho, clamp(1/2 + (|x - c| - a)/w)) at all samples. Their level is half of their
+/// value; voxels have size 1, w = 3.
 inline void CarveSlowly(
   std::vector<std::uint8_t>& shares, const std::int64_t* n, const Vector3& centre, double radius)
 {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Models on small volumes, with millimetres for the world and a tip that wanders through them.
- */
+/** Models on small volumes, in a world of millimetres, and a tip that wanders through them. */
 #ifndef CoreScene_h
 #define CoreScene_h
 
@@ -12,7 +10,7 @@
 
 namespace coretest
 {
-/// A world of millimetres around a volume of 1 mm voxels; its material is the default one.
+/// A world of millimetres around a volume of 1 mm voxels, with the default material.
 inline HapticModelDescription Describe(const TestVolume& volume)
 {
   HapticModelDescription description;
@@ -21,7 +19,8 @@ inline HapticModelDescription Describe(const TestVolume& volume)
   return description;
 }
 
-/// Surfaces hold from their first distinct gradient on, with the materials a kernel radius ahead.
+/// Makes surfaces hold from their first distinct gradient on, with the materials a kernel radius
+/// ahead.
 inline void PlaceAsThePaper(HapticModelDescription& description)
 {
   description.Settings.Alignment = ContactAlignment::Distinctness;
@@ -36,7 +35,7 @@ inline TestVolume MakeRamp(std::int64_t samples = 24)
   return volume;
 }
 
-/// A random walk that also leaves the volume. In metres, for a volume of `size` voxels of 1 mm.
+/// A random walk that also leaves the volume: metres, for a volume of `size` voxels of 1 mm.
 class Wanderer
 {
 public:
@@ -51,7 +50,7 @@ public:
     for (double* x : { &this->Tip.X, &this->Tip.Y, &this->Tip.Z })
     {
       *x += 2e-4 * (this->Uniform() - 0.5);
-      // Reflected 5 mm outside the volume; some ticks jump.
+      // Reflect the walk 5 mm outside the volume; some ticks jump.
       const double low = -0.005;
       const double high = 0.001 * this->Size + 0.005;
       *x = *x < low ? 2.0 * low - *x : (*x > high ? 2.0 * high - *x : *x);

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A virtual device on a ramp, led by the test.
- */
+/** A virtual device on a ramp; the test moves it. */
 #ifndef DeviceRig_h
 #define DeviceRig_h
 
@@ -26,7 +24,7 @@ inline double Length(const double v[3])
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-/// Whether the force flows, all of it: no ramp after arming, a hold or a gap is under way.
+/// Whether the whole force flows: no ramp after arming, hold or gap is in progress.
 inline bool IsFullyArmed(vtkHapticDevice* device)
 {
   return device->GetStatus() == vtkHapticDevice::ACTIVE &&
@@ -46,7 +44,7 @@ protected:
     this->Device->SetVolumeHaptics(this->Filter);
   }
 
-  /// The servo runs, with the tip at the beginning of the ramp's force.
+  /// Starts the servo, with the tip at the beginning of the ramp's force.
   void Begin(const char* id = "virtual")
   {
     this->BeginWayHere();
@@ -58,7 +56,8 @@ protected:
     ASSERT_TRUE(this->Device->Start());
     ASSERT_TRUE(this->WaitTicks(2));
   }
-  /// The servo runs, armed, with a light tip that a far goal makes faster than a hand may be.
+  /// Starts the servo, armed, with a light tip that a far goal makes faster than the limit of a
+  /// hand.
   void BeginFast()
   {
     ASSERT_TRUE(this->Device->Open("virtual"));
@@ -74,7 +73,7 @@ protected:
     const vtkIdType end = this->Device->GetTick() + ticks;
     return this->Wait([&] { return this->Device->GetTick() >= end; });
   }
-  /// Polls the device until something holds in a state that no pause of the loop came before.
+  /// Polls the device until something holds in a state without a preceding pause of the loop.
   template <typename F>
   bool Wait(F&& holds)
   {
@@ -93,7 +92,7 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetForce()) > 0.2; });
   }
-  /// Leads the tip and waits until it is there.
+  /// Leads the tip to a position and waits until it is there.
   bool Lead(double x, double y, double z)
   {
     if (this->Way.empty())
@@ -105,9 +104,9 @@ protected:
     this->Device->SetVirtualTip(x, y, z);
     return this->Wait([this] { return this->IsAt(this->Way.back()); });
   }
-  /// After a pause of the loop the tip is led again from where it is now.
+  /// After a pause of the loop, leads the tip again from its present position.
   void BeginWayHere() { this->Way.clear(); }
-  /// Waits for the end of the force gate's ramp: a wall that is pressed before it stays soft until
+  /// Waits for the end of the force gate's ramp: a wall pressed during the ramp stays soft until
   /// the tip leaves it.
   bool WaitFullyArmed()
   {
@@ -118,7 +117,7 @@ protected:
     this->Device->Arm();
     return this->WaitFullyArmed();
   }
-  /// Leads the tip into the ramp, so slowly that the slew limit holds nothing back.
+  /// Leads the tip into the ramp, slowly enough for the slew limit.
   bool LeadInto(double z)
   {
     bool isThere = true;
@@ -129,7 +128,7 @@ protected:
     }
     return isThere;
   }
-  /// The servo runs, armed, and the tip presses the ramp with 1.5 N.
+  /// Starts the servo, armed, and presses the ramp with 1.5 N.
   void BeginPressed()
   {
     this->Begin();
@@ -141,7 +140,7 @@ protected:
   {
     return this->Wait([this] { return Length(this->Device->GetForce()) > 1.4; });
   }
-  /// The tip leaves the ramp, and presses it again with 1.5 N.
+  /// Leaves the ramp, and presses it again with 1.5 N.
   bool PressAgain()
   {
     return this->Lead(7.0, 7.0, 5.0) && this->WaitFullyArmed() && this->LeadInto(8.0) &&
@@ -173,7 +172,7 @@ private:
     const double way[3] = { tip[0] - place[0], tip[1] - place[1], tip[2] - place[2] };
     return Length(way) < 1e-6;
   }
-  /// The way that Lead went, from its start on; on, once a ramp is over.
+  /// Repeats the path of Lead from its start; continues when a ramp is over.
   void GoAgain()
   {
     this->Pauses.Forget();

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The pixels that a window has drawn, as numbers.
- */
+/** The pixels of a window, as numbers. */
 #ifndef DrawnPixels_h
 #define DrawnPixels_h
 

@@ -15,7 +15,10 @@
 namespace apitest
 {
 
-/** Counts how often an object tells of an event, from the beginning to the end of its own life. */
+/**
+ * Counts the invocations of an object's event, from the beginning to the end of this counter's
+ * life.
+ */
 class EventCounter
 {
 public:

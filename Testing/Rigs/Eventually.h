@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Waits for what another thread does.
- */
+/** Waits for another thread's work. */
 #ifndef Eventually_h
 #define Eventually_h
 
@@ -17,7 +15,7 @@ template <typename F>
 bool Eventually(F&& holds)
 {
 #if defined(__SANITIZE_THREAD__)
-  constexpr std::chrono::seconds longest(120); // what computes takes many times as long
+  constexpr std::chrono::seconds longest(120); // sanitizers slow computations many times
 #else
   constexpr std::chrono::seconds longest(30);
 #endif

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A recorded servo loop on a ramp, whose ticks are taken one by one: no force leaps.
- */
+/** A recorded servo loop on a ramp, checked tick by tick: no force jumps. */
 #ifndef FadingLoop_h
 #define FadingLoop_h
 
@@ -16,12 +14,12 @@ namespace servotest
 class FadingLoop : public testing::Test
 {
 protected:
-  /// Ticks per second of the loops that Take looks at.
+  /// The tick rate (Hz) of the loops that Take reads.
   explicit FadingLoop(double rate)
     : TickRate(rate)
   {
   }
-  /// Takes the next tick; its force changes no faster than the limits and the fade let it.
+  /// Reads the next tick; its force must not change faster than the limits and the fade allow.
   void Take(RunningLoop& loop)
   {
     const double most =

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * An emulated Novint Falcon that is plugged in, opened as an application does, and held by a hand.
- */
+/** An emulated Novint Falcon in a hand, plugged in, and opened as an application does. */
 #ifndef FalconRig_h
 #define FalconRig_h
 
@@ -45,7 +43,7 @@ protected:
     this->Options.HomingTime = 60.0;
   }
 
-  /** False, with this->Error. */
+  /** False, with this->Error, on a failure. */
   bool Open(const std::string& id = "falcon")
   {
     this->Device = MakeDevice(id, this->Options, this->Error);
@@ -70,14 +68,14 @@ protected:
     this->LeadTo(Rest);
     ASSERT_TRUE(this->IsAt(DeviceStage::Ready)) << this->GetText();
   }
-  /** Homed, in the middle of the workspace. */
+  /** Homes the device, and leads it to the middle of the workspace. */
   void MakeReady()
   {
     ASSERT_TRUE(this->Open()) << this->Error;
     this->Home();
     this->LeadTo(Middle);
   }
-  /** As a servo does, once in a while, until something holds. */
+  /** Writes a force at intervals, as a servo does, until something holds. */
   template <typename F>
   bool Push(const Vector3& force, F&& holds)
   {
@@ -97,7 +95,10 @@ protected:
         return AreClose(this->Falcon.GetForce(), { force.X, force.Y, force.Z }, 0.05);
       });
   }
-  /** Whatever the servo gives, over so many packets; not the one that may be on its way already. */
+  /**
+   * Whether commands stay zero over this number of packets, whatever the servo gives; ignores the
+   * packet that may be on its way already.
+   */
   bool StaysAtZero(long packets)
   {
     const auto pass = [this](long more)
@@ -109,7 +110,7 @@ protected:
     this->Falcon.TakeLargestCommand();
     return arrived && pass(packets) && this->Falcon.TakeLargestCommand() == 0.0;
   }
-  /** The device is lost, says why, and its last commands are zero. */
+  /** Expects that the device is lost, says why, and has zero as last commands. */
   void ExpectLost(const std::string& why)
   {
     EXPECT_TRUE(this->Push(
@@ -127,7 +128,7 @@ protected:
   std::string Error;
 };
 
-/** A file that is removed in the end. */
+/** A file that is removed at the end. */
 class TemporaryFile
 {
 public:
@@ -143,7 +144,7 @@ public:
   const std::filesystem::path Path;
 };
 
-/** Every byte there is, in no simple order; no firmware. */
+/** Every byte value, in no simple order; no firmware. */
 inline std::vector<std::uint8_t> MakeImage(std::size_t size)
 {
   std::vector<std::uint8_t> image(size);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library that is loaded before a program (LD_PRELOAD), and lets it follow the locale of its
- * user, as QApplication does.
+ * A library that is loaded before a program (LD_PRELOAD), and sets the program's locale to the
+ * user's, as QApplication does.
  */
 #include <clocale>
 #include <cstdio>
@@ -15,7 +15,7 @@ struct FollowedLocale
 {
   FollowedLocale()
   {
-    // Else the tests would show nothing.
+    // Without a decimal comma, the tests would show nothing.
     if (!std::setlocale(LC_ALL, "") || std::localeconv()->decimal_point[0] != ',')
     {
       std::fputs("The locale of the user has no decimal comma.\n", stderr);

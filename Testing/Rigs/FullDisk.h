@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A full disk, for all tests: if a file would become longer than RLIMIT_FSIZE, write(2) gives
- * EFBIG, as it gives ENOSPC on a full disk (setrlimit(2), SIGXFSZ in signal(7)).
+ * A full disk for tests: beyond RLIMIT_FSIZE, write(2) gives EFBIG, as it gives ENOSPC on a full
+ * disk (setrlimit(2), SIGXFSZ in signal(7)).
  */
 #ifndef FullDisk_h
 #define FullDisk_h
@@ -14,7 +14,7 @@
 namespace devicetest
 {
 
-/// As long as this lives, no file of this process becomes longer than that.
+/// While this object exists, no file of this process can grow beyond a limit.
 class FullDisk
 {
 public:

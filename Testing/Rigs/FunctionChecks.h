@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * How far from a vtkPiecewiseFunction a baked value may be.
- */
+/** The allowed distance of a baked value from a vtkPiecewiseFunction. */
 #ifndef FunctionChecks_h
 #define FunctionChecks_h
 
@@ -17,8 +15,8 @@
 
 namespace apitest
 {
-/// Documented in vtkHapticProperty.h: a curved piece is off by 0.01 % of its height at most, and by
-/// 0.1 % of the value there (down to the last digits beside a height that is so much larger).
+/// Documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, plus
+/// 0.1 % of the value there (down to the last digits beside a much larger height).
 inline constexpr double CurveBound = 1e-4;
 inline constexpr double ValueBound = 1e-3;
 inline constexpr double LastDigits = 1e-8;
@@ -63,7 +61,8 @@ inline double AllowedError(vtkPiecewiseFunction* function, double x)
   return rounding;
 }
 
-/// The function's values at x, and a few roundings of x (or of its logarithm) beside it.
+/// The range of the function's values at x and a few roundings of x (or of its logarithm) beside
+/// it.
 inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, double x)
 {
   const double value = function->GetValue(x);
@@ -72,7 +71,7 @@ inline std::pair<double, double> ValuesAround(vtkPiecewiseFunction* function, do
   {
     if (node.X == x)
     {
-      return range; // at a node there is nothing to round
+      return range; // a node needs no rounding
     }
   }
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(x);

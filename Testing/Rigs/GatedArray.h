@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Values that a worker gets only when a test lets it.
- */
+/** Values that a worker gets only when a test allows it. */
 #ifndef GatedArray_h
 #define GatedArray_h
 
@@ -15,7 +13,7 @@
 
 namespace devicetest
 {
-/// Values that another thread than the one that made the array gets only while it is open.
+/// Values that threads other than the array's maker get only while it is open.
 class GatedArray : public vtkShortArray
 {
 public:

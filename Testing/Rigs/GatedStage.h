@@ -14,7 +14,7 @@ namespace rigs
 class GatedStage
 {
 public:
-  /// Anew, also while force flows.
+  /// Arms anew, even while force flows.
   void Arm()
   {
     this->Gate.Arm(false);

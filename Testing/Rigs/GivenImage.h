@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A stage of a pipeline that changes nothing.
+ * A pipeline stage that changes nothing.
  */
 #ifndef GivenImage_h
 #define GivenImage_h
@@ -16,8 +16,8 @@ namespace apitest
 {
 
 /**
- * Gives the image that it gets, with its time steps. Behind a source whose frames are felt where
- * they are, it stands for a reader of files: its steps are copied one by one as time comes to them.
+ * Gives the image that it gets, with its time steps. Behind a source whose frames are felt without
+ * a copy, it acts like a reader of files: its steps are copied one by one when time reaches them.
  */
 class GivenImage : public vtkImageAlgorithm
 {

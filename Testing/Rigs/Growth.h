@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The growth of a force, which the slew limit bounds: its length minus the part of the force before
+ * The growth of a force, which the slew limit bounds: its length minus the previous force's part
  * along it.
  */
 #ifndef Growth_h

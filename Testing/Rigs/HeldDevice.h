@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A hand that holds a device's tip, as plain mechanics, which know nothing of the library:
+ * A hand that holds a device's tip, as plain mechanics without the library:
  *
  *   m x'' = f - w - friction - b (x' - p') - k (x - p)
  *
@@ -34,7 +34,7 @@ struct Hand
   double Mass = 0.15;            ///< kg
   double Damping = 2.0;          ///< N s/m
   double Stiffness = 200.0;      ///< N/m
-  double Coupling = 0.0;         ///< share of the stiffness between two axes
+  double Coupling = 0.0;         ///< coupling between two axes, relative to the stiffness
   double StaticFriction = 0.0;   ///< N
   double KineticFriction = 0.0;  ///< N
   double Weight = 0.0;           ///< N, along the second axis
@@ -67,7 +67,7 @@ public:
     this->Place[1] -= hand.Stiffness > 0.0 ? hand.Weight / hand.Stiffness : 0.0;
   }
 
-  /// Moves on for a time with a command; the motors turn it by the device's signs.
+  /// Moves for a time under a command; the motors turn it by the device's signs.
   void Move(const Triple& command, double seconds)
   {
     const int steps = static_cast<int>(std::lround(seconds / Step));
@@ -79,7 +79,7 @@ public:
   }
 
   const Triple& GetPlace() const { return this->Place; }
-  /// The work of the motors on the hand so far, and the most that it ever was (J).
+  /// The motors' work on the hand so far, and its maximum so far (J).
   double GetWork() const { return this->Work; }
   double GetMostWork() const { return this->MostWork; }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A mass without damping that flies against a spring, in closed loop through the safety stage.
+ * A mass without damping that hits a spring, in closed loop through the safety stage.
  *
- * The mass moves exactly as under a constant force in every tick: x += v T + a T^2 / 2, v += a T.
+ * The motion is exact for a constant force in every tick: x += v T + a T^2 / 2, v += a T.
  */
 #ifndef Impacts_h
 #define Impacts_h
@@ -25,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline constexpr double Period = 1e-3;
 
-/// The force that is wanted at a place, in N.
+/// The wanted force (N) at a position.
 using Field = std::function<Vector3(const Vector3&)>;
 
 struct Body
@@ -48,12 +48,12 @@ struct Loop
   double MaximumForce = 8.0; ///< N
   double ForceRate = 500.0;  ///< N/s
   double Tick = Period;      ///< s
-  std::size_t Delay = 0;     ///< ticks from the stage to the hand
-  int Every = 1;             ///< ticks from one measured tip to the next
+  std::size_t Delay = 0;     ///< ticks until a force of the stage acts
+  int Every = 1;             ///< ticks between measured tips
   double Stiffness = 0.0;    ///< for the stage, N/m
   double LargestGrowth = 0.0;
 
-  /// Flies until it has touched and is free again; the energy that it leaves with.
+  /// Flies until the body has touched and is free again; returns the energy with which it leaves.
   double Fly(Body body, const Field& field)
   {
     SafetyLimits limits;
@@ -91,7 +91,7 @@ struct Loop
     }
     return std::numeric_limits<double>::infinity(); // never free again
   }
-  /// The same without a slew limit, and without a clamp if `most` (N) is more than any force.
+  /// Flies without a slew limit, and without a clamp if `most` (N) is more than any force.
   double FlyFreely(const Body& body, const Field& field, double most = 0.0) const
   {
     Loop loop = *this;
@@ -109,7 +109,7 @@ inline Field MakeWall(double stiffness)
   };
 }
 
-/// A body on its way to the wall, `phase` of a tick's way before it.
+/// A body at `phase` of a tick's distance before the wall.
 inline Body Throw(double mass, double speed, double phase)
 {
   return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };
@@ -128,8 +128,8 @@ struct Rebound
   double Free = 0.0;         ///< J, without the stage
 };
 
-/// Flies a case. The sampling adds more or less by the phase of the ticks: the energies are the
-/// means of a hundred phases.
+/// Flies a case. The phase of the ticks changes the energy that sampling adds: the results are
+/// means over a hundred phases.
 inline Rebound Fly(Rebound r)
 {
   constexpr int phases = 100;

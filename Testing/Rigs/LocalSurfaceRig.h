@@ -23,8 +23,8 @@ inline HapticModelDescription DescribeLocal(
   return description;
 }
 
-/// 100 on a sphere round (20, 20, 20), 10 more each voxel towards its middle; or less, for a
-/// cavity.
+/// Values of 100 on a sphere around (20, 20, 20), and 10 more per voxel towards its middle; or
+/// less, for a cavity.
 inline TestVolume MakeLocalBall(double sign)
 {
   TestVolume volume(ScalarType::Float64, { 41, 41, 41 });

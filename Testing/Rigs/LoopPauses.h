@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * If a busy machine holds the servo loop up for longer than the watchdog allows (30 ms), the proxy
- * begins again from the tip, which may be inside by then, and force rises from zero: the situation
- * that a test has prepared is lost, and the test has to prepare it once more.
+ * Detects pauses of the servo loop. If a busy machine stops the loop for longer than the watchdog
+ * allows (30 ms), the proxy begins again from the tip, which may be inside by then, and force rises
+ * from zero: the test has to prepare its situation again.
  */
 #ifndef LoopPauses_h
 #define LoopPauses_h
@@ -14,7 +14,7 @@
 class LoopPauses
 {
 public:
-  /// After every UpdateState. What the states lag behind the clock grows with every pause.
+  /// Call after every UpdateState. The lag of the states behind the clock grows with every pause.
   void Look(vtkHapticDevice* device)
   {
     const double lag =
@@ -22,7 +22,7 @@ public:
     this->HeldUp = this->HeldUp || lag > this->Lag + 0.02;
     this->Lag = lag;
   }
-  /// Whether there was such a pause among the states since Forget; rather once too often.
+  /// Whether there was a pause in the states since Forget; may also be true without one.
   bool WasHeldUp() const { return this->HeldUp; }
   void Forget() { this->HeldUp = false; }
 

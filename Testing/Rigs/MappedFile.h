@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A file that is mapped into memory, and what the kernel says of it: mincore(2), VmLck of
+ * A file mapped into memory, and the kernel's data about it: mincore(2), VmLck of
  * /proc/self/status, and Locked of /proc/self/smaps.
  */
 #ifndef MappedFile_h
@@ -24,7 +24,7 @@
 
 namespace servotest
 {
-/// The sanitizers make mlock do nothing.
+/// The sanitizers disable mlock.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool CanLock = false;
 #else
@@ -33,7 +33,7 @@ constexpr bool CanLock = true;
 
 inline const std::size_t PageSize = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 
-/// Bytes that this process has locked.
+/// The bytes that this process has locked.
 inline std::size_t LockedBytes()
 {
   std::ifstream status("/proc/self/status");
@@ -48,7 +48,7 @@ inline std::size_t LockedBytes()
   return 0;
 }
 
-/// A file of nothing but a hole, mapped.
+/// A mapped file with no data, only a hole.
 class MappedFile
 {
 public:
@@ -65,7 +65,7 @@ public:
   }
   ~MappedFile() { munmap(this->Begin, this->Size); }
 
-  /// Its bytes that are in memory.
+  /// The file's bytes in memory.
   std::size_t Resident() const
   {
     std::vector<unsigned char> pages(this->Size / PageSize);
@@ -78,7 +78,7 @@ public:
     return resident * PageSize;
   }
 
-  /// Its bytes that are locked: of the rows of /proc/self/smaps that lie in it.
+  /// The file's locked bytes, from the rows of /proc/self/smaps inside it.
   std::size_t Locked() const
   {
     const auto begin = reinterpret_cast<std::uintptr_t>(this->Begin);

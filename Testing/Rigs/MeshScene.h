@@ -52,7 +52,7 @@ inline std::shared_ptr<SurfaceMesh> MakeCube(double half)
   return std::make_shared<SurfaceMesh>(points, faces, Corners{});
 }
 
-/// A ball round 0 of n x 2n facets, with the normals of the sphere or none.
+/// A ball around 0 of n x 2n facets, with the normals of the sphere or none.
 inline std::shared_ptr<SurfaceMesh> MakeBall(double radius, int n, bool hasNormals)
 {
   Corners points;

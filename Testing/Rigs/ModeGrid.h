@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A sampled field with one mode, and a proxy that follows it.
+ * A sampled field with one mode, and the proxy that follows it.
  */
 #ifndef ModeGrid_h
 #define ModeGrid_h
@@ -23,7 +23,7 @@ using namespace VolumeHaptics;
 inline constexpr double CouplingOf = 500.0; // N/m
 inline const double HalfTurn = std::acos(-1.0);
 
-/// Components at the points of a grid of spacing h (mm), whose middle is the world's origin.
+/// Field components at the points of a grid of spacing h (mm) around the world's origin.
 class ModeGrid
 {
 public:
@@ -70,7 +70,7 @@ public:
     this->Memory = {};
   }
 
-  /// The primitives at a place (mm).
+  /// The primitives at a position (mm).
   PrimitiveSet At(const Vector3& place) const
   {
     PrimitiveSet set;
@@ -79,7 +79,7 @@ public:
     return set;
   }
 
-  /// A tick; mm.
+  /// Runs a tick; mm.
   void Move(const Vector3& tip)
   {
     this->Motion = FollowPrimitives(this->Field->GetField(), CouplingOf, this->QuarterVoxel,
@@ -92,8 +92,8 @@ public:
   }
   void StartAt(const Vector3& place) { this->Motion.Proxy = 1e-3 * place; }
 
-  /// The most that the proxy's primitives pull with together (N), within the last part of a step,
-  /// by which it may be ahead of its force: of the corners of a cube around it.
+  /// The largest total pull (N) of the primitives near the proxy: at the corners of a cube around
+  /// it, as large as the last part of a step, by which the proxy may be ahead of its force.
   double FindStrengths() const
   {
     const double part = PrimitiveFollower::FinishedShare * this->QuarterVoxel;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A ball that pulsates and a wall that comes, in frames, and a hand that rests in them.
+ * A pulsating ball and an approaching wall, in frames, and a hand that rests in them.
  */
 #ifndef MovingRig_h
 #define MovingRig_h
@@ -26,7 +26,7 @@ inline constexpr double Width = 1.5;  // mm, of the edges
 inline constexpr double Period = 1.0; // s, of the ball
 inline constexpr double Dt = 1e-3;    // s, of a tick
 
-/// Where (mm along x) a surface is at a time (s).
+/// The position (mm along x) of a surface at a time (s).
 using Place = std::function<double(double)>;
 
 inline double BallRadius(double t)
@@ -34,7 +34,7 @@ inline double BallRadius(double t)
   return 20.0 + 2.0 * std::sin(2.0 * Pi * t / Period);
 }
 
-/// Frames of a volume of 25 mm along x, the middle of whose x side is `From`: 26 x 25 x 25 voxels
+/// Frames of a volume of 25 mm along x, whose x side has its middle at `From`: 26 x 25 x 25 voxels
 /// of 1 mm, or as wide in voxels of another size (mm).
 class Movie
 {
@@ -90,7 +90,7 @@ inline Movie MakeBall(double step, double voxel = 1.0)
     6.0, 2.0, step, voxel };
 }
 
-/// A wall on the side of lower x, whose surface is at an x that moves.
+/// A wall on the side of lower x, with a surface that moves along x.
 inline Movie MakeWall(const Place& at, double step, double voxel = 1.0)
 {
   return { [at](double x, double, double, double t)
@@ -98,7 +98,7 @@ inline Movie MakeWall(const Place& at, double step, double voxel = 1.0)
     6.0, 2.0, step, voxel };
 }
 
-/// A hand that goes straight to a place on the x axis while time holds, and then rests there.
+/// A hand that goes straight to a position on the x axis while time is held, and then rests there.
 class RestingHand
 {
 public:
@@ -113,7 +113,7 @@ public:
     }
   }
 
-  /// A tick, at a data time.
+  /// Runs a tick at a data time.
   const TickRecord& Go(double time)
   {
     this->State.DataTime = time;
@@ -138,8 +138,8 @@ inline HapticModelDescription WithStrength(HapticModelDescription description, d
   return description;
 }
 
-/// The Gaussian's blur moves the surface of a ball by 0.03 mm, as the evaluation shows; this one's
-/// by 0.016 mm.
+/// Uses the spline: the Gaussian's blur moves the surface of a ball by 0.03 mm, as the evaluation
+/// shows; the spline's by 0.016 mm.
 inline HapticModelDescription WithSpline(HapticModelDescription description)
 {
   description.Estimator = GradientEstimator::CubicBSpline;

@@ -18,10 +18,10 @@ namespace hardwaretest
 struct Stick
 {
   std::uint8_t FirstId = 0x11;
-  std::int16_t Magnitude = 10000; ///< the range is minus this to this
+  std::int16_t Magnitude = 10000; ///< the range is -this to this
   bool ControlInBits = false;     ///< Device Control is six bits, not one of six values
   bool HasAxesEnable = true;
-  const char* Without = ""; ///< the part that is left out
+  const char* Without = ""; ///< the omitted part
 };
 
 /** Logical 0 to 255, one byte; block indices 1 to 40, one byte. */
@@ -29,7 +29,7 @@ inline const Bytes OneByte{ 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01
 inline const Bytes OneOfForty{ 0x09, 0x22, 0x15, 0x01, 0x25, 0x28, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes Output{ 0x91, 0x02 };
 
-/** Constant, ramp or spring: 1 to 3. */
+/** The effect type: constant, ramp or spring, 1 to 3. */
 inline const Bytes EffectTypes{ 0x09, 0x25, 0xA1, 0x02, 0x09, 0x26, 0x09, 0x27, 0x09, 0x40, 0x15,
   0x01, 0x25, 0x03, 0x75, 0x08, 0x95, 0x01 };
 
@@ -53,7 +53,9 @@ inline Bytes SetEffectFields(const Stick& stick)
     Bytes{ 0x09, 0x52 } + OneByte + Output + (stick.HasAxesEnable ? axes : noAxes) + directions;
 }
 
-/** Enable, disable, stop all, reset, pause, continue: 1 to 6, or bit 0 to 5. */
+/**
+ * Device Control: enable, disable, stop all, reset, pause, continue, as 1 to 6, or as bits 0 to 5.
+ */
 inline Bytes ControlFields(const Stick& stick)
 {
   const Bytes usages{ 0x09, 0x97, 0x09, 0x98, 0x09, 0x99, 0x09, 0x9A, 0x09, 0x9B, 0x09, 0x9C };
@@ -63,7 +65,7 @@ inline Bytes ControlFields(const Stick& stick)
                          : Bytes{ 0x15, 0x01, 0x25, 0x06, 0x75, 0x08, 0x95, 0x01, 0x91, 0x00 });
 }
 
-/** The whole; ids count up in this order. */
+/** The whole descriptor; ids count up in this order. */
 inline Bytes Describe(const Stick& stick)
 {
   const auto low = static_cast<std::uint16_t>(-stick.Magnitude);
@@ -119,7 +121,7 @@ inline PidDevice Mapped(const Stick& stick)
   return device;
 }
 
-/** As hidapi sends it. */
+/** The descriptor as hidapi returns it. */
 inline Bytes Wire(const HidReport& report)
 {
   return { report.Bytes.begin(), report.Bytes.begin() + 1 + static_cast<long>(report.Size) };

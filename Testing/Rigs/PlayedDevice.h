@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A back end that plays a tip path and watches what the loop sends it, and a loop that runs on it.
- */
+/** A back end that plays a tip path and records the loop's forces, and a loop that runs on it. */
 #ifndef PlayedDevice_h
 #define PlayedDevice_h
 
@@ -30,7 +28,7 @@ public:
   std::string GetName() const override { return "played"; }
   DeviceLimits GetLimits() const override { return {}; }
 
-  /// Up and down along z, a little sideways; at most 0.3 m/s by the loop's clock at 5 kHz.
+  /// A path up and down along z, a little sideways; at most 0.3 m/s by the loop's clock at 5 kHz.
   static Vector3 TipOf(std::uint64_t tick)
   {
     const double phase = 2e-3 * static_cast<double>(tick);
@@ -71,8 +69,9 @@ public:
 
   void Quench() noexcept override {}
 
-  ///@{
-  /// The tick that a reader of the loop's ring has come to; ticks wait for one that is far behind.
+  /// @{
+  /// The tick that a reader of the loop's ring has reached; if the reader is far behind, ticks
+  /// wait.
   static constexpr std::uint64_t FarthestBehind = 500;
   std::atomic<std::uint64_t> ReaderAt{ std::numeric_limits<std::uint64_t>::max() };
   ///@}
@@ -81,15 +80,13 @@ public:
   std::atomic<bool> WriteLost{ false };
   std::atomic<std::uint64_t> Reads{ 0 };
   std::atomic<std::uint64_t> Writes{ 0 };
-  std::atomic<std::uint64_t> LastPush{
-    0
-  };                                ///< the number of the last write of a force that was not zero
-  std::atomic<double> Force{ 0.0 }; ///< the norm of the last one
+  std::atomic<std::uint64_t> LastPush{ 0 }; ///< number of the last write of a nonzero force
+  std::atomic<double> Force{ 0.0 };         ///< norm of the last force
   std::atomic<double> LargestForce{ 0.0 };
-  double LargestGrowth = 0.0; ///< in a tick, N; once the loop has ended
+  double LargestGrowth = 0.0; ///< N in a tick; read it once the loop has ended
 
 protected:
-  /// On the servo's thread, once a tick.
+  /// Called on the servo's thread, once a tick.
   virtual void InTick() noexcept {}
 
 private:
@@ -97,8 +94,8 @@ private:
 };
 
 /**
- * While it lives, the loop waits for its reader. Its ring holds 0.4 s, which a reader that computes
- * under a sanitizer on a busy machine misses.
+ * While this exists, the loop waits for its reader. The ring holds 0.4 s; a reader under a
+ * sanitizer on a busy machine takes longer.
  */
 class ReaderPace
 {
@@ -109,7 +106,7 @@ public:
     this->Device.ReaderAt.store(this->Device.Reads.load());
   }
   ~ReaderPace() { this->Device.ReaderAt.store(std::numeric_limits<std::uint64_t>::max()); }
-  /// Takes all ticks that the ring has.
+  /// Reads all ticks in the ring.
   template <typename F>
   void Drain(ServoLoop* loop, F&& take) const
   {
@@ -129,12 +126,13 @@ inline SafetyLimits QuickLimits()
   SafetyLimits limits;
   limits.MaximumForce = 4.0;
   limits.RampTime = 0.01;
-  // A busy machine must not look like a device that is frozen.
+  // Avoid the watchdog: a busy machine must not look like a frozen device.
   limits.WatchdogTime = 60.0;
   return limits;
 }
 
-/// How many loops in a row a test makes: a sanitizer is slow to make one, and sees a race in few.
+/// The number of loops that a test makes in a row. A sanitizer makes loops slowly, but sees a race
+/// within a few.
 constexpr int Lives(int count)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -144,7 +142,7 @@ constexpr int Lives(int count)
 #endif
 }
 
-/// Runs until it is destroyed.
+/// A loop that runs until it is destroyed.
 class RunningLoop
 {
 public:

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A kind of devices that a test plays: it says how it stands, and a hand turns it.
- */
+/** A kind of device that a test plays: it reports its orientation, and a hand turns it. */
 #ifndef PlayedHardware_h
 #define PlayedHardware_h
 
@@ -17,13 +15,13 @@
 namespace devicetest
 {
 
-/** The test's input to all devices of the kind, and their output. */
+/** The test's input to all devices of the kind, and its output. */
 struct PlayedHardware
 {
   std::atomic<VolumeHaptics::DeviceStage> Stage{ VolumeHaptics::DeviceStage::Ready };
   std::atomic<double> Turn{ 0.0 };  ///< rad/s, about the device's y
-  std::atomic<int> Homings{ 0 };    ///< that were asked for
-  std::atomic<double> Force{ 0.0 }; ///< N, the norm of the latest
+  std::atomic<int> Homings{ 0 };    ///< number of requests
+  std::atomic<double> Force{ 0.0 }; ///< N, norm of the latest force
   std::atomic<int> Lights{ -1 };
   VolumeHaptics::DeviceOptions Options;
 
@@ -32,7 +30,7 @@ struct PlayedHardware
     static PlayedHardware played;
     return played;
   }
-  /** Adds the kind "played", once in a program. */
+  /** Adds the kind "played"; call it once in a program. */
   static bool Add();
 };
 

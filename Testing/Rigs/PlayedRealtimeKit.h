@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A D-Bus of a test's own, and on it a service that plays RealtimeKit (played_rtkit.py).
- */
+/** A D-Bus of the test's own, with a service that plays RealtimeKit (played_rtkit.py). */
 #ifndef PlayedRealtimeKit_h
 #define PlayedRealtimeKit_h
 
@@ -26,7 +24,7 @@
 namespace servotest
 {
 
-/// A program whose output is read line by line; it is killed in the end.
+/// A program whose output is read line by line; it is killed at the end.
 class WrittenProgram
 {
 public:
@@ -72,7 +70,7 @@ public:
       this->Process = -1;
     }
   }
-  /// Waits for it. Empty at the end of the output.
+  /// Waits for a line. Empty at the end of the output.
   std::string ReadLine()
   {
     std::string line;
@@ -82,7 +80,7 @@ public:
     }
     return line;
   }
-  /// Ends it. What it wrote and was not read yet.
+  /// Ends the program. Returns the output that was not read yet.
   std::vector<std::string> ReadAll()
   {
     this->Kill();
@@ -99,7 +97,7 @@ private:
   std::FILE* Output = nullptr;
 };
 
-/// Becomes the system bus of this process and the session bus of those that it starts.
+/// Becomes the system bus of this process, and the session bus of processes that it starts.
 class PlayedBus
 {
 public:
@@ -109,7 +107,7 @@ public:
     setenv("DBUS_SESSION_BUS_ADDRESS", this->Address.c_str(), 1);
   }
   void Kill() { this->Daemon.Kill(); }
-  /// What the tests lack; null if it is nothing.
+  /// What the test's system lacks; null if nothing is missing.
   const char* FindMissing() const
   {
     return this->Address.empty() ? "dbus-daemon is missing (on Debian: dbus)"
@@ -124,7 +122,7 @@ private:
   const std::string Address{ this->Daemon.ReadLine() };
 };
 
-/// Waits until the service is there.
+/// Waits until the service exists.
 class PlayedRealtimeKit
 {
 public:
@@ -154,7 +152,7 @@ inline std::int64_t ThisThread()
   return syscall(SYS_gettid);
 }
 
-/// What root may, a thread no longer may.
+/// Removes root's capabilities from a thread.
 inline void DropPrivileges()
 {
   __user_cap_header_struct header{ _LINUX_CAPABILITY_VERSION_3, 0 };

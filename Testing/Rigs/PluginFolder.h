@@ -19,8 +19,8 @@ namespace devicetest
 {
 
 /**
- * In the system's folder for temporary files, which is sticky: the folders above the build tree may
- * be open to others.
+ * Lies in the system's folder for temporary files, which is sticky: other users may be able to
+ * write the folders above the build tree.
  */
 class PluginFolder
 {
@@ -43,7 +43,7 @@ public:
     std::filesystem::permissions(this->Path, std::filesystem::perms::owner_all, ignored);
     std::filesystem::remove_all(this->Path, ignored);
   }
-  /** Copies a plug-in of the build tree, writable by its owner only. */
+  /** Copies a plug-in from the build tree; only its owner can write the copy. */
   std::filesystem::path Add(const std::string& plugin, const std::string& name = "") const
   {
     const std::filesystem::path file =

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file
- * Random sessions of a hand, a device and a wall in closed loop through the safety stage, with
- * devices that are honest or have wrong signs. Loops that are unstable: ArmSessions.h.
+ * @file Random sessions of a hand, a device and a wall in closed loop through the safety stage,
+ * with honest devices and devices with wrong signs. Unstable loops are in ArmSessions.h.
  *
- * The hand is a mass with a spring and a damper to a place that it wants to reach: a minimum-jerk
+ * The hand is a mass with a spring and a damper to its goal: a minimum-jerk
  * motion (Flash and Hogan 1985) to a depth and back, taps, strokes along the wall, with or without
  * a tremor of 8 to 12 Hz. A limp device has no hand. The motion is integrated in steps of 80 us at
  * most. The device has encoders with a quantum, and may take forces a tick late or report every 8
@@ -37,11 +36,11 @@ enum class PortKind : std::uint8_t
   WrongSign
 };
 
-/** How a session ended. */
+/** The result of a session. */
 struct PortResult
 {
   bool IsFound = false;
-  double Given = 0.0;   ///< J, that the device gave the hand until it was found, or at the most
+  double Given = 0.0;   ///< J, given to the hand until detection, or the largest
   double Way = 0.0;     ///< m, from the first force to there, or the longest
   double Rising = 0.0;  ///< J, the largest of PortObserver
   double RunAway = 0.0; ///< J
@@ -70,7 +69,7 @@ public:
     limits.RampTime = 0.0;
     ForceGate gate;
     SafetyStage stage;
-    // Beside the one in the stage, for its figures.
+    // A second observer beside the stage's, for its figures.
     PortObserver watch;
     gate.Arm();
     stage.Reset();
@@ -169,7 +168,7 @@ private:
     this->Normal = this->PickDirection();
     while (this->Kind == PortKind::WrongSign && Dot(this->Normal, this->Turn(this->Normal)) > -0.5)
     {
-      // Against the wrong axes: another wall does not show a wrong sign.
+      // Press against the wrong axes: other walls do not show a wrong sign.
       const std::uint32_t wrong = 1 + this->Engine() % 7;
       for (int i = 0; i < 3; ++i)
       {
@@ -239,7 +238,10 @@ private:
     return this->Start - there * this->Depth * this->Normal + along * this->Along + tremor;
   }
 
-  /** Of a half space with a proxy: friction keeps it back, and it sinks if the tissue yields. */
+  /**
+   * The force of a half space with a proxy: friction holds the proxy, and it sinks if the tissue
+   * yields.
+   */
   Vector3 FindWallForce(const Vector3& tip)
   {
     const double depth = -Dot(tip, this->Normal);
@@ -264,7 +266,10 @@ private:
     return VolumeHaptics::ClampNorm(this->Stiffness * (this->Proxy - tip), this->MaximumForce);
   }
 
-  /** A tick under a force; the energy (J) that it gives. Semi-implicit, in fine steps. */
+  /**
+   * Moves for a tick under a force; returns the energy (J) that it gives. Semi-implicit, in fine
+   * steps.
+   */
   double Move(double time, const Vector3& force)
   {
     const int steps = this->Period > 0.5e-3 ? 12 : 4;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * vtkPiecewiseFunctions of every kind, and arguments that are hard on them.
- */
+/** vtkPiecewiseFunctions of every kind, and critical arguments for them. */
 #ifndef RandomFunctions_h
 #define RandomFunctions_h
 
@@ -17,7 +15,7 @@ namespace apitest
 {
 struct Shape
 {
-  double Sharpness; ///< of every piece; negative: random, often exactly 0 or 1
+  double Sharpness; ///< of all pieces; negative: random, often exactly 0 or 1
   bool Duplicates;
   bool Clamping;
   bool LogScale;
@@ -36,8 +34,8 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   const int nodes = 1 + static_cast<int>(engine() % 8);
   for (int i = 0; i < nodes; ++i)
   {
-    // On a grid, so that duplicates and steep edges occur. (VTK's own difference of two logarithms
-    // has no digits left for edges as steep as the others.)
+    // Put nodes on a grid, so that duplicates and steep edges occur. (VTK's own difference of two
+    // logarithms has no digits left for edges as steep as with a linear scale.)
     double share = std::floor(8.0 * uniform(engine)) / 8.0;
     share += uniform(engine) < 0.3 ? (shape.LogScale ? 1e-3 : 1e-6) * uniform(engine) : 0.0;
     const double sharpness = shape.Sharpness < 0.0 ? corner(uniform(engine)) : shape.Sharpness;
@@ -47,7 +45,7 @@ inline vtkSmartPointer<vtkPiecewiseFunction> RandomFunction(
   return function;
 }
 
-/// Nodes, their neighbours, positions all over the pieces, and outside.
+/// Arguments: nodes, their neighbours, positions all over the pieces, and outside.
 inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19937_64& engine)
 {
   const std::vector<Node> nodes = NodesOf(function);
@@ -61,7 +59,7 @@ inline std::vector<double> ArgumentsOf(vtkPiecewiseFunction* function, std::mt19
       arguments.end(), { a.X, std::nextafter(a.X, -HUGE_VAL), std::nextafter(a.X, HUGE_VAL) });
     for (int n = 0; n < 300; ++n)
     {
-      // Half of them crowd around the ends and the midpoint.
+      // Half of the positions crowd around the ends and the midpoint.
       const double far = n % 2 ? std::pow(uniform(engine), 12.0) : 1.0;
       const double anchor = n % 2 ? std::vector<double>{ 0.0, 1.0, a.Midpoint }[engine() % 3] : 0.0;
       const double share = anchor + (anchor > 0.5 ? -far : far) * uniform(engine);

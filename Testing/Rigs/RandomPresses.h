@@ -6,15 +6,15 @@
  * through the safety stage, to find out how much more energy it gets than it put in.
  *
  * The field is a spring wall, a plane or the inside of a sphere. Half of the walls have a proxy:
- * where the gate wants it to begin at the tip, the wall begins there, too, until the tip has gone
- * back. Armed inside a wall without one, a hand gets the energy of having been there, so that these
- * are armed outside only.
+ * where the gate makes the proxy begin at the tip, the wall begins there, too, until the tip has
+ * gone back. Walls without a proxy are armed only while the hand is outside: inside, the hand would
+ * get the energy of its position.
  *
  * The device holds the force of a tick until the next one, so that a tick gives the hand the energy
  * F . dx. Around a closed path a spring k gives k |dx|^2 / 2 a tick even without the stage: W held
- * over dx is W . dx, and the integral of W along dx is that minus k |dx|^2 / 2. That leak of
- * sampling is allowed for all motions with force. A device that says nothing of a motion can't be
- * paid for it, nor a loop that stands still: the energy of the last force is allowed meanwhile.
+ * over dx is W . dx, and the integral of W along dx is W . dx - k |dx|^2 / 2. This leak of sampling
+ * is allowed for all motions with force. While a device does not report its motion, or the loop
+ * stands still, the energy of the last force is allowed.
  */
 #ifndef RandomPresses_h
 #define RandomPresses_h
@@ -28,17 +28,17 @@
 namespace rigs
 {
 
-/// The rules at work. None of them: only the clamp, at a force that nothing reaches.
+/// The active rules. With none of them, only the clamp acts, at a force that is never reached.
 struct StageRules
 {
   const char* Name;
   bool Clamp = false;
   bool Slew = false;
-  bool Ramp = false; ///< the gate is armed anew at random moments of a press
-  bool Fade = false; ///< the opening goes up and down, for data that come and go
+  bool Ramp = false; ///< arms the gate anew at random moments of a press
+  bool Fade = false; ///< moves the opening up and down, for data that come and go
   bool Hold = false; ///< the owner holds and releases
-  bool Gap = false;  ///< samples stay away, the loop stands still
-  bool Trip = false; ///< faults, disarming, fades, the clutch; later it is armed again
+  bool Gap = false;  ///< samples are missing, the loop stands still
+  bool Trip = false; ///< faults, disarming, fades, the clutch; armed again later
 };
 
 inline constexpr StageRules AllStageRules[] = {
@@ -57,7 +57,7 @@ inline constexpr StageRules AllStageRules[] = {
 class RandomPresses
 {
 public:
-  /// Of the sums of a press (J), of thousands of products of some newtons and millimetres.
+  /// Rounding (J) of the sums of a press: thousands of products of some newtons and millimetres.
   static constexpr double Tolerance = 1e-9;
 
   RandomPresses(const StageRules& rules, unsigned seed)
@@ -77,7 +77,7 @@ public:
     this->Stage.Arm();
   }
 
-  /// Presses once. The energy (J) that the hand got above the leak of sampling.
+  /// Presses once; returns the energy (J) that the hand got above the leak of sampling.
   double Press()
   {
     this->Given = this->Leak = 0.0;
@@ -106,7 +106,7 @@ private:
   bool Happens(double perSecond) { return this->Draw(0.0, 1.0) < perSecond * Period; }
 
   VolumeHaptics::Vector3 Home() const { return { 0.0, 0.0, this->IsSphere ? 0.0 : 0.005 }; }
-  /// The way (m) towards the wall, and where it begins without a proxy.
+  /// The depth (m) towards the wall, and where the wall begins without a proxy.
   double Depth(const VolumeHaptics::Vector3& x) const { return this->IsSphere ? Norm(x) : -x.Z; }
   double Surface() const { return this->IsSphere ? 0.008 : 0.0; }
   VolumeHaptics::Vector3 Field(const VolumeHaptics::Vector3& x) const
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  /// A tick: the force for where the tip is known to be, held while the hand moves on.
+  /// Runs a tick: the force at the last known tip, held while the hand moves.
   void Step(const VolumeHaptics::Vector3& way)
   {
     this->Input.Elapsed += Period;
@@ -154,7 +154,7 @@ private:
     this->Given += Dot(this->Force, way);
     this->Leak += isSilent || isStanding ? Norm(this->Force) * Norm(way) : 0.0;
   }
-  /// True if the tip is not known.
+  /// True if the position of the tip is not known.
   bool Tick()
   {
     this->Trouble();
@@ -254,8 +254,8 @@ private:
   double Start = 0.0; ///< m, of the wall
   double Residency = 1.0;
   bool IsHeld = false;
-  int Silence = 0;  ///< ticks to come without samples
-  int Standing = 0; ///< ticks to come that the loop stands still
+  int Silence = 0;  ///< coming ticks without samples
+  int Standing = 0; ///< coming ticks in which the loop stands still
   double Given = 0.0;
   double Leak = 0.0;
 };

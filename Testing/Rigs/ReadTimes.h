@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Reads a back end once in a millisecond, as a servo does, and counts what its samples say of time.
- */
+/** Reads a back end once a millisecond, as a servo does, and checks the times of its samples. */
 #ifndef ReadTimes_h
 #define ReadTimes_h
 
@@ -24,7 +22,7 @@ struct ReadTimes
   {
   }
 
-  /// For some seconds; `each` gets the time (s) in every tick.
+  /// Reads for some seconds; `each` gets the time (s) in every tick.
   void Run(
     double seconds, const std::function<void(double)>& each = [](double) {})
   {
@@ -40,7 +38,7 @@ struct ReadTimes
     }
     this->Elapsed = 1e-9 * static_cast<double>(now - begin);
   }
-  /// Whether it becomes silent, or says that it is lost, within some seconds.
+  /// Whether the device becomes silent, or reports that it is lost, within some seconds.
   bool FallsSilent(double seconds, double silence)
   {
     this->SilentSince = VolumeHaptics::ServoClock::Now();
@@ -54,7 +52,7 @@ struct ReadTimes
   VolumeHaptics::LoopTiming Timing;
   int Ticks = 0;
   int Fresh = 0;
-  int Signs = 0;               ///< that it is alive, without news
+  int Signs = 0;               ///< signs of life without news
   double Elapsed = 0.0;        ///< s
   double LongestSilence = 0.0; ///< s
   double LargestSpeed = 0.0;   ///< m/s

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Records into a folder of its own, until something goes wrong.
- */
+/** Records into a folder of its own, until a failure. */
 #ifndef RecordingFailureRig_h
 #define RecordingFailureRig_h
 
@@ -57,7 +55,7 @@ protected:
   {
     return static_cast<rlim_t>(vtksys::SystemTools::FileLength(file));
   }
-  /// Wanders until two groups of 256 ticks are on the disk: one takes 20 to 45 kB.
+  /// Wanders until two groups of 256 ticks are on the disk; a group takes 20 to 45 kB.
   void WanderForTwoGroups(const std::string& file)
   {
     const rlim_t enough = SizeOf(file + ".part") + 50000;
@@ -67,13 +65,13 @@ protected:
     }
     ASSERT_GE(SizeOf(file + ".part"), enough);
   }
-  /// Records until the disk is full, which is after one group or two, and expects to be told.
+  /// Records until the disk is full, which is after one or two groups, and expects an error.
   void FillTheDisk(const std::string& file)
   {
     this->Begin();
     ASSERT_TRUE(this->Device->StartRecording(file.c_str()));
     const FullDisk full(SizeOf(file + ".part") + 60000);
-    // A tip that rests takes few bytes.
+    // A resting tip takes few bytes.
     for (int i = 0; i < 1000 && this->Log.Errors.empty(); ++i)
     {
       this->Wander(5);
@@ -88,7 +86,7 @@ protected:
     this->ExpectError(".part");
     EXPECT_EQ(this->Device->GetStatusText().find("Make room"), std::string::npos);
   }
-  /// The filter replays the file to the same forces.
+  /// Checks that the filter replays the file to the same forces.
   void ExpectReplays(const std::string& file, vtkIdType leastTicks)
   {
     vtkNew<vtkXMLPolyDataReader> reader;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Records, and compares what the filter makes of the recording.
- */
+/** Records, and compares the recording with the filter's replay. */
 #ifndef RecordingRig_h
 #define RecordingRig_h
 
@@ -47,7 +45,7 @@ protected:
     this->Device->SetDeviceToWorld(m);
     ASSERT_TRUE(this->Device->Publish());
   }
-  /// The recording and what the filter makes of it.
+  /// The recording and the filter's replay of it.
   void ExpectSame(double leastForce = 0.5)
   {
     ASSERT_TRUE(this->Device->StopRecording());
@@ -70,7 +68,7 @@ protected:
       if (name == "Label" || name == "Depth" || name == "ShaftForce" ||
         name == "ForbiddenTouches" || name.compare(0, 10, "ModeForce_") == 0)
       {
-        continue; // found anew by every replay
+        continue; // computed anew by every replay
       }
       ASSERT_TRUE(there) << here->GetName();
       vtkIdType different = 0;

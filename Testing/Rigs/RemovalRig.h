@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tissue that is removed from images by loops over their samples, and its file, as
- * vtkHapticRemoval::WriteFile() documents it.
+ * Tissue removed from images by loops over their samples, and its file in the format that
+ * vtkHapticRemoval::WriteFile() documents.
  */
 #ifndef RemovalRig_h
 #define RemovalRig_h
@@ -30,7 +30,7 @@
 
 namespace removaltest
 {
-/// A ball without tissue, whose edge is three samples wide, as FRONTIER 3.3 has it.
+/// A ball without tissue, with an edge of three samples, as FRONTIER 3.3 has it.
 struct Hole
 {
   double Middle[3]; ///< index
@@ -46,16 +46,16 @@ struct Hole
   }
 };
 
-/// V' = V - (1 - rho) (V - V_air), rho the share.
+/// The remaining value V' = V - (1 - rho) (V - V_air), rho the share.
 inline double LeftOf(double value, double share, double air)
 {
   return value - (1.0 - share / 255.0) * (value - air);
 }
 
-/// Reads the shares of a hole into a removal, by a file.
+/// Loads the shares of a hole into a removal, through a file.
 inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole& hole, double air)
 {
-  // Tests may run at the same time in one folder.
+  // Use a name of its own: tests may run at the same time in one folder.
   const std::string file = "LoadedHole" + std::to_string(getpid()) + ".vti";
   const int* const extent = volume->GetExtent();
   vtkNew<vtkImageData> image;
@@ -90,8 +90,8 @@ inline bool LoadHole(vtkHapticRemoval* removal, vtkImageData* volume, const Hole
   return isRead;
 }
 
-/// A copy of an image with the hole in a component of it; each sample has the mean of a cube of
-/// shares of a volume that begins at `first` and is `step` times as fine.
+/// A copy of an image with the hole in a component. Each sample has the mean of a cube of shares,
+/// of a volume that begins at `first` and is `step` times as fine.
 inline vtkSmartPointer<vtkImageData> MakeLeft(
   vtkImageData* image, int component, const Hole& hole, double air, int step = 1)
 {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * States as a device gives them, from a formula.
- */
+/** A device's states, made by a formula. */
 #ifndef ScriptedStates_h
 #define ScriptedStates_h
 
@@ -17,7 +15,8 @@
 namespace scenetest
 {
 
-/// A kilohertz of states from a time to another (s): a normal force, and what goes with it.
+/// States at a kilohertz from a time to another (s): a normal force, and the values that belong to
+/// it.
 template <typename F>
 vtkSmartPointer<vtkTable> MakeStates(double from, double to, F&& normal)
 {

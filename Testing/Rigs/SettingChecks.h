@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Whether public headers say the same as the lists of settings. Needs VolumeHaptics_SOURCE_DIR.
- */
+/** Checks that public headers agree with the lists of settings. Needs VolumeHaptics_SOURCE_DIR. */
 #ifndef SettingChecks_h
 #define SettingChecks_h
 
@@ -27,7 +25,7 @@ using namespace VolumeHaptics;
 
 inline const std::string Root = VolumeHaptics_SOURCE_DIR;
 
-/// The letters of a text, alike for "Local surface", LOCAL_SURFACE and LocalSurface.
+/// The letters of a text; equal for "Local surface", LOCAL_SURFACE and LocalSurface.
 inline std::string Letters(const std::string& text)
 {
   std::string letters;
@@ -46,7 +44,7 @@ inline bool BeginsWith(const std::string& text, const std::string& beginning)
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-/// The path of a public header, which stands in the room of its parts.
+/// The path of a public header, in the room of its parts.
 inline std::filesystem::path PublicHeader(const std::string& header)
 {
   for (const std::filesystem::directory_entry& entry :
@@ -122,7 +120,7 @@ void ExpectHeaderBehaves(Owner* object, const HapticVectorSetting<Owner>& settin
   }
 }
 
-/// The same of all settings of a list, each on an object of its own.
+/// Checks all settings of a list, each on an object of its own.
 template <typename Class, template <typename> class Setting, typename Owner, std::size_t Size>
 void ExpectHeadersBehave(const Setting<Owner> (&settings)[Size])
 {
@@ -149,7 +147,7 @@ std::vector<std::string> Names(const Lists&... lists)
   return all;
 }
 
-/// Every macro of a header that sets something has a row, and the other way round.
+/// Checks that every setting macro of a header has a row, and every row a macro.
 inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
 {
   std::ifstream file(PublicHeader(header));
@@ -168,7 +166,7 @@ inline void ExpectRows(const std::string& header, std::vector<std::string> rows)
   EXPECT_EQ(found, rows) << header;
 }
 
-/// The comments of a header begin with the documentation of the rows.
+/// Checks that the comments of a header begin with the documentation of the rows.
 template <typename List>
 void ExpectComments(const std::string& header, const List& settings)
 {

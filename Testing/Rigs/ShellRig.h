@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Tools with a shape on small volumes. In millimetres, unless it is said otherwise.
- */
+/** Tools with a shape on small volumes. Lengths are in millimetres unless stated otherwise. */
 #ifndef ShellRig_h
 #define ShellRig_h
 
@@ -16,7 +14,7 @@
 namespace coretest
 {
 constexpr double Pi = 3.14159265358979323846;
-/// The pressure of 1 m: the default stiffness, 500 N/m, on the default area, 25 mm^2.
+/// The pressure at 1 m depth: the default stiffness, 500 N/m, on the default area, 25 mm^2.
 constexpr double Kappa = 2e7;
 
 /// Points of equal areas on a sphere around the origin, along a spiral by the golden angle.
@@ -86,7 +84,7 @@ inline TestVolume MakeCavity(std::int64_t samples)
   return volume;
 }
 
-/// A tool that is led through a volume.
+/// A tool led through a volume.
 class ShellHand
 {
 public:
@@ -108,7 +106,7 @@ public:
     const ShellRecord last = this->Record;
     if (this->State.Enabled)
     {
-      // What the springs take while the tool rests.
+      // The energy of the springs while the tool rests.
       this->Work += this->EnergyOfSprings(this->Record.Tool, pose) -
         this->EnergyOfSprings(this->Record.Tool, last.Hand);
     }
@@ -118,7 +116,7 @@ public:
     this->ForceWork -= Dot(mean, this->Record.Hand.Position - last.Hand.Position);
     return this->Record;
   }
-  /// Along a straight way, step by step.
+  /// Leads the tool along a straight path, step by step.
   const ShellRecord& Lead(const Vector3& goal, double step = 0.05, const Quaternion& turn = {})
   {
     const Vector3 from = 1000.0 * this->Record.Hand.Position;
@@ -137,7 +135,7 @@ public:
     }
     return this->Record;
   }
-  /// From the angle between both, which the formula of the tick does without.
+  /// Computed from the angle between both, unlike the tick's formula.
   double EnergyOfSprings(const ShellPose& tool, const ShellPose& hand) const
   {
     const Vector3 lag = tool.Position - hand.Position;
@@ -153,8 +151,8 @@ public:
   ShellMemory Memory;
   ShellState State;
   ShellRecord Record;
-  double Work = 0.0;      ///< J, of the hand, if the tool rests while the hand moves
-  double ForceWork = 0.0; ///< J, of the hand, by the mean force of two ticks; without turns
+  double Work = 0.0;      ///< J, work of the hand, if the tool rests while the hand moves
+  double ForceWork = 0.0; ///< J, work of the hand, by the mean force of two ticks; without turns
 };
 } // namespace coretest
 

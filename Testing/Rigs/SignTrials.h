@@ -14,32 +14,32 @@
 
 namespace signtest
 {
-/** A device as the servo sees it. */
+/** A device as seen by the servo. */
 struct Port
 {
   double Rate = 1000.0;     ///< Hz, of the servo
   double ReportTime = 0.0;  ///< s between two reports; 0: one a tick
   double Quantum = 0.06e-3; ///< m
-  bool IsLate = false;      ///< forces act a tick later
-  double Force = 8.0;       ///< N, the largest
+  bool IsLate = false;      ///< forces act one tick later
+  double Force = 8.0;       ///< N, the largest force
 };
 
 struct Outcome
 {
   VolumeHaptics::SignVerdict Verdict;
-  double Work = 0.0;    ///< J, the most that the motors had given the hand
-  double Motion = 0.0;  ///< m, the most by which the tip was elsewhere than without the check
-  double Seconds = 0.0; ///< until the verdict
+  double Work = 0.0;    ///< J, the most that the motors gave the hand
+  double Motion = 0.0;  ///< m, largest distance of the tip from its position without the check
+  double Seconds = 0.0; ///< s until the verdict
 };
 
-/// Checks the signs of a device in a hand, until there is a verdict, two minutes at most.
+/// Checks the signs of a device in a hand until there is a verdict, for two minutes at most.
 inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& signs, unsigned seed)
 {
   using namespace VolumeHaptics;
   HeldDevice held(hand, signs, seed);
   HeldDevice free(hand, signs, seed);
-  // Friction holds the tip against the hand's own spring, and a push sets free what it held back:
-  // then only the motion from the beginning of each push on is the push's.
+  // Friction holds the tip against the hand's own spring, and a push releases the stored force:
+  // then only the motion since the beginning of each push belongs to the push.
   const bool isComparable = hand.StaticFriction == 0.0;
   SignCheck check;
   check.Begin(7, port.Force);
@@ -88,7 +88,7 @@ inline Outcome CheckSigns(const Hand& hand, const Port& port, const Triple& sign
   return outcome;
 }
 
-/// A hand and a device by chance.
+/// A random hand and device.
 class RandomHands
 {
 public:
@@ -103,9 +103,10 @@ public:
     hand.Mass = 0.05 * std::pow(10.0, this->Between(0.0, 1.0));
     hand.Stiffness = this->Pick({ 0.0, 0.0, 50.0, 150.0, 300.0, 500.0 });
     hand.Damping = this->Pick({ 0.0, 0.5, 2.0, 5.0, 20.0 });
-    // A hand is damped: a tenth of what is critical, or more.
+    // A hand is damped, by a tenth of critical damping or more.
     hand.Damping = std::max(hand.Damping, 0.2 * std::sqrt(hand.Stiffness * hand.Mass));
-    // A hand that leans on friction by more than a millimetre leaps by itself once it slips.
+    // A hand that leans on friction by more than a millimetre leaps by itself once it slips:
+    // exclude it.
     const double friction = this->Pick({ 0.0, 0.0, 0.05, 0.15 });
     hand.StaticFriction =
       hand.Stiffness > 0.0 ? std::min(friction, 1e-3 * hand.Stiffness) : friction;
@@ -121,7 +122,7 @@ public:
     port.IsLate = this->Pick({ 0.0, 1.0 }) > 0.0;
     port.Force = this->Pick({ 5.0, 8.0, 14.0, 40.0, 100.0 });
   }
-  /// At least one of them is wrong.
+  /// Make at least one sign wrong.
   Triple DrawWrongSigns()
   {
     const unsigned wrong = 1 + this->Random() % 7;

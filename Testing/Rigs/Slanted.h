@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A direction that is no axis.
- */
+/** A direction off the axes. */
 #ifndef Slanted_h
 #define Slanted_h
 

@@ -14,7 +14,7 @@
 
 namespace coretest
 {
-/// World units of a millimetre, a sphere of 1 mm, 500 N/m.
+/// World units of a millimetre, a proxy of 1 mm radius, 500 N/m.
 inline HapticModelDescription DescribeMesh(
   const TestVolume& volume, std::shared_ptr<const SurfaceMesh> mesh, double friction = 0.0)
 {
@@ -26,7 +26,7 @@ inline HapticModelDescription DescribeMesh(
   return description;
 }
 
-/// Leads a tip (mm) along straight ways, step by step (mm).
+/// Leads a tip (mm) along straight paths, step by step (mm).
 class Hand
 {
 public:
@@ -60,7 +60,7 @@ public:
   ServoState State;
   TickRecord Record;
 };
-/// A sphere of 1 mm that rests at the expected position.
+/// Expects a sphere of 1 mm at rest at a position.
 class SurfaceTest : public testing::Test
 {
 protected:

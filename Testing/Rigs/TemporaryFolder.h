@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Files of a test program, in a folder of its own that goes with it.
- */
+/** Files of a test program, in a folder of its own that is removed at its end. */
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 
@@ -34,7 +32,7 @@ inline std::string TemporaryPath(const std::string& name)
     }
     ~Folder()
     {
-      // A forked child that ends leaves it to its parent.
+      // A forked child leaves the folder to its parent.
       if (getpid() == this->Owner)
       {
         std::error_code ignored;

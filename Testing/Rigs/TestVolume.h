@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A volume of any scalar type and memory layout, in a block that is not one byte too large.
- */
+/** A volume of any scalar type and memory layout, in a block of exactly the needed size. */
 #ifndef TestVolume_h
 #define TestVolume_h
 
@@ -23,7 +21,7 @@ class TestVolume
 public:
   using Size = std::array<std::int64_t, 3>;
 
-  /// Samples stand `step` elements apart. `place`, if given, holds them instead of the heap.
+  /// Samples are `step` elements apart. `place`, if given, is used instead of the heap.
   TestVolume(ScalarType type, const Size& n, std::int64_t step = 1, std::byte* place = nullptr)
   {
     this->View.Type = type;
@@ -33,7 +31,7 @@ public:
     this->View.Stride[2] = step * n[0] * n[1];
     if (!place)
     {
-      // new std::byte[] and not a vector: the block ends with the samples.
+      // Use new std::byte[], not a vector: the block ends with the samples.
       this->Memory.reset(new std::byte[Bytes(type, n, step)]());
       place = this->Memory.get();
     }
@@ -41,14 +39,14 @@ public:
     this->View.Data = place;
   }
 
-  /// From the first sample to the end of the last one; nothing may be read behind it.
+  /// Bytes from the first sample to the end of the last one; nothing may be read behind them.
   static std::size_t Bytes(ScalarType type, const Size& n, std::int64_t step)
   {
     const std::size_t elements = static_cast<std::size_t>((n[0] * n[1] * n[2] - 1) * step + 1);
     return elements * WithSampleType(type, [](auto t) { return sizeof(t); });
   }
 
-  /// Any value that the type can hold; floating-point ones up to 1e6 in size.
+  /// A random value that the type can hold; floating-point values up to 1e6 in size.
   void FillRandom(unsigned seed)
   {
     std::mt19937_64 engine(seed);
@@ -83,7 +81,7 @@ public:
     }
   }
 
-  /// The sample at an index; indices beyond the border are those of the border.
+  /// The sample at an index; indices beyond the border give the border's sample.
   double operator()(std::int64_t i, std::int64_t j, std::int64_t k) const
   {
     const std::int64_t at[3] = { i, j, k };

@@ -25,7 +25,7 @@
 namespace apitest
 {
 
-/// Time steps of an image, as a reader gives them: into the same memory each time.
+/// Time steps of an image, written to the same memory each time, as by a reader.
 class TimeSource : public vtkImageAlgorithm
 {
 public:
