@@ -339,7 +339,7 @@ std::shared_ptr<const SurfaceMesh> MeshFrame(const VolumeFrame& frame, const Vol
   }
   // See ShareArray() of the model's builder.
   auto* const scalars = static_cast<vtkDataArray*>(const_cast<void*>(frame.Samples.get()));
-  // The way of the material from the last frame of a series back to the first is unknown.
+  // How the material moves from the last frame of a series back to the first is unknown.
   const DisplacementView known = frame.Time < next.Time ? frame.Displacements : DisplacementView{};
   auto mesh = MeshMovingSurface(scalars, extent, component, value, indexToWorld,
     [&](const std::vector<Vector3>& points) {

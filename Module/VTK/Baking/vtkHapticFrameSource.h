@@ -63,13 +63,13 @@ public:
 
   ///@{
   /**
-   * Whether frames that come and go belong to one volume. A device that plays them then goes on
-   * from what it has to what there is without a step of the force, with the noise and the material
-   * of the first frames. Frames that come before the device is at the end of the last ones wait
-   * until it is there, as the text of the status tells. If frames were left out, the last one is
-   * blended to the next one, but not for SURFACE_PROXY, and not if the next ones are of another
-   * region: then the contact begins anew. Regions of a volume may be frames, too, if all of them
-   * are of the same region at a time. Off (default): a change of the frames is another volume.
+   * Whether frames that come and go belong to one volume. A device that plays them then moves from
+   * its frames to the new ones without a step of the force, with the noise and the material of the
+   * first frames. Frames that arrive before the device has reached the end of the last frames wait
+   * until then, as the status text says. If frames were left out, the last frame is blended to the
+   * next one; with SURFACE_PROXY, or if the next frames are of another region, the contact begins
+   * anew instead. Frames may also be regions of a volume, if all frames at a time are of the same
+   * region. Off (default): a change of the frames is another volume.
    */
   vtkSetMacro(Streamed, bool);
   vtkGetMacro(Streamed, bool);

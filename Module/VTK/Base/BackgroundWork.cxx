@@ -34,8 +34,8 @@ class BackgroundWork::Leavings
 {
 public:
   /**
-   * Returns the calling thread's leavings; null at the thread's end, when static objects may still
-   * end their work.
+   * Returns the unwanted runs of the calling thread; null at the thread's end, when static objects
+   * may still end their work.
    */
   static Leavings* OfThread()
   {

@@ -15,8 +15,8 @@
  *
  * The owner's thread releases the objects that the task holds, such as a reference to an array; the
  * worker never does, because another thread must not drop the last reference of a VTK object. If
- * work is cancelled while it runs, the owner's thread releases its objects at the next call of any
- * function of this file after the end of the task's piece, or when the owner's thread ends. So a
+ * work is cancelled while it runs, the owner's thread releases its objects at the next call of a
+ * function of any work after the end of the task's piece, or when the owner's thread ends. So a
  * task must own all that it reads: it may outlive the object that began it. The task may read
  * values while the program writes them: the program then calls Modified() and gets a new result.
  * The memory of the values must stay at its address for as long as the array exists, as for the

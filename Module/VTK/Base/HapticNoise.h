@@ -22,7 +22,7 @@ namespace VolumeHaptics
 
 /**
  * Adds the noise samples and the range of one piece of a volume. The array has a tuple for every
- * index of `extent`; these indices count as those of `whole` do.
+ * index of `extent`; these indices count as in `whole`.
  */
 void CollectNoiseSamples(vtkDataArray* scalars, int component, const int extent[6],
   const int whole[6], NoiseSamples& samples);

@@ -15,7 +15,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Parses a text. False, with "it is not JSON", the place and the reason, if the text is not JSON or
+ * Parses a text. False, with "it is not JSON", the line and the reason, if the text is not JSON or
  * is nested more than 64 deep: jsoncpp reads, copies and frees by recursion, on threads whose
  * stacks may be small. NaN and Infinity are numbers here, so that an error can name their key. All
  * JSON from outside goes through this function; ReadSmallFile() limits its size.

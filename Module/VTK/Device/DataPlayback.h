@@ -66,7 +66,10 @@ public:
   Playback GetMode() const { return this->Orders.Mode; }
   ///@}
 
-  /** Data time of the latest state; after SetTime, its time until the servo has reached it. */
+  /**
+   * Data time of the latest state; after SetTime, the time set there until the servo has reached
+   * it.
+   */
   double GetTime() const;
   /** Whether time stands still because frames have not come yet. */
   bool IsWaiting() const;
@@ -81,7 +84,7 @@ public:
 
   /** Whether the frames of a filter's image are to be felt, if it has any. */
   bool IsFelt(vtkVolumeHapticsFilter* filter) const;
-  /** The same as IsFelt(), after asking the image's source for its time steps. */
+  /** Checks IsFelt() after asking the image's source for its time steps. */
   bool FindFelt(vtkVolumeHapticsFilter* filter) const;
   ///@{
   /**

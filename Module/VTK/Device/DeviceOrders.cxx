@@ -130,7 +130,7 @@ bool DeviceOrders::StartServo()
   {
     return false;
   }
-  // Observers of the progress may have started or closed the device, or opened another one.
+  // Observers of the progress may have started or closed the device, or opened another device.
   if (this->Session.IsRunning())
   {
     return true;

@@ -95,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Releases the removals that Make() held: all when the servo has ended, otherwise those that are
-   * no longer used.
+   * Releases the removals that Make() held: all when the servo has ended, otherwise the unused
+   * ones.
    */
   void LetRemovalsGo();
   void LetUnusedRemovalsGo();
@@ -105,12 +105,13 @@ public:
   /** See vtkHapticDevice::GetMethodText. */
   std::string GetMethodText() const;
 
-  /** DeviceToWorld of the servo's model; without a model, that of the settings. */
+  /** DeviceToWorld of the servo's model; without a model, DeviceToWorld of the settings. */
   Affine3 GetPlacement() const;
 
 private:
   /**
-   * Reserves for this device what a model changes. False, after an error, if another device has it.
+   * Reserves for this device what a model changes. False, after an error, if another device holds
+   * it.
    */
   bool HoldRemovalOf(const HapticModel& model, vtkVolumeHapticsFilter* filter);
   /** Reports to the source of regions how long it took to make a model of its last region. */

@@ -126,7 +126,7 @@ public:
 
   ///@{
   /**
-   * From the device's space (m) to the world: a rotation, a translation and one uniform, positive
+   * Maps the device's space (m) to the world: a rotation, a translation and one uniform, positive
    * scale. Takes effect with Publish. nullptr (default): the world scaled by the filter's
    * MetersPerWorldUnit.
    */
@@ -192,11 +192,11 @@ public:
 
   ///@{
   /**
-   * A clutch, with which the hand moves a real device while the tip is not meant to move with it.
-   * While it is on, no force leaves, from the next tick on; turning it on invokes
-   * vtkCommand::DisableEvent. When it is turned off, the device is armed again, as with Arm, if it
-   * was armed before and nothing has disarmed it since: ArmsAfterClutch. Arm meanwhile takes effect
-   * then. Default off.
+   * A clutch, which lets the hand move a real device while the tip should not move with it. While
+   * it is on, no force leaves, from the next tick on; turning it on invokes
+   * vtkCommand::DisableEvent. Turning it off arms the device again, as Arm does, if it was armed
+   * before and nothing has disarmed it since: ArmsAfterClutch. An Arm while the clutch is on takes
+   * effect when it is turned off. Default off.
    */
   void SetClutch(bool on);
   bool GetClutch();
@@ -282,7 +282,7 @@ public:
 
   /**
    * Get how strongly the device "vibration:xr" should vibrate: the largest amplitude since the last
-   * call, 0 to 1. The program leads the tip as that of the virtual device, and makes vibrate what
+   * call, 0 to 1. The program leads the tip like the virtual device's tip, and makes vibrate what
    * the hand holds; call this in each frame. vtkHapticXRController does both for the controllers of
    * a headset. 0 for other devices, and while the servo stands still.
    */
@@ -298,8 +298,8 @@ public:
     double mass, double damping, double handStiffness, double encoderQuantum, int forceDelay);
 
   /**
-   * Give the virtual device the limits of another one: its force (N), stiffness (N/m), damping (N
-   * s/m), and its own friction b (N s/m); a spring is not stable above 2 b / period. 0 does not
+   * Give the virtual device the limits of another device: its force (N), stiffness (N/m), damping
+   * (N s/m), and its own friction b (N s/m); a spring is not stable above 2 b / period. 0 does not
    * limit. Default: 20 N, the others 0. A Novint Falcon is (8, 3000, 20, 0). Sets MaximumForce to
    * half of the force, as Open does. Call it before Start.
    */
@@ -415,9 +415,9 @@ public:
   bool IsTipOrientationMeasured();
   /**
    * How the hand holds its tool (world) if the device measures no orientation, such as one with
-   * three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns there at 4 rad/s
-   * at most, and then turns with the device's placement, as a stylus does. Until this is called,
-   * and after four zeros, there is none. It holds for later servos, too.
+   * three degrees of freedom: a quaternion w, x, y, z of any norm. The tool turns to this
+   * orientation at 4 rad/s at most, and then turns with the device's placement, as a stylus does.
+   * Until this is called, and after four zeros, there is none. It holds for later servos, too.
    */
   void SetTipOrientation(double w, double x, double y, double z);
   ///@{

@@ -135,8 +135,8 @@ void BakeVisibility(vtkHapticProperty* property, vtkImageData* image, HapticMate
 }
 
 /**
- * Hides noise from the hand unless the user has set GradientMagnitude. Also converts the gradient
- * of a surface to world units.
+ * Derives the distinctness from the noise if the user wants that and has set no Distinctness.
+ * Otherwise converts a Distinctness per millimetre to world units.
  */
 void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataArray* scalars,
   int component, const WholeFacts& whole, double metersPerWorldUnit, HapticModelDescription& d)

@@ -72,7 +72,7 @@ bool MakeVolumeFrame(
 /**
  * Returns a baked volume with other frames, which may be of another region. Bakes nothing again
  * except the meshes of SURFACE_PROXY that the frames lack. Null if the frames can't be touched, or
- * differ in their geometry or in which samples are not finite.
+ * differ from the volume in their geometry or type of numbers.
  * @param displacements name of the displacements' array; empty if there is none
  * @param outside outside samples of the frames, to be filled
  */

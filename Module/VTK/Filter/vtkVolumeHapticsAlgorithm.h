@@ -122,8 +122,8 @@ public:
   ///@{
   /**
    * What the hand holds, such as a vtkHapticNeedle; nullptr (default) is a point. It may change
-   * while a hand feels it: after the next vtkHapticDevice::Publish(), force that would leap comes
-   * softly. A tool of a class that is not the module's own is an error, and changes nothing.
+   * while a hand feels it: after the next vtkHapticDevice::Publish(), a force that would jump rises
+   * gradually. A tool of a class outside this module is an error, and changes nothing.
    */
   void SetTool(vtkHapticTool* tool);
   vtkHapticTool* GetTool();
@@ -182,9 +182,9 @@ public:
    * blurred edge leads to, so that skin feels as what lies behind it, from the first touch on.
    *
    * FAR_SIDE follows the normal to the first plateau on either side, 3 KernelRadius voxels at most.
-   * Along a surface in contact the values follow over 2.5 voxels of the proxy's path, and that of
-   * the medium over 8, so that no material steps. The arrays SurfaceValue and MediumValue are the
-   * values that were read.
+   * Along a surface in contact, the values change over 2.5 voxels of the proxy's path, and the
+   * medium's value over 8, so that no material changes in a step. The arrays SurfaceValue and
+   * MediumValue are the values that were read.
    */
   vtkSetClampMacro(MaterialPlacement, int, KERNEL, FAR_SIDE);
   vtkGetMacro(MaterialPlacement, int);
@@ -205,16 +205,17 @@ public:
    * FROM_LABELS: the label image, with walls between its labels. FROM_BOTH: the volume, and walls
    * between labels where it has no distinct surface.
    *
-   * A wall is where two labels have the same share of the voxels around, weighted by a Gaussian of
+   * A wall is where two labels have equal shares of the voxels around, weighted by a Gaussian of
    * 0.355 (KernelRadius + 2) voxels of the label image (1.4 by default); its normal is the shares'
-   * gradient. On a ball of R voxels it lies the square of that over R inside, and sheets thinner
-   * than 1.35 times that have none. The structure of a wall is the harder label: one with an entry
-   * in the label table before one without; then the one with more surface strength, then with more
-   * stiffness, then with the higher number. With vtkHapticProperty::SetSurfaceSideToLower() it is
-   * the softer one. Labels that are not felt have no walls between them. A wall holds as firmly as
-   * the surface strength says; neither distinctness nor ContactAlignment change it. Over the last
-   * KernelRadius + 1 voxels inside the label image walls fade. With FROM_BOTH a wall stands in for
-   * the surface of the volume where the distinctness of that is less than one half.
+   * gradient. On a ball of R voxels, the wall lies inside by the square of this width over R;
+   * sheets thinner than 1.35 times this width have no wall. The structure of a wall is the harder
+   * label: a label with an entry in the label table before one without; then the label with more
+   * surface strength, then with more stiffness, then with the higher number. With
+   * vtkHapticProperty::SetSurfaceSideToLower() it is the softer label. Labels that are not felt
+   * have no walls between them. A wall holds as firmly as the surface strength says; neither
+   * distinctness nor ContactAlignment changes this. Walls fade over the last KernelRadius + 1
+   * voxels inside the label image. With FROM_BOTH, a wall replaces the surface of the volume where
+   * that surface has a distinctness below one half.
    */
   vtkSetClampMacro(Geometry, int, FROM_SCALARS, FROM_BOTH);
   vtkGetMacro(Geometry, int);
@@ -297,9 +298,9 @@ public:
    *   filter->SetFramesToComponents();
    *   filter->SetFrameSpacing(reader->GetTimeSpacing());
    *
-   * With COMPONENTS, time steps of the source are as if there were none, and data time begins at 0.
-   * All components are frames, so that vtkHapticProperty::Component only counts if
-   * TimeUnitsPerSecond is 0. There is no DisplacementArrayName for them.
+   * With COMPONENTS, time steps of the source are ignored, and data time begins at 0. All
+   * components are frames, so vtkHapticProperty::Component counts only if TimeUnitsPerSecond is 0.
+   * DisplacementArrayName does not apply to them.
    */
   vtkSetClampMacro(Frames, int, TIME_STEPS, COMPONENTS);
   vtkGetMacro(Frames, int);
@@ -324,8 +325,8 @@ public:
    * Empty (default): the steps are blended in place.
    *
    * Registration gives such arrays, and so do simulations that move a mesh. The last time step
-   * needs none. An array that is missing in another step, or has other components or numbers that
-   * are not finite, is an error. nullptr stands for the empty name.
+   * needs no such array. In any other step, a missing array, a wrong number of components, or
+   * numbers that are not finite are errors. nullptr stands for the empty name.
    */
   void SetDisplacementArrayName(const char* name);
   std::string GetDisplacementArrayName();
@@ -337,10 +338,10 @@ public:
    * hand that strokes with a constant force then feels the shape that it sees; materials are told
    * apart by surface strength, friction and drag. Default off.
    *
-   * Off, a constant force f goes in by f/k, so that a change of the stiffness from k1 to k2 is felt
-   * as a step of f (1/k1 - 1/k2): 3.8 mm for 1 N from 150 to 350 N/m. On, the material's stiffness
-   * only decides what is felt: what has none (0.001 N/m or less) has none, as ever. The stiffness
-   * of labels is replaced alike.
+   * Off, a constant force f presses in by f/k, so that a change of the stiffness from k1 to k2 is
+   * felt as a step of f (1/k1 - 1/k2): 3.8 mm for 1 N from 150 to 350 N/m. On, the material's
+   * stiffness only decides what is felt: material without stiffness (0.001 N/m or less) is not
+   * felt. The stiffness of labels is replaced likewise.
    */
   vtkSetMacro(SameShape, bool);
   vtkGetMacro(SameShape, bool);
@@ -410,11 +411,11 @@ public:
 
   ///@{
   /**
-   * The shape that the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC
-   * that also bends as the normal does over KernelRadius voxels to either side. A plane stays at
-   * the surface of the last look: sliding over a convex surface costs work, and over a concave
-   * one it gives some. Both are fitted to the isosurface at IsoValue; only with CUBIC_BSPLINE is
-   * the gradient exactly normal to it.
+   * The shape that the method LOCAL_SURFACE fits: the tangent PLANE (default), or the QUADRIC that
+   * also bends as the normal does over KernelRadius voxels to either side. A plane stays where the
+   * slow loop last fitted it: sliding over a convex surface costs work, and sliding over a concave
+   * one returns some. Both are fitted to the isosurface at IsoValue; only with CUBIC_BSPLINE is the
+   * gradient exactly normal to it.
    */
   vtkSetClampMacro(LocalSurfaceShape, int, PLANE, QUADRIC);
   vtkGetMacro(LocalSurfaceShape, int);
@@ -474,8 +475,8 @@ public:
    * "all". "none" leaves the points, the proxy, alone. What is not chosen takes neither time nor
    * memory; forces do not depend on it. vtkVolumeHapticsFilter lists the arrays.
    *
-   * nullptr stands for all. False, with an error that lists the arrays, if there is none of a name;
-   * the choice then stays as it was.
+   * nullptr stands for all. If no array has one of the names, returns false, with an error that
+   * lists the arrays, and keeps the choice.
    */
   bool SetTraceArrays(const char* names);
   bool SetTraceArrays(vtkStringArray* names);

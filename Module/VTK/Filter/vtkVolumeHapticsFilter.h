@@ -305,12 +305,13 @@ public:
   std::string HashLabels();
 
   /**
-   * Get the image that is touched: the one on port 0, or, for other data there, the region that was
-   * resampled last, after an update of port 0; nullptr if there is none.
+   * Get the image that is touched: the image on port 0, or, for other data there, the region that
+   * was resampled last, after an update of port 0; nullptr if there is none.
    */
   vtkImageData* GetTouchedImage();
   /**
-   * Get what reads regions: the source of port 0, or the one that resamples its data; else nullptr.
+   * Get the source of regions: the source of port 0, or the source that resamples port 0's data;
+   * else nullptr.
    */
   vtkHapticRegionSource* GetRegionSource();
 

@@ -40,7 +40,7 @@ struct Preset
 
 /** More newtons than any device exerts. */
 constexpr double Impenetrable = 1e6;
-/** Newtons beyond those that a hand on a desktop device pushes with. */
+/** More newtons than a hand on a desktop device pushes with. */
 constexpr double Solid = 12.0;
 
 /**

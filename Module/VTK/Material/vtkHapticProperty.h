@@ -106,12 +106,12 @@ public:
 
   ///@{
   /**
-   * Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces.
-   * On (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on;
-   * the noise is estimated from the flattest blocks of the image. This is for a Distinctness
-   * without points; off, that stands for 1.
+   * Whether distinctness (W_d, eq. 13) keeps the noise of the image from being felt as surfaces. On
+   * (default): it is 0 up to 3.4 times the noise of the gradient, and 1 from twice that on; the
+   * noise is estimated from the flattest blocks of the image. This applies to a Distinctness
+   * without points; if off, such a Distinctness stands for 1.
    *
-   * The noise is estimated again after the image or its array is Modified(): call that if you
+   * The noise is estimated again after the image or its array is Modified(): call Modified() if you
    * change values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
    * gradient magnitudes (scalar units per world unit) of the last ramp, set when a filter with this
    * property last ran or was published; 0, 0 if there was none.
@@ -133,8 +133,8 @@ public:
    * On, as presets with a Distinctness of their own set it: vtkVolumeHapticsFilter's
    * MetersPerWorldUnit makes them magnitudes per world unit, so that a volume feels the same
    * whether its world is in um, mm or m. Off (default): they are per world unit. With the default
-   * MetersPerWorldUnit of 0.001 both are the same. A vtkHapticDevice that is placed by a
-   * DeviceToWorld of another scale enlarges what is felt, and leaves its surfaces as they are.
+   * MetersPerWorldUnit of 0.001 both are the same. A vtkHapticDevice with a DeviceToWorld of
+   * another scale enlarges the volume, and leaves its surfaces unchanged.
    */
   vtkSetMacro(DistinctnessPerMillimeter, bool);
   vtkGetMacro(DistinctnessPerMillimeter, bool);
@@ -158,14 +158,14 @@ public:
 
   ///@{
   /**
-   * Whether the image tells what is solid: the background, darker than Otsu's threshold between
-   * the darkest two materials that are apart, then has no surface strength, however steep its noise
-   * and its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the threshold
-   * on, SurfaceStrength holds. Off (default), for a SurfaceSide other than HIGHER, or if all values
-   * are one heap: SurfaceStrength holds everywhere. A material that rises by less than a tenth of
-   * the brightest one is background. Padding that is darker than air makes air solid: set it to the
-   * value of air first. The image is looked at again as for DistinctnessFromNoise; a region of a
-   * larger volume has the threshold of the whole.
+   * Whether the image tells what is solid: the background, darker than Otsu's threshold between the
+   * darkest two materials that are apart, then has no surface strength, however steep its noise and
+   * its streaks are. On, as ApplyPreset("Micro-CT") sets it: from a little above the threshold on,
+   * SurfaceStrength holds. Off (default), for a SurfaceSide other than HIGHER, or if all values are
+   * one heap: SurfaceStrength holds everywhere. A material that rises by less than a tenth of the
+   * brightest one is background. Padding that is darker than air makes air solid: set it to the
+   * value of air first. The threshold is found again when the noise of DistinctnessFromNoise is; a
+   * region of a larger volume has the threshold of the whole.
    */
   vtkSetMacro(SolidFromImage, bool);
   vtkGetMacro(SolidFromImage, bool);
@@ -175,8 +175,8 @@ public:
   /**
    * What is added to a scalar for the value that the functions and tissues are of: -1024 for
    * Hounsfield units that are stored 1024 higher. Default 0. The value is (scalar + ScalarShift)
-   * ScalarScale, as vtkImageShiftScale has it; the functions of a needle and of a burr are of it,
-   * too. What filters, tools and modes call a scalar value, such as an IsoValue, and the opacities
+   * ScalarScale, as vtkImageShiftScale has it; the functions of a needle and of a burr use this
+   * value, too. Scalar values of filters, tools and modes, such as an IsoValue, and the opacities
    * of VisibilityFrom stay in scalar units.
    */
   vtkSetClampMacro(ScalarShift, double, -1e30, 1e30);
@@ -193,11 +193,11 @@ public:
   /**
    * Whether the functions are in Hounsfield units and the image tells how they are stored: as they
    * are, or as whole numbers from 0 on, 1000, 1024 or 32768 higher, which is told. On, as
-   * ApplyPreset() sets it for CT: if there is no value below -200, air and soft tissue are looked
-   * for at these places, and the shift that is found (FoundShift) is used; values that can't be
-   * Hounsfield units are warned of. Nothing is looked for if ScalarShift or ScalarScale is set. Off
-   * (default): the scalars are as these say. FoundShift is set when a filter with this property
-   * last ran or was published; 0 if nothing was found.
+   * ApplyPreset() sets it for CT: if there is no value below -200, air and soft tissue are searched
+   * for at these shifts, and the shift that is found (FoundShift) is used; a warning reports values
+   * that can't be Hounsfield units. Nothing is searched for if ScalarShift or ScalarScale is set.
+   * Off (default): only these two count. FoundShift is set when a filter with this property last
+   * ran or was published; 0 if nothing was found.
    */
   vtkSetMacro(ShiftFromImage, bool);
   vtkGetMacro(ShiftFromImage, bool);

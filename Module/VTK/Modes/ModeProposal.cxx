@@ -25,9 +25,9 @@ namespace
 constexpr double WholeHold = 2.0; ///< full strength of a hold (N)
 /** Largest number of positions along an axis that are examined: some thousand in all suffice. */
 constexpr std::int64_t MostLookups = 24;
-/** Fraction of the positions whose measure lies below the one that counts as large. */
+/** Fraction of the positions whose measure is below the value that counts as large. */
 constexpr double LargeShare = 0.95;
-/** The same fraction for ridges: vessels fill only little of a volume. */
+/** LargeShare for ridges: vessels fill only little of a volume. */
 constexpr double LargeRidgeShare = 0.995;
 
 using Measure = std::function<double(const Vector3& index)>;

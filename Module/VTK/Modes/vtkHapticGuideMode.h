@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * A surface in world units: the polygons and strips of a polydata. The outside is where they turn
-   * counterclockwise, to which their normals point.
+   * A surface in world units: the polygons and strips of a polydata. The outside is the side that
+   * their normals point to, from which they turn counterclockwise.
    */
   void SetSurface(vtkPolyData* surface);
   vtkPolyData* GetSurface();
@@ -65,8 +65,8 @@ public:
   ///@{
   /**
    * A distance field: an image whose active scalars are distances from a surface (world units),
-   * negative inside of it. It may have any place and spacing; outside of it nothing holds. The
-   * guide needs one of path, surface and distance field.
+   * negative inside of it. It may have any origin and spacing; outside of it nothing holds the
+   * hand. The guide needs one of path, surface and distance field.
    */
   void SetDistanceField(vtkImageData* field);
   vtkImageData* GetDistanceField();

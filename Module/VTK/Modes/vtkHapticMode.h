@@ -65,9 +65,9 @@ public:
 
   ///@{
   /**
-   * The force with which the mode holds at most (N), against what the kind of mode says, such as
-   * the magnitude of the vector. A function without points is 2 N everywhere. Created on first
-   * Get; nullptr restores the default.
+   * The largest force with which the mode holds (N), as a function of a quantity of the kind of
+   * mode, such as the magnitude of the vector. A function without points is 2 N everywhere. Created
+   * on first Get; nullptr restores the default.
    */
   void SetStrength(vtkPiecewiseFunction* strength);
   vtkPiecewiseFunction* GetStrength();

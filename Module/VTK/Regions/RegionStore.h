@@ -87,8 +87,8 @@ public:
   vtkHapticRegionPlanner* GetPlanner() const { return this->Planner; }
 
   /**
-   * Takes the region that has arrived, and orders the one that a tip needs at a time (s). Returns
-   * whether the resident region has changed.
+   * Accepts the region that has arrived, and orders the region that a tip needs at a time (s).
+   * Returns whether the resident region has changed.
    */
   bool Follow(const double tip[3], double time);
 
@@ -118,7 +118,7 @@ private:
   bool TakeRegion(const double tip[3], double interval);
   /** Makes a region of the coarse level if the resident region lacks samples for the tip. */
   bool FollowStandIn(const double tip[3]);
-  /** Whether a region has all samples that a hand at the tip can read. */
+  /** Whether a region has all samples for a hand that presses no deeper than the tip is now. */
   bool Holds(const BoxExtent& region, const double tip[3]) const;
   void Show(RegionSamples&& region, bool standsIn);
   void MeasureVelocity(const double tip[3], double time);

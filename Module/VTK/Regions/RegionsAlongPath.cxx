@@ -22,8 +22,7 @@ namespace
 /** Usual number of samples in a region: some milliseconds of reading, for hundreds of ticks. */
 constexpr double UsualSamples = 1 << 20;
 /**
- * Largest number of samples in a region: 256 MiB of 16 bits. A tip that jumps may need so many at
- * once.
+ * Largest number of samples in a region: 256 MiB of 16 bits. A tip that jumps may need this many.
  */
 constexpr double MostSamplesOfRegion = 1 << 27;
 /** Smallest width of a region, so that kernels fit into it. */

@@ -137,9 +137,9 @@ public:
   ///@{
   /**
    * The most memory (bytes) that regions take live, 4194304 (4 MiB) to 2^40. Default 67108864 (64
-   * MiB). A region takes a quarter of it at most: one is felt, one is the output, one has just come
-   * and one is being read. One more, of the CoarseImage, takes 2^20 samples at most. Along paths
-   * there is one region, of a million voxels as a rule.
+   * MiB). A region takes at most a quarter of it: one region is felt, one is the output, one has
+   * just arrived and one is being read. One more region, of the CoarseImage, takes at most 2^20
+   * samples. Paths use one region, usually of a million voxels.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 4194304, 1099511627776);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -264,10 +264,7 @@ public:
   /** Get whether a region that Follow has ordered has not arrived yet. */
   bool IsWaiting();
 
-  /**
-   * Get whether the output has samples that were read, rather than those of the CoarseImage, or
-   * zeros.
-   */
+  /** Get whether the output has samples that were read, not samples of the CoarseImage or zeros. */
   bool HasSamples();
 
   /** Get what the source waits for, and why the last read failed; empty if nothing is awaited. */

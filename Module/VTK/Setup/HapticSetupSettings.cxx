@@ -123,8 +123,8 @@ void PassVolume(SetupNode node, vtkVolumeProperty* property)
     part.Flag(
       "DisableGradientOpacity", [=] { return property->GetDisableGradientOpacity(c) != 0; },
       [=](bool on) { property->SetDisableGradientOpacity(c, on); });
-    // Passes the stored function: while gradient opacity is disabled, the getter returns another
-    // one.
+    // Passes the stored function: while gradient opacity is disabled, the getter returns a
+    // different function.
     PassFunction(part.Child("GradientOpacity"), AnyNumber(),
       [=]
       {

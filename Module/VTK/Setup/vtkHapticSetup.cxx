@@ -92,7 +92,7 @@ bool vtkHapticSetup::Save(const char* file)
   }
   vtkHapticLabelTable* const labels =
     this->VolumeHaptics ? this->VolumeHaptics->GetLabelTable() : nullptr;
-  constexpr std::size_t leastBytes = 24; // of each label in the file
+  constexpr std::size_t leastBytes = 24; // smallest size of a label in the file
   if (labels && leastBytes * static_cast<std::size_t>(labels->GetNumberOfLabels()) > LargestFile)
   {
     vtkErrorMacro(<< DescribeTooLarge(file));

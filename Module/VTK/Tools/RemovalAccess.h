@@ -57,7 +57,7 @@ struct RemovalData
   bool Replace(const std::vector<BrickShares>& shares, vtkImageData* geometry);
   /** Replaces the tissue by a file's contents. */
   void TakeRead(std::unique_ptr<RemovalContent> content);
-  /** Whether the shares are still those of a file, as far as they lie in the volume. */
+  /** Whether the shares still equal a file's shares, as far as they lie in the volume. */
   bool IsAsRead() const;
   /** Whether a volume with the extent of the last one is another part of the file's volume. */
   bool IsOtherPart(vtkImageData* geometry, const int extent[6]) const;

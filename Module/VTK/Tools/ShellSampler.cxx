@@ -333,7 +333,7 @@ std::vector<OwnPlaces> FindMiddles(const std::vector<SurfacePlace>& places,
   return all;
 }
 
-/** Moves each chosen position to the one of its candidates that is nearest to their middle. */
+/** Moves each chosen position to its candidate that is nearest to their middle. */
 void MoveToMiddles(const std::vector<SurfacePlace>& places, const std::vector<std::size_t>& owners,
   std::vector<std::size_t>& chosen)
 {

@@ -89,7 +89,7 @@ public:
   ///@{
   /**
    * The energy U that it takes to remove tissue (J/mm^3) against the scalar value, 0 or more. A
-   * function without points is 10: default. Created on first Get; nullptr restores the default.
+   * function without points (default) is 10. Created on first Get; nullptr restores the default.
    * Labels may have their own: vtkHapticLabelTable::SetSpecificEnergy().
    */
   void SetSpecificEnergy(vtkPiecewiseFunction* energy);

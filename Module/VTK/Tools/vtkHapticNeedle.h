@@ -71,9 +71,9 @@ public:
   ///@{
   /**
    * The force R with which the point cuts (N) against the scalar value, for tissue whose label does
-   * not say it. A function without points leaves it to the viscosity of vtkHapticProperty: default.
-   * Created on first Get; nullptr restores the default. That drag is one for all soft tissues of
-   * the presets of CT: ApplyPreset() tells them apart.
+   * not say it. A function without points (default) stands for the viscosity of vtkHapticProperty.
+   * Created on first Get; nullptr restores the default. That viscosity is equal for all soft
+   * tissues in the presets for CT; ApplyPreset() sets a force for each tissue.
    */
   void SetCuttingForce(vtkPiecewiseFunction* force);
   vtkPiecewiseFunction* GetCuttingForce();

@@ -61,7 +61,7 @@ public:
   ///@{
   /**
    * The surface of the tool, in world units: polygons or strips that are closed and face outwards.
-   * Corners at the same place are taken as one. Default: none, which can't be felt.
+   * Coinciding corners are merged. Default: no mesh, which can't be felt.
    */
   void SetMesh(vtkPolyData* mesh);
   vtkPolyData* GetMesh();

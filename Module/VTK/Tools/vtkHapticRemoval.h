@@ -56,8 +56,8 @@ public:
   /**
    * Whether the AirValue follows from the volume, as long as nothing is removed: 2 % of a few
    * thousand samples spread over it are less, or more if the solid is below the contact value. A
-   * file has that of its volume. If the volume is padded with a value that is not air, such as
-   * -3024, SetAirValue() is needed. Default: on.
+   * file has the AirValue of its volume. If the volume is padded with a value that is not air, such
+   * as -3024, SetAirValue() is needed. Default: on.
    */
   vtkSetMacro(AutoAirValue, bool);
   vtkGetMacro(AutoAirValue, bool);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * The value of a sample without tissue, such as -1000 in a CT; or the one that was found. Setting
-   * it turns AutoAirValue off.
+   * The value of a sample without tissue, such as -1000 in a CT; or the value that was found.
+   * Setting it turns AutoAirValue off.
    */
   void SetAirValue(double value);
   vtkGetMacro(AirValue, double);
@@ -119,10 +119,10 @@ public:
 
   ///@{
   /**
-   * Write the shares to a .vti file, and read them. The file has the part of the volume from which
-   * something was removed. It is replaced as a whole: if the disk is full, the old one stays. On
-   * failure, returns false, with an error, and nothing has changed. Shares from a file are felt on
-   * any volume whose samples lie at the positions of the samples of the file's volume: a volume
+   * Write the shares to a .vti file, and read them. The file holds the part of the volume from
+   * which something was removed. It is replaced as a whole: if the disk is full, the old one stays.
+   * On failure, returns false, with an error, and nothing has changed. Shares from a file are felt
+   * on any volume whose samples lie at the positions of the samples of the file's volume: a volume
    * that was cropped or padded since has the same hole at the same place.
    */
   bool WriteFile(const std::string& file);

@@ -28,7 +28,7 @@ enum class ColumnType : std::uint8_t
 struct TraceColumn
 {
   const char* Name;
-  const char* Unit; ///< as in the title of a table's column; empty if there is none
+  const char* Unit; ///< unit as in a column's title; empty if there is none
   ColumnType Type;
   int Components;
   std::size_t Offset; ///< bytes

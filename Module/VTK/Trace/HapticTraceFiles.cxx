@@ -26,7 +26,7 @@ namespace
 {
 
 /**
- * The possible titles of the three columns of positions, in order of preference: those of this
+ * Possible titles of the three columns of positions, in order of preference: titles of this
  * library, of ParaView, and of other tables.
  */
 const char* const WorldColumns[][3] = { { "Tip x", "Tip y", "Tip z" },

@@ -24,9 +24,9 @@ std::string GetTraceEnding(const std::string& file);
 struct RecordedTips
 {
   std::vector<Vector3> Tips;
-  std::vector<double> Times;            ///< s, of every tip; empty if the file has none
-  std::vector<Quaternion> Orientations; ///< of every tip, not checked; empty if the file has none
-  /** Tips and orientations; otherwise they are in world units. */
+  std::vector<double> Times;            ///< time of every tip (s); empty if the file has none
+  std::vector<Quaternion> Orientations; ///< not checked; empty if the file has none
+  /** Whether tips and orientations are in device space; otherwise they are in the world. */
   bool InDeviceSpace = false;
 };
 

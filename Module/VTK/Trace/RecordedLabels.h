@@ -45,8 +45,9 @@ bool HasFineLabels(vtkPolyData* recording);
 std::string FindLabelHash(vtkPolyData* recording);
 
 /**
- * Compares the label image of a recorded path with that of a hash (empty: none). Returns an error
- * if they differ; empty if they are equal, or if the path was recorded without labels.
+ * Compares the label image of a recorded path with the label image of this hash (empty: none).
+ * Returns an error if they differ; empty if they are equal, or if the path was recorded without
+ * labels.
  */
 std::string CompareLabels(vtkPolyData* path, const std::string& hash);
 

@@ -42,7 +42,7 @@ struct TraceRow
   double Energy; ///< J
   double DataTime;
   ///@{
-  /** For tools. */
+  /** Values of tools. */
   double Torque[3];          ///< N m
   double ToolOrientation[4]; ///< w, x, y, z of a unit quaternion; all 0 if the tool has no shape
   double Depth;              ///< world units

@@ -200,7 +200,7 @@ double EstimateMeshTimes(const std::vector<HapticFrame>& frames, double value)
   {
     const HapticFrame& frame = frames[i];
     seconds += frame.Array ? EstimateMeshTime({ frame.Image, frame.Array, frame.Component, value })
-                           : 0.0; // meshing at once reports the error
+                           : 0.0; // the meshing itself reports the error
   }
   return seconds;
 }

@@ -47,7 +47,7 @@ struct StateRow
   bool HasOrientation;
 };
 
-/** The columns are those that vtkHapticDevice::DrainStates documents. */
+/** A table of states, with the columns that vtkHapticDevice::DrainStates documents. */
 class StateTable
 {
 public:

@@ -66,12 +66,12 @@ public:
    */
   bool ReadCaps(std::vector<double>& caps);
   ///@{
-  /** Reads the contacts of the first state. False if reading failed. */
+  /** Read the contacts and the removed tissue of the first state. False if reading failed. */
   bool ReadContacts(std::vector<ContactRow>& contacts);
   bool ReadShares(std::vector<BrickShares>& shares);
   ///@}
   ///@{
-  /** Visits all placements or bricks in turn; false if reading failed. */
+  /** Visit all placements, blocks or rows in turn; false if reading failed. */
   bool ForEachPlacement(const std::function<void(const PlacementRow&)>& visit);
   /** Visits the compressed blocks of a column of GetRecordingColumns. */
   bool ForEachBlock(std::size_t column, const std::function<void(const std::string&)>& visit);

@@ -38,7 +38,7 @@ inline bool operator==(const LabelEntry& a, const LabelEntry& b)
     a.SpecificEnergy == b.SpecificEnergy && a.Felt == b.Felt && a.Forbidden == b.Forbidden;
 }
 
-/** By label, in rising order. */
+/** Entries by their label, in ascending order. */
 using LabelEntries = std::map<int, LabelEntry>;
 
 } // namespace VolumeHaptics

@@ -37,9 +37,9 @@ struct RecordedPath
   ///@{
   /** Belong to the state: what a tool with a shape touched. */
   std::vector<ShellContact> InitialContacts;
-  double ContactShare = 1.0; ///< share of their energies that counts
+  double ContactShare = 1.0; ///< fraction of their energies that counts
   ///@}
-  double TickPeriod = 0.0;     ///< of the recorded servo (s)
+  double TickPeriod = 0.0;     ///< period of the recorded servo (s)
   std::vector<ForceCaps> Caps; ///< caps of the recorded device, per placement
 };
 

@@ -12,10 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/**
- * Computes the data time: that of the first time step at the hand's time 0. It stops at the first
- * and the last step.
- */
+/** Computes the data time: the first step's at the hand's time 0, then up to the last step's. */
 double FindDataTime(const HapticModel& model, double time)
 {
   const std::vector<FieldFrame>& frames = model.Baked->Frames;

@@ -33,8 +33,8 @@ public:
   explicit TipPathWalk(const RecordedPath& recording);
 
   /**
-   * Computes the next tick. Returns its model: the given one, placed as the recording says, or the
-   * one that was found. Throws the finder's exceptions.
+   * Computes the next tick. Returns its model: the given model, placed as the recording says, or
+   * the model that was found. Throws the finder's exceptions.
    */
   std::shared_ptr<const HapticModel> Tick(std::shared_ptr<const HapticModel> model);
   /** Whether all ticks use one model, of a whole volume, and read their tips from a path. */

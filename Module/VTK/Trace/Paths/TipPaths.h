@@ -91,7 +91,7 @@ public:
   /** Returns the time of a point (s). */
   double GetTime(vtkIdType point) const { return this->Times[point]; }
   double GetPeriod() const { return this->Period; }
-  /** Whether points have orientations, those of the stylus in the world. */
+  /** Whether points have orientations of the stylus in the world. */
   bool HaveOrientations() const { return !this->Orientations.empty(); }
   /** Returns the orientation of a point; NoOrientation if it has none. */
   const Quaternion& GetOrientation(vtkIdType point) const { return this->Orientations[point]; }
@@ -112,12 +112,12 @@ private:
   Vector3 ConvertPoint(vtkIdType point) const;
 
   vtkSmartPointer<vtkPoints> Points;
-  const double* Doubles = nullptr;      ///< of the points, if they are doubles
-  const float* Floats = nullptr;        ///< of the points, if they are floats
-  std::vector<double> Times;            ///< s, of each point; empty if each is a tick
-  std::vector<Quaternion> Orientations; ///< of each point; empty if there are none
-  std::vector<bool> Spinning;           ///< of each point; empty if there are none
-  double Period = 0.0;                  ///< s
+  const double* Doubles = nullptr;      ///< the points, if they are doubles
+  const float* Floats = nullptr;        ///< the points, if they are floats
+  std::vector<double> Times;            ///< time of each point (s); empty if each is a tick
+  std::vector<Quaternion> Orientations; ///< one for each point, or empty
+  std::vector<bool> Spinning;           ///< one for each point, or empty
+  double Period = 0.0;                  ///< tick period (s)
   DividedPoints Divided;                ///< empty if all points are one path, in order
   /** First tick of each path; then the number of all ticks. */
   std::vector<vtkIdType> FirstTicks = { 0 };

@@ -59,7 +59,7 @@ private:
   const TipPaths::Members Members;
   double Start = 0.0;   ///< s
   vtkIdType Tick = -1;  ///< number of the last tick
-  vtkIdType Before = 0; ///< with times: the last point before the tick, or at it
+  vtkIdType Before = 0; ///< number of the last point before the tick, or at it
 };
 
 } // namespace VolumeHaptics

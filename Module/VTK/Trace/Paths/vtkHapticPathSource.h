@@ -187,7 +187,7 @@ public:
    * replayed to the bit. A .csv has a line for each point, with the columns "Tip x", "Tip y" and
    * "Tip z", as in the project's own traces, or "Points:0" to "Points:2", as ParaView exports, or
    * "x", "y" and "z", all in world units; and optionally "Time" (s). If it is a recording that was
-   * made with labels, as the file .csv.json beside it tells, vtkVolumeHapticsFilter takes it only
+   * made with labels (the file .csv.json beside it says so), vtkVolumeHapticsFilter accepts it only
    * with the same label image; a .csv.json that can't be read is an error. Default: none.
    */
   vtkSetMacro(FileName, std::string);
