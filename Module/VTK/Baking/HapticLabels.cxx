@@ -227,7 +227,7 @@ bool BakeZone(double standOff, BakedLabels& baked, std::string& error)
   return true;
 }
 
-/** Copies what does not depend on the finer grid. */
+/** Copies the label image itself, without its finer grid. */
 void CopyImage(const BakedLabels& from, BakedLabels& to)
 {
   to.View = from.Fine ? from.Image : from.View;

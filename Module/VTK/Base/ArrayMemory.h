@@ -28,7 +28,7 @@ namespace VolumeHaptics
 inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
 {
   const vtkIdType components = array->GetNumberOfComponents();
-  const vtkIdType size = array->GetDataTypeSize(); // the size of bit arrays
+  const vtkIdType size = array->GetDataTypeSize(); // 0 for bits
   if (tuples > std::numeric_limits<vtkIdType>::max() / 16 / components)
   {
     throw std::bad_alloc();

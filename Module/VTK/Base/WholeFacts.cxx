@@ -28,7 +28,7 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
  */
 constexpr vtkIdType NumbersOfSolid = 3;
 
-/** The shift, the value of air, whether that value is unusual, and the range. */
+/** The shift, the value of air, whether the values can't be Hounsfield units, and the range. */
 constexpr int NumbersOfShift = 5;
 constexpr int NumbersOfOutside = 4;
 

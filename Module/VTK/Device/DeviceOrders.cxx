@@ -208,7 +208,7 @@ bool DeviceOrders::Publish()
 void DeviceOrders::PublishRegion(double rate)
 {
   TickCollector* const ticks = this->Session.GetTicks();
-  if (ticks && !ticks->IsRecording()) // a recording can't begin on a region
+  if (ticks && !ticks->IsRecording()) // recordings hold no regions
   {
     if (std::shared_ptr<const HapticModel> model = this->Models.MakeRegion(rate))
     {

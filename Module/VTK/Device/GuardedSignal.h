@@ -20,7 +20,7 @@ namespace VolumeHaptics
 enum class SignalManner
 {
   Deliver,       ///< the watcher ends the force, then sends the signal again
-  Crash,         ///< the instruction crashes again when the handler returns
+  Crash,         ///< the signal comes again when the handler returns
   CrashIfDefault ///< as Crash, but installed only if the signal has its default action
 };
 

@@ -93,7 +93,7 @@ public:
 
   /**
    * Copy a manifest of actions, such as VTK's vtk_openxr_actions.json, and the bindings beside it
-   * into a folder, and binds ActionName to the motors of both hands' controllers: the files of VTK
+   * into a folder, and bind ActionName to the motors of both hands' controllers: the files of VTK
    * 9.2 to 9.7 have the action and bind it to nothing, so that nothing vibrates. Before the
    * interactor is initialized, give it the copy by its whole name (SetActionManifestFileName).
    * False, with an error, if a file can't be read or written.

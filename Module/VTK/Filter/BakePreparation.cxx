@@ -117,7 +117,7 @@ bool BakePreparation::PrepareSurface()
   if (!scalars ||
     !ReadVolume(image, scalars, component, this->Filter->GetKernelRadius(), volume, error))
   {
-    return true; // Bake() reports labels that can't be read
+    return true; // Bake() reports an image that can't be read
   }
   const std::int64_t* const first = volume.View.First;
   return this->Surfaces.Prepare(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(2, 0)),

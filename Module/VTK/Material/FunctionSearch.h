@@ -30,7 +30,7 @@ struct SearchedData
   vtkImageData* Image = nullptr;
   int Component = 0;
   double Values[2] = { 0.0, 1.0 };
-  double SlopeScale = 1.0; ///< factor from scalar units to the boundaries' values
+  double SlopeScale = 1.0; ///< factor from scalar units to the boundaries' slopes
 };
 
 struct FoundFunctions

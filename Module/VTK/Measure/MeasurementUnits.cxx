@@ -20,7 +20,7 @@ struct NamedUnit
 constexpr NamedUnit Units[] = { { "mm", 1e-3 }, { "um", 1e-6 }, { "m", 1.0 }, { "cm", 1e-2 },
   { "nm", 1e-9 }, { "km", 1e3 } };
 
-/** Returns the unit for display: "mm" stays, "um" gets the Greek letter. */
+/** Returns the unit for display: "mm" stays, "um" gets the micro sign. */
 std::string ForPeople(const std::string& unit)
 {
   return unit.rfind("um", 0) == 0 ? "\xC2\xB5" + unit.substr(1) : unit;

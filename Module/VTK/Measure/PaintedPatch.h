@@ -52,7 +52,7 @@ public:
   /** Makes the next position begin a new line. */
   void Lift() { this->Last.reset(); }
 
-  /** Whether an image has its samples at the same positions as this one's. */
+  /** Whether an image has its samples at the positions of this patch's samples. */
   bool IsOf(vtkImageData* image) const;
 
   /** Returns the painted triangles; empty if there are none. */

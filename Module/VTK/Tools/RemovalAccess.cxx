@@ -63,7 +63,7 @@ bool IsSameExtent(vtkImageData* image, const int extent[6])
  */
 bool FindShift(vtkImageData* volume, vtkImageData* other, std::int64_t first[3])
 {
-  constexpr double rounding = 1e-3; // voxels, in all over the whole volume
+  constexpr double rounding = 1e-3; // voxels, over the whole volume
   const int* const extent = volume->GetExtent();
   const int* const there = other->GetExtent();
   for (int corner = 0; corner < 4; ++corner) // the first sample, then the last one on each axis

@@ -18,7 +18,7 @@ constexpr const char* DeviceTip = "DeviceTip"; ///< point array: the tip in devi
 constexpr const char* DeviceOrientation = "DeviceOrientation";
 constexpr const char* Orientation = "Orientation"; ///< point array: orientation in the world
 constexpr const char* Enabled = "Enabled";         ///< point array: 1 if the tick enabled the servo
-constexpr const char* Placement = "Placement";     ///< point array: row of DeviceToWorld
+constexpr const char* Placement = "Placement";     ///< point array: tuple of DeviceToWorld
 constexpr const char* Renewed = "Renewed";         ///< point array: 1 if a local surface arrived
 constexpr const char* Spinning = "Spinning";       ///< point array: 1 if a burr should spin
 /// point array: request about removed tissue that began then; 1 undo, 2 redo, 3 reset; 0: none

@@ -156,7 +156,7 @@ LargeFile OpenMultiscales(const std::string& folder, const Json::Value& scales)
       {
         throw;
       }
-      break; // coarser levels that can't be opened are left out
+      break; // the levels before this one are good enough
     }
     isFirst = false;
   }

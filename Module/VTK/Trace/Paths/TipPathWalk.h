@@ -42,10 +42,7 @@ public:
   {
     return this->Tips && !this->Finder && model.Resident.IsWhole();
   }
-  /**
-   * Computes the next tick of a plain walk, directly into a record. A plain walk uses no other
-   * function.
-   */
+  /** Computes the next tick of a plain walk, directly into a record. Nothing else is done. */
   void Tick(const HapticModel& model, TickRecord& record);
   /** Returns the record of the last tick, unless that tick wrote directly into one. */
   const TickRecord& GetRecord() const;
