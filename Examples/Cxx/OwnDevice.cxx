@@ -90,7 +90,7 @@ public:
     }
   }
   std::string GetName() const override { return "own:" + std::to_string(this->Number); }
-  // From the data sheet. 0: no limit, or not known.
+  // The limits on the data sheet. 0: no limit, or not known.
   DeviceLimits GetLimits() const override
   {
     DeviceLimits limits;

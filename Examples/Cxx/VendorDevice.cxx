@@ -89,7 +89,7 @@ void* Open(int number)
   return device;
 }
 
-// From the data sheet.
+// The limits on the data sheet.
 int GetLimits(void*, VolumeHapticsVendorLimits* limits)
 {
   *limits = {};

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Data"))
 import moving  # noqa: E402
 
-SECONDS = 2.0  # from breathed out to breathed in
+SECONDS = 2.0  # duration of breathing in
 STIFFNESS, STRENGTH = 0.5, 3.0  # N/mm, N
 AIR, TISSUE = -600, -200  # HU
 DEEP = 4.0  # mm: the surface pushes the hand by this, or by half of its own motion
@@ -31,7 +31,7 @@ parser.add_argument("--picture", metavar="FILE", help="write a PNG instead of op
 parser.add_argument("--movie", metavar="FILE", help="write a movie of a breath (.ogv)")
 parser.add_argument("--pictures", type=int, default=24, help="of the movie (default: %(default)s)")
 chosen = parser.parse_args()
-FRAMES = 13 if chosen.movie else 5  # from breathed out to breathed in
+FRAMES = 13 if chosen.movie else 5  # frames of breathing in
 
 
 def read(file):

@@ -52,7 +52,7 @@ def find_bone(head):
 
 
 def make_path(bone):
-    """To and fro over a square, layer by layer, 1000 points a second."""
+    """A path to and fro over a square, layer by layer, 1000 points a second."""
     corners = []
     for layer, depth in enumerate(np.arange(0.0, DEPTH, LAYER)):
         x = bone[0] + RADIUS - depth - SPRING

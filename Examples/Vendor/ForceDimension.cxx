@@ -48,7 +48,7 @@ std::string Explain(const char* what, const char* cure)
 
 constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
 
-// From the data sheets: N, N m, m. The stiffness is less than they state, for 1 kHz.
+// Limits from the data sheets: N, N m, m. The stiffness is below the stated one, for 1 kHz.
 VolumeHapticsVendorLimits LimitsOf(int type)
 {
   VolumeHapticsVendorLimits limits{};

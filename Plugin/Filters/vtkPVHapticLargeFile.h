@@ -41,8 +41,8 @@ public:
   vtkHapticRegionSource* GetRegions();
 
   /**
-   * The same for a hand, which has a source of its own; null, with an error, if the file can't be
-   * opened.
+   * A source of the hand's own for the volume in the file; null, with an error, if the file can't
+   * be opened.
    */
   vtkSmartPointer<vtkHapticRegionSource> MakeRegions();
 

@@ -495,7 +495,7 @@ int vtkPVVolumeHapticsFilter::FillInputPortInformation(int port, vtkInformation*
 int vtkPVVolumeHapticsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  this->FillModes(); // only now is known whether polygons or lines guide
+  this->FillModes(); // only now it is known whether polygons or lines guide
   this->FillTool();
   // The property has reported a wrong name; label table, modes and tool have reported unreadable
   // texts.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From the active object of the pipeline browser to a device that feels it.
+ * Finds or makes the device that feels the active object of the pipeline browser.
  */
 #ifndef HapticPipeline_h
 #define HapticPipeline_h

@@ -10,7 +10,7 @@
 namespace VolumeHapticsLive
 {
 
-/** The reference that a representation scales and moves. */
+/** The reference for a representation's scale and shift. */
 enum class CropBase
 {
   Bounds,     ///< up to ParaView 5.12

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The times of ParaView's animation as frames of a volume that moves, for a filter in the client.
+ * Turns the times of ParaView's animation into frames of a moving volume, for a filter in the
+ * client.
  */
 #ifndef HapticFrameLink_h
 #define HapticFrameLink_h

@@ -34,7 +34,7 @@ public:
    */
   void Follow(vtkSMSourceProxy* source, unsigned int port, vtkAlgorithm* filter, int filterPort);
   /**
-   * Does the same with an image that has times, as frames of input port 0. Its source was updated
+   * Gives an image that has times to the filter, as frames of input port 0. Its source was updated
    * at `time`. A new pipeline, or new settings in it, begin a new volume. Throws std::bad_alloc if
    * there is no memory for a frame that has to be copied.
    */

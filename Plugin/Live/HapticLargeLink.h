@@ -24,8 +24,8 @@ class HapticLargeLink
 {
 public:
   /**
-   * If an output comes from a large file, connect the filter with its samples, unless it already
-   * is. False if it does not.
+   * If an output comes from a large file, connects the filter with its samples, unless it already
+   * is connected. False for other outputs.
    */
   bool Follow(vtkAlgorithmOutput* output, vtkVolumeHapticsFilter* filter);
 

@@ -55,7 +55,7 @@ void HapticSlices::Follow(
   this->IsKnown = true;
   if (isFirst)
   {
-    return; // a jump from another device's position is no motion
+    return; // a device's first position is no motion
   }
   double position[3];
   std::copy(tip, tip + 3, position);

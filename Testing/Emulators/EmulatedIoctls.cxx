@@ -196,7 +196,7 @@ int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* ar
     umockdev_ioctl_data_resolve(data, G_STRUCT_OFFSET(usbdevfs_urb, buffer), size, nullptr);
   if (buffer != nullptr)
   {
-    g_object_unref(buffer); // the client's request holds the argument
+    g_object_unref(buffer); // the client's request holds the buffer
   }
   else if (size > 0)
   {

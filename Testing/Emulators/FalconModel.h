@@ -92,14 +92,14 @@ public:
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
-  /** For all motors: 1, or -1 if they are wired the other way round. */
+  /** The sign of all motors: 1, or -1 if they are wired the other way round. */
   void SetMotorSign(double sign);
   void SetHeld(bool held); ///< in a vice, which moves to the aim
   Numbers GetGrip() const;
   Numbers GetHand() const;
-  Numbers GetCommands() const; ///< from the last packet
+  Numbers GetCommands() const; ///< commands of the last packet
   Numbers GetForce() const;    ///< N, force of the motors at the last packet
-  int GetLights() const;       ///< from the last packet
+  int GetLights() const;       ///< lights of the last packet
   long GetPackets() const;
   double TakeLargestCommand(); ///< since the last call
   /** The number of the last packet with a command other than zero, and its time. */

@@ -26,11 +26,11 @@ namespace emulated
 class FifoNode
 {
 public:
-  /** How a program's calls are answered; results are 0 or more, or -errno. */
+  /** Answers a program's calls; results are 0 or more, or -errno. */
   struct Answers
   {
     unsigned IoctlType; ///< type in _IOC(); other types are not handled
-    int GoneResult;     ///< for reads and writes after unplugging; ioctls get -ENODEV
+    int GoneResult;     ///< result of reads and writes after unplugging; ioctls get -ENODEV
     std::function<int(const std::uint8_t* bytes, std::size_t size)> Write;
     std::function<int(UMockdevIoctlClient* client, unsigned long request)> Ioctl;
   };

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
-/// A host waits at most this long for an answer before it sends a second message.
+/// Unless the first message is answered, a host waits longer than this before it sends a second.
 constexpr auto Patience = std::chrono::milliseconds(15);
 /// After such a pause, answers and messages cross each other for a while.
 constexpr auto Confusion = std::chrono::milliseconds(200);

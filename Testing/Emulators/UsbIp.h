@@ -40,7 +40,7 @@ private:
   struct Transfer
   {
     std::uint32_t Number;
-    std::uint8_t Endpoint; ///< its number
+    std::uint8_t Endpoint; ///< number of the endpoint
     Bytes Data;            ///< its size is the requested one, or that of the sent data
   };
 

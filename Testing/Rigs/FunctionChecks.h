@@ -15,8 +15,8 @@
 
 namespace apitest
 {
-/// Documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, plus
-/// 0.1 % of the value there (down to the last digits beside a much larger height).
+/// Documented in vtkHapticProperty.h: a curved piece is off by at most 0.01 % of its height, and by
+/// at most 0.1 % of the value there (down to the last digits beside a much larger height).
 inline constexpr double CurveBound = 1e-4;
 inline constexpr double ValueBound = 1e-3;
 inline constexpr double LastDigits = 1e-8;

@@ -50,7 +50,7 @@ struct Loop
   double Tick = Period;      ///< s
   std::size_t Delay = 0;     ///< ticks until a force of the stage acts
   int Every = 1;             ///< ticks between measured tips
-  double Stiffness = 0.0;    ///< for the stage, N/m
+  double Stiffness = 0.0;    ///< N/m, stiffness for the stage
   double LargestGrowth = 0.0;
 
   /// Flies until the body has touched and is free again; returns the energy with which it leaves.
@@ -147,7 +147,7 @@ inline Rebound Fly(Rebound r)
   return r;
 }
 
-/// All 144 cases.
+/// Lists all 144 cases.
 inline std::vector<Rebound> FlyAll()
 {
   std::vector<Rebound> all;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A kind of device that a test plays: it reports its orientation, and a hand turns it. */
+/** A kind of device that a test plays: it reports its stage, and a hand turns it. */
 #ifndef PlayedHardware_h
 #define PlayedHardware_h
 

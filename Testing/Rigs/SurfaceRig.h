@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A hand on a mesh.
- */
+/** A hand that touches a mesh. */
 #ifndef SurfaceRig_h
 #define SurfaceRig_h
 

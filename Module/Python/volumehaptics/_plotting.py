@@ -462,6 +462,6 @@ def _prepare(
             touch.SetInputDataObject(0, volume)
         choose_mode(touch, volume, known, mode, preset, settings, errors)
         set_labels(touch, image, labels, materials)
-        touch.Update()  # without a path, only checks
+        touch.Update()  # only checks, because there is no path
     if errors:
         raise ValueError("; ".join(errors))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the hand holds: tools from meshes and their files."""
+"""Tools for the hand, made of meshes and mesh files."""
 from __future__ import annotations
 
 import os

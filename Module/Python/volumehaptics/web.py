@@ -42,7 +42,7 @@ __all__ = ["View", "main", "serve", "show"]
 
 EVERYWHERE = ("0.0.0.0", "::")
 NOTEBOOK = "volumehaptics"  # the server of all notebook views
-OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # for a head CT between -600 and 1000 HU
+OPACITY = [0, 0.35, 0.35, 0.2, 0.14, 0.6, 0.9, 1]  # opacities of a head CT between -600 and 1000 HU
 COLORS = ["#edb08f", "#e0977d", "#f5ebd8", "#ffffff"]
 
 

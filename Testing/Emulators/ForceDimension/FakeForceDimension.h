@@ -51,7 +51,7 @@ struct FakeForceDimension
   Triple Force{};                 ///< N, last set force
   Triple Torque{};                ///< N m
   int ForcesBeforeZero = 0;       ///< number of nonzero forces set before it knew its zero
-  std::vector<std::string> Calls; ///< without reads, and writes of the same force
+  std::vector<std::string> Calls; ///< calls, without reads and writes of the same force
 
   /** The fake in the library, if the program is linked to it. */
   static FakeForceDimension& Get();

@@ -19,7 +19,7 @@ constexpr unsigned char ModeColors[ModeColorCount][3] = { { 86, 180, 233 }, { 25
   { 70, 215, 150 }, { 240, 228, 66 }, { 225, 130, 185 }, { 160, 150, 255 }, { 255, 110, 90 },
   { 200, 200, 200 } };
 
-/** The same modes' colours on white paper. */
+/** Colours of the same modes on white paper. */
 constexpr unsigned char ModePageColors[ModeColorCount][3] = { { 0, 92, 175 }, { 222, 110, 0 },
   { 0, 140, 95 }, { 165, 145, 0 }, { 175, 60, 125 }, { 95, 80, 200 }, { 190, 40, 30 },
   { 90, 90, 90 } };

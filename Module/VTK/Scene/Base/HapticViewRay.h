@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a pointer on the screen to a position in the scene, and to the first contact along its ray.
+ * Converts a pointer on the screen to a position in the scene, and to the first contact along its
+ * ray.
  */
 #ifndef HapticViewRay_h
 #define HapticViewRay_h
@@ -24,7 +25,7 @@ double PixelSize(vtkRenderer* renderer, const Vector3& position);
 /** The unit direction of sight at a world position, away from the viewer. */
 Vector3 LineOfSight(vtkRenderer* renderer, const Vector3& position);
 
-/** How strongly a surface pushes back. */
+/** The resistance of a surface to a press. */
 struct Press
 {
   double Depth = 0.0; ///< world units: depth of the tip beyond the contact

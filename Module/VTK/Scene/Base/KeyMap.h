@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which keys do what in vtkInteractorStyleHaptic, as an application has chosen them.
+ * Maps keys to the actions of vtkInteractorStyleHaptic, as an application has chosen.
  */
 #ifndef KeyMap_h
 #define KeyMap_h

@@ -54,7 +54,7 @@ struct DrawnVolume
   vtkVolume* Volume = nullptr;
   vtkAbstractVolumeMapper* Mapper = nullptr;
   int Port = 0;                         ///< the mapper's input that shows the volume
-  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< from the data to the world
+  vtkSmartPointer<vtkMatrix4x4> Matrix; ///< maps the data to the world
 
   /** The mapper's input; null without a mapper or an input. */
   vtkDataObject* FindData() const

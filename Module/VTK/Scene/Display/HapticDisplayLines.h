@@ -23,7 +23,7 @@ namespace VolumeHaptics
 vtkVolumeHapticsFilter* FindModes(vtkHapticDevice* device);
 /** The names of all modes, each one unique. */
 std::vector<std::string> NameModes(vtkHapticDevice* device);
-/** The same names; those of inactive modes are empty. */
+/** The names of active modes; the names of inactive modes are empty. */
 std::vector<std::string> NameActiveModes(vtkHapticDevice* device);
 /** A line for each mode, with its force. */
 std::vector<ModeLine> DescribeModeForces(vtkHapticDevice* device);

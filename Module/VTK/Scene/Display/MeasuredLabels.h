@@ -42,8 +42,8 @@ public:
   };
 
   /**
-   * Draws labels in the overlay pass. First labels get their preferred places; a label without room
-   * is left out. Returns the number of labels drawn.
+   * Draws labels in the overlay pass. Earlier labels get their preferred places; a label without
+   * room is left out. Returns the number of labels drawn.
    */
   int Render(vtkRenderer* renderer, const std::vector<Label>& labels,
     const std::function<bool(const Box&)>& isTaken);

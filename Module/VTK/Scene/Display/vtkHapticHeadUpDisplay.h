@@ -219,7 +219,7 @@ public:
   bool Covers(const double box[4]) VTK_SIZEHINT(box, 4);
 
   ///@{
-  /** For the renderer. */
+  /** Called by the renderer. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

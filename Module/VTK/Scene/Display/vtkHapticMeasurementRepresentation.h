@@ -71,7 +71,7 @@ public:
   int GetNumberOfShownLabels();
 
   ///@{
-  /** For the renderer. */
+  /** Called by the renderer. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderOverlay(vtkViewport* viewport) override;

@@ -5,8 +5,8 @@
  * @brief   the edges of a volume behind a function
  *
  * A two-dimensional histogram, value to the right and gradient magnitude upwards, with the arc of
- * each boundary in it and a line where distinctness begins and is full. Its axes run from 0 to 1
- * upwards, as those of the other plots of HapticFunctionChart.
+ * each boundary in it and a line where distinctness begins and is full. Its vertical axis runs from
+ * 0 to 1, as in the other plots of HapticFunctionChart.
  */
 #ifndef HapticEdgePlot_h
 #define HapticEdgePlot_h
@@ -29,7 +29,9 @@ public:
   static HapticEdgePlot* New();
   vtkTypeMacro(HapticEdgePlot, vtkPlot);
 
-  /** Shows a histogram, with the boundaries that a property has proposed; either may be null. */
+  /**
+   * Shows a histogram, with the boundaries that a property has proposed; `proposed` may be null.
+   */
   void ShowEdges(const VolumeHaptics::EdgeHistogram& histogram, vtkHapticProperty* proposed);
 
   /** Sets which values the axis shows for the scalars. */
@@ -42,7 +44,7 @@ public:
   void ShowDistinctness(double start, double full);
 
   ///@{
-  /** For the chart. */
+  /** Called by the chart. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}

@@ -22,7 +22,7 @@ struct MaterialPart
   {
     Nothing,
     Name, ///< name and swatch
-    Felt, ///< this and the next one: in lists with boxes
+    Felt, ///< this part and the next: in lists with boxes
     Forbidden,
     ScrollBar,
     ByFunctions, ///< the button that removes the material
@@ -30,13 +30,13 @@ struct MaterialPart
   };
 
   KindType Kind = Nothing;
-  vtkIdType Row = 0; ///< for Name, Felt and Forbidden, in the list
-  int Quantity = 0;  ///< for Slider
+  vtkIdType Row = 0; ///< row of Name, Felt or Forbidden
+  int Quantity = 0;  ///< quantity of Slider
 };
 
 /**
- * From top to bottom: a title with the heads of the columns; rows with swatch and name, and two
- * boxes if the list has them, and a bar to scroll them; name, button and sliders of the selected
+ * Places the parts from top to bottom: a title with the heads of the columns; rows with swatch and
+ * name, two boxes if the list has them, and a scroll bar; name, button and sliders of the selected
  * row. All rectangles are in pixels of the viewport.
  */
 class HapticMaterialLayout

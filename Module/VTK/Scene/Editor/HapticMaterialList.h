@@ -51,7 +51,7 @@ public:
   ///@{
   /** Texts to paint: the title, or why there are no rows; for a row its text and colour. */
   virtual std::string GetTitle() const = 0;
-  /** How a person selects a row. */
+  /** A hint how to select a row. */
   virtual const char* GetHint() const = 0;
   virtual std::string Describe(int key) const = 0;
   virtual std::array<double, 3> GetColor(int key) const = 0;

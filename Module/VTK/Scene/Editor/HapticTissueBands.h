@@ -37,7 +37,7 @@ public:
     const double range[2], int letters);
 
   ///@{
-  /** For the chart. */
+  /** Called by the chart. */
   bool Paint(vtkContext2D* painter) override;
   void GetBounds(double bounds[4]) override;
   ///@}

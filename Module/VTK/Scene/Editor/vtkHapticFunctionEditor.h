@@ -361,7 +361,7 @@ public:
   ///@}
 
   ///@{
-  /** For the renderer. */
+  /** Called by the renderer. */
   int RenderOverlay(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   ///@}

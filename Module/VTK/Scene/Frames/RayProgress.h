@@ -28,7 +28,7 @@ public:
     this->Before = time;
     this->Whole.reset();
   }
-  /** This fraction of the rows is done. `time`: as above. */
+  /** Records the finished fraction of the rows. `time`: as above. */
   void Note(double time, double share)
   {
     if (share >= LeastShare)

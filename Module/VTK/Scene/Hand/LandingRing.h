@@ -43,10 +43,10 @@ inline double FindPatchRadius(double depth, double radius)
 }
 
 /**
- * In free space: a ring on the first surface that the tip would touch on its way along the line of
- * sight, and the distance as a text beside the ring. The ring closes as the tip comes near. In
- * contact: the patch that a soft fingertip would touch, in the plane of the surface, with the
- * colour of the contact, and the ring around it.
+ * In free space: shows a ring on the first surface that the tip would touch on its way along the
+ * line of sight, and the distance as a text beside the ring. The ring closes as the tip comes near.
+ * In contact: shows the patch that a soft fingertip would touch, in the plane of the surface, with
+ * the colour of the contact, and the ring around it.
  */
 class LandingRing
 {

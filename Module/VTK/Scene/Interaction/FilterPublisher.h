@@ -59,13 +59,13 @@ private:
     int Solver = 0;
     std::string Before;
     std::string Wanted; ///< text of the new method
-    /** For changes of more than the method; with the name of the settings. */
+    /** Undoes a change of more than the method; with the name of the settings. */
     std::function<void()> Undo = nullptr;
     std::string Name = {};
   };
   using Notify = std::function<void(const std::string&)>;
 
-  /** Restores the settings from before, because the new ones can't be felt. */
+  /** Restores the previous settings, because the new ones can't be felt. */
   void TakeBack(const std::function<void()>& undo, const std::string& name, bool wasPublished,
     const Notify& notify);
   /** Restores the previous method, after an error. */

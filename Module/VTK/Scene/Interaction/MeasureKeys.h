@@ -60,7 +60,7 @@ private:
   std::unique_ptr<PaintedPatch> Brush;
   Vector3 Painted; ///< last position of the brush
   double BrushStep = 0.0;
-  std::chrono::steady_clock::time_point NextCut; ///< when displays next get the growing area
+  std::chrono::steady_clock::time_point NextCut; ///< next cut of the growing area for displays
   std::string Told;
 };
 

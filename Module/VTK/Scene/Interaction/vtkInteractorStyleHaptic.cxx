@@ -86,7 +86,7 @@ struct vtkInteractorStyleHaptic::vtkInternals
   int FiredTimer = 0;        ///< interactors pass the timer's id to observers, but not to styles
   bool SharesTimers = false; ///< a timer event may be of any timer of the interactor
   vtkNew<vtkCallbackCommand> TimerObserver;
-  bool IsEnabled = false; ///< of the interactor; an earlier timer event, wx's only one, is dropped
+  bool IsEnabled = false; ///< of the interactor; earlier timer events (wx's only one) are dropped
   vtkNew<vtkCallbackCommand> EnableObserver;
 };
 

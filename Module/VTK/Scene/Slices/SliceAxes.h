@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the slices along the three axes of an image lie on the screen.
+ * The layout of slices along the three axes of an image on the screen.
  */
 #ifndef SliceAxes_h
 #define SliceAxes_h

@@ -20,7 +20,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** If more renderings in a row show all tissue, VTK uploads the array in each of them. */
+/**
+ * The most renderings in a row that may show all tissue; beyond, VTK uploads the array in each of
+ * them.
+ */
 constexpr int MostMissed = 3;
 
 /** Types whose textures VTK fills from the array itself, or from floats made of it. */
@@ -211,7 +214,7 @@ void CarvedTexture::EndRendering()
   {
     this->Send(BrickContent::Left, [this](auto&& f) { this->Bricks.TakeAll(f); });
   }
-  // Without a texture, this rendering built the shader, and the next rendering sends the event.
+  // Without a texture, this rendering built the shader, and the next rendering will send the event.
   const bool wasMissed = isLate || !this->Texture;
   this->Missed = wasMissed ? this->Missed + 1 : 0;
   this->HasFailed = this->HasFailed || this->Missed > MostMissed;

@@ -21,7 +21,7 @@ class vtkVolumeProperty;
 namespace VolumeHaptics
 {
 
-/** What an image shows, and with which settings. */
+/** An image, and the objects that decide what it shows. */
 struct DrawnImage
 {
   vtkAbstractVolumeMapper* Mapper;
@@ -56,7 +56,7 @@ private:
     int Component = 0;
     bool operator==(const Source& other) const;
   };
-  /** The same for cells. */
+  /** Flags of the image's cells, likewise. */
   vtkUnsignedCharArray* FindCells(const DrawnImage& drawn);
   void Fill(const DrawnImage& drawn, vtkImageData* mask, vtkUnsignedCharArray* own);
 

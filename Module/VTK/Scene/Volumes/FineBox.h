@@ -49,8 +49,8 @@ private:
   vtkSmartPointer<vtkDataArray> Source; ///< source of the copy in work, or of the last one
   vtkSmartPointer<vtkImageData> Next;   ///< geometry of the copy in work
   vtkSmartPointer<vtkImageData> Copy;
-  Key Of;    ///< what the copy in work, or the last copy, is made of
-  Key Shown; ///< what Copy is made of
+  Key Of;    ///< key of the copy in work, or of the last copy
+  Key Shown; ///< key of Copy
   KeyedWork<Key, Bytes> Work;
 };
 

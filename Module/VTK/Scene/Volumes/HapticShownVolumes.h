@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Finds the volumes of a scene that show the felt image in another way than it feels.
+ * Finds the volumes of a scene that show the felt image differently from how it is felt.
  */
 #ifndef HapticShownVolumes_h
 #define HapticShownVolumes_h
