@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which share of the tissue remains at each sample of a volume.
+ * The remaining share of the tissue at each sample of a volume.
  *
- * Shares are bytes, 255 for all of it. Only where something was removed they need memory: in bricks
- * of 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size finds them, so
+ * Shares are bytes, 255 for all of it. They need memory only where tissue was removed: in bricks of
+ * 8^3 samples, of which a fixed number is allocated at once. A hash of fixed size locates them, so
  * that nothing grows with the volume.
  *
- * One thread writes, without a lock or an allocation. Any other thread may read at any time; what
- * it reads of a brick may be of different moments. A few of them may follow the changes: each takes
- * the bricks that were written since it last asked, and misses none, however slow it is.
+ * One thread writes, without a lock or an allocation. Any other thread may read at any time; the
+ * parts of a brick that it reads may be of different moments. A few threads may follow the changes:
+ * each receives the bricks that were written since its last call, and misses none, however slow it
+ * is.
  */
 #ifndef CarvedBricks_h
 #define CarvedBricks_h
@@ -36,7 +37,7 @@ class CarvedBricks
 public:
   static constexpr int Side = 8;  ///< samples
   static constexpr int Shift = 3; ///< from a sample's index to its brick's
-  /** Of 8 samples along x, a byte for each; row y + 8 z. */
+  /** 8 samples along x, one byte each; row y + 8 z. */
   static constexpr int Rows = Side * Side;
   static constexpr std::uint64_t WholeRow = ~std::uint64_t{ 0 };
   static constexpr std::uint8_t Whole = 255;
@@ -46,7 +47,7 @@ public:
   /** A brick's place has 21 bits along each axis. */
   static constexpr std::int64_t PlaceLimit = std::int64_t{ 1 } << 21;
 
-  /** Allocates, and writes to all of its memory once. */
+  /** Allocates all of its memory, and writes to it once. */
   explicit CarvedBricks(std::uint32_t most = DefaultMost);
   CarvedBricks(const CarvedBricks&) = delete;
   CarvedBricks& operator=(const CarvedBricks&) = delete;
@@ -68,9 +69,9 @@ public:
   std::uint32_t GetMost() const noexcept { return this->Most; }
   std::uint32_t GetCount() const noexcept { return this->Count.load(std::memory_order_acquire); }
   bool IsEmpty() const noexcept { return this->Count.load(std::memory_order_relaxed) == 0; }
-  /** Whether all tissue remains; looks at all bricks if it does. */
+  /** Whether all tissue remains; visits all bricks if it does. */
   bool IsWhole() const noexcept;
-  /** The same of one brick. */
+  /** Whether all tissue of one brick remains. */
   bool IsWhole(std::uint32_t brick) const noexcept;
   /** Grows with each change of a brick. */
   std::uint64_t GetChanges() const noexcept
@@ -107,7 +108,7 @@ public:
   {
     this->Shares[RowAt(brick, row)].store(shares, std::memory_order_relaxed);
   }
-  /** After rows of a brick were set. */
+  /** Call it after setting rows of a brick. */
   void MarkChanged(std::uint32_t brick) noexcept
   {
     this->Changed[brick / BricksOfWord].fetch_or(
@@ -119,8 +120,8 @@ public:
 
   ///@{
   /**
-   * From any thread: the number of a new follower, to which all bricks are changed; -1 if then less
-   * than keptFree could come after it.
+   * From any thread: the number of a new follower, for which all bricks count as changed; -1 if
+   * this would leave fewer than keptFree places for followers.
    */
   int AddFollower(int keptFree = 0) noexcept;
   void RemoveFollower(int follower) noexcept
@@ -130,8 +131,8 @@ public:
   ///@}
 
   /**
-   * Called by a follower: calls f(brick) for each brick that was changed since the last call. What
-   * it reads then is at least as new as the change.
+   * Called by a follower: calls f(brick) for each brick that has changed since the last call. The
+   * data read then are at least as new as the change.
    */
   template <typename F>
   void TakeChanged(int follower, F&& f)
@@ -176,13 +177,13 @@ private:
   const std::uint32_t Most;
   std::uint64_t SlotMask = 0;
   int SlotShift = 0;
-  std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< twice as many as bricks, at least
-  std::unique_ptr<std::uint64_t[]> Keys;               ///< each is written before its slot
+  std::unique_ptr<std::atomic<std::uint32_t>[]> Slots; ///< at least twice as many as bricks
+  std::unique_ptr<std::uint64_t[]> Keys;               ///< each written before its slot
   std::unique_ptr<std::atomic<std::uint64_t>[]> Shares;
-  /** For each brick, a bit for each follower, whether there is such a one or not. */
+  /** For each brick, one bit per possible follower. */
   std::unique_ptr<std::atomic<std::uint64_t>[]> Changed;
   std::atomic<std::uint64_t> Changes{ 0 };
-  std::atomic<std::uint32_t> Followers{ 0 }; ///< a bit for each that there is
+  std::atomic<std::uint32_t> Followers{ 0 }; ///< one bit per existing follower
   std::atomic<std::uint32_t> Count{ 0 };
 };
 

@@ -18,7 +18,7 @@ RemovalJournal::RemovalJournal(CarvedBricks& bricks, std::size_t most)
 void RemovalJournal::Begin() noexcept
 {
   this->End();
-  // Strokes that were undone can no longer be done again.
+  // Undone strokes can no longer be redone.
   this->Last = this->Applied;
   this->Head = this->Last > this->First ? this->At(this->Last - 1).End : this->Head;
   if (this->Last - this->First == MostStrokes)

@@ -30,7 +30,9 @@ struct BrickPart
       this->High[a] = std::min(first + SideOfBrick, box.First[a] + box.Size[a]) - 1;
     }
   }
-  /** Calls f(row, begin, place) for each row: its first sample in the brick, and in the image. */
+  /**
+   * Calls f(row, begin, place) for each row, with its first sample in the brick and in the image.
+   */
   template <typename F>
   void ForEachRow(const ShareBox& box, F&& f) const
   {
@@ -181,7 +183,7 @@ bool ReadShares(CarvedBricks& bricks, const ShareBox& box, const std::uint8_t* f
 
 std::vector<BrickShares> MoveShares(const std::vector<BrickShares>& bricks, const ShareBox& box)
 {
-  std::map<std::uint64_t, BrickShares> moved; // in the same order every time
+  std::map<std::uint64_t, BrickShares> moved; // the same order every time
   for (const BrickShares& brick : bricks)
   {
     const BrickPlace place = CarvedBricks::PlaceOf(brick.Key);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tissue that a tool has removed from a volume. A tick writes nothing else but its own state.
+ * The tissue that a tool has removed from a volume. Apart from its own state, a tick writes only
+ * this.
  */
 #ifndef TissueRemoval_h
 #define TissueRemoval_h
@@ -29,8 +30,8 @@ enum class RemovalRequest : std::uint8_t
 };
 
 /**
- * Shares, their journal, and the requests of another thread to undo and redo, which the thread that
- * ticks carries out a piece at a time.
+ * Shares, their journal, and the undo and redo requests of another thread, which the thread that
+ * ticks carries out piece by piece.
  */
 class TissueRemoval
 {
@@ -51,14 +52,14 @@ public:
   {
     return this->Head.load(std::memory_order_acquire) - this->Done.load(std::memory_order_acquire);
   }
-  /** From any thread: tissue could not be removed, since all bricks are in use. */
+  /** From any thread: whether tissue could not be removed because all bricks are in use. */
   bool IsUsedUp() const noexcept { return this->UsedUp.load(std::memory_order_relaxed); }
 
   ///@{
   /**
-   * Called by the thread that ticks, at the beginning of a tick: carries out a piece of a request;
-   * false if there was none. Tissue may have come back then.
-   * @param begun if not null, the request of which this was the first piece, or None
+   * Called by the thread that ticks, at the beginning of a tick: carries out a piece of a request,
+   * which may bring tissue back; false if there was none.
+   * @param begun if not null, receives the request whose first piece this was, or None
    */
   bool Serve(RemovalRequest* begun = nullptr) noexcept;
   /** Whether the next Serve has something to do. */
@@ -71,16 +72,16 @@ public:
 
   ///@{
   /**
-   * A copy of all shares at one tick. Another thread, one at a time, begins it, which allocates;
-   * then the thread that ticks completes it, at the beginning of a tick and before it serves, with
-   * TakeSnapshot. It returns false if that is not possible now: there was none to complete, or a
-   * request is being carried out, or so much has changed that it has to be begun again
-   * (IsSnapshotLate). From then on, strokes of before can no longer be undone or redone.
+   * A copy of all shares at one tick. One other thread at a time begins it, which allocates; then
+   * the thread that ticks completes it with TakeSnapshot, at the beginning of a tick and before
+   * Serve. TakeSnapshot returns false if it can't complete a copy now: none was begun, or a request
+   * is being carried out, or so much has changed that the copy has to be begun again
+   * (IsSnapshotLate). From then on, earlier strokes can no longer be undone or redone.
    */
   void BeginSnapshot() { this->Snapshot = std::make_unique<ShareSnapshot>(this->Bricks); }
   bool TakeSnapshot() noexcept;
   bool IsSnapshotLate() const noexcept { return this->Snapshot && this->Snapshot->IsLate(); }
-  /** Ends it; empty if it was not completed. */
+  /** Ends it and returns the copy; empty if it was not completed. */
   std::vector<BrickShares> EndSnapshot();
   ///@}
 
@@ -94,7 +95,7 @@ private:
 
   std::atomic<RemovalRequest> Requests[MostRequests] = {};
   std::atomic<std::size_t> Head{ 0 }; ///< the number of requests so far
-  std::atomic<std::size_t> Done{ 0 }; ///< of them, those that were carried out
+  std::atomic<std::size_t> Done{ 0 }; ///< the number of requests carried out
   std::atomic<bool> UsedUp{ false };
   std::unique_ptr<ShareSnapshot> Snapshot;
 };

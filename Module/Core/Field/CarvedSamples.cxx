@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Copies what is left of samples along x; the share of the first one is the lowest byte. */
+/** Copies what remains of samples along x; the share of the first one is the lowest byte. */
 template <typename T>
 inline void CopyRun(const T* from, std::int64_t stride, std::uint64_t shares, int last,
   const CarvedView& carved, double* to)
@@ -30,7 +30,7 @@ struct BoxBricks
   std::int64_t First[3];
   std::int64_t Count[3];
 
-  /** False if none is there. */
+  /** False if the box has no brick. */
   bool Find(const CarvedBricks& bricks, const CarvedBox& box) noexcept
   {
     for (int a = 0; a < 3; ++a)
@@ -56,7 +56,7 @@ struct BoxBricks
   }
 };
 
-/** Copies what is left of the samples of a box. */
+/** Copies what remains of the samples of a box. */
 template <typename T>
 void CopyBox(const VolumeView& whole, const CarvedView& carved, const CarvedBox& box,
   const BoxBricks& bricks, double* to)
@@ -129,7 +129,7 @@ bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedB
   {
     elements += box.Low[a] * copy.Stride[a];
   }
-  // As a number, since there is no memory at it.
+  // Computed as a number, since no memory may be there.
   copy.Data = reinterpret_cast<const void*>(
     reinterpret_cast<std::uintptr_t>(to) - static_cast<std::uintptr_t>(elements) * sizeof(double));
   return true;

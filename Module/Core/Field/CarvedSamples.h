@@ -7,7 +7,7 @@
  *   V' = V - (1 - rho) (V - V_air),
  *
  * rho the share that remains. Where something was removed, a kernel reads a copy of the few samples
- * that it needs, as doubles; elsewhere it reads the samples themselves, and gives the same bits as
+ * that it needs, as doubles; elsewhere it reads the samples themselves, with the same bits as
  * without removal.
  */
 #ifndef CarvedSamples_h
@@ -19,7 +19,9 @@
 namespace VolumeHaptics
 {
 
-/** Shares, and what a sample is without tissue. Borrows the bricks; null if nothing is removed. */
+/**
+ * Shares, and the value of a sample without tissue. Borrows the bricks; null if nothing is removed.
+ */
 struct CarvedView
 {
   const CarvedBricks* Bricks = nullptr;
@@ -28,8 +30,8 @@ struct CarvedView
   /** Whether any tissue of any sample was removed. */
   bool HasAny() const noexcept { return this->Bricks && !this->Bricks->IsEmpty(); }
   /**
-   * To the bit the value itself if all of its tissue remains.
-   * @param share 0 to CarvedBricks::Whole, or a mean of such
+   * The remaining value; to the bit the value itself if all of its tissue remains.
+   * @param share 0 to CarvedBricks::Whole, or a mean of such shares
    */
   double Left(double value, double share) const noexcept
   {
@@ -38,7 +40,7 @@ struct CarvedView
   }
 };
 
-/** A box of samples, both ends included; no longer than MostSide along an axis. */
+/** A box of samples, both ends included; at most MostSide long along each axis. */
 struct CarvedBox
 {
   static constexpr std::int64_t MostSide = 64;
@@ -57,8 +59,8 @@ struct CarvedBox
 CarvedBox FindBox(const VolumeView& view, const double* position, int before, int behind) noexcept;
 
 /**
- * If tissue was removed in the box, writes what is left of its samples, x first, and gives a view
- * whose indices are those of the whole volume, but of which only the box may be read.
+ * If tissue was removed in the box, writes the remaining samples, x first, and returns a view whose
+ * indices are those of the whole volume, but of which only the box may be read.
  * @param whole its Data points to the volume's first sample, see WholeData
  * @return false if nothing was removed in the box
  */

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int MostNewtonSteps = 3;
-/** Voxels; no step follows one as short as this. */
+/** Voxels; a step as short as this is the last one. */
 constexpr double ShortNewtonStep = 0.01;
 /** Below this determinant of the map from the first frame, the displacements fold the volume. */
 constexpr double LeastVolume = 0.05;
@@ -95,7 +95,7 @@ MaterialPlace DisplacementField::Find(const Vector3& index, double share) const 
     motion = u.Value + u.Slope * step;
     isThere = Dot(step, step) < ShortNewtonStep * ShortNewtonStep;
   }
-  // By way of the motion: where there is none, this is the index itself, to the bit.
+  // In terms of the motion: where there is none, this is the index itself, to the bit.
   place.First = index - share * motion;
   place.Second = index + (1.0 - share) * motion;
   return place;

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the material of a volume that moves goes from one frame to the next.
+ * Follows the material of a moving volume from one frame to the next.
  *
- * With u(X) the displacement of what is at X in the first frame, it is at X + u(X) in the second
- * one, and at
+ * With u(X) the displacement of the material at X in the first frame, this material is at X + u(X)
+ * in the second one, and at
  *
  *   x = X + share u(X)
  *
  * in between. Given x, X is found by Newton's method from X = x, with u and its derivatives at X:
- * so u is read at the place that the material came from, not at x. After a step of e voxels, X is
+ * so u is read at the material's place in the first frame, not at x. After a step of e voxels, X is
  * off by |u''| e^2 / 2, with |u''| the second derivatives of u. There are three steps at most, and
- * none after one of 0.01 voxel: nothing remains where u is linear (a rigid motion, or an even
- * stretch), and 2e-6 voxel of a breath that moves by 5 voxels a frame and comes and goes over 100.
- * Where the displacements fold the volume, u is read at x.
+ * a step of 0.01 voxel is the last one. The remaining error is zero where u is linear (a rigid
+ * motion, or an even stretch), and 2e-6 voxel for a breath that moves by 5 voxels a frame and comes
+ * and goes over 100. Where the displacements fold the volume, u is read at x.
  *
- * Between the points, u is the smoothing cubic B-spline of VectorSampler, as it has to have
- * derivatives without steps: normals turn with them. It reproduces linear displacements, and rounds
- * others off by h^2/6 of their second derivatives, h being the distance of the points. Where
- * displacements are not finite, they count as 0.
+ * Between the points, u is the smoothing cubic B-spline of VectorSampler, since its derivatives
+ * must be continuous: normals turn with them. It reproduces linear displacements, and rounds others
+ * off by h^2/6 of their second derivatives, h being the distance of the points. Where displacements
+ * are not finite, they count as 0.
  */
 #ifndef DisplacementField_h
 #define DisplacementField_h
@@ -35,7 +35,7 @@ namespace VolumeHaptics
  */
 struct DisplacementView
 {
-  const void* Data = nullptr; ///< of the first point; null if there are none
+  const void* Data = nullptr; ///< the first point; null if there are no displacements
   ScalarType Type = ScalarType::Float64;
 };
 
@@ -45,7 +45,7 @@ struct MaterialPlace
   Vector3 First;  ///< X, an index
   Vector3 Second; ///< X + u(X), an index
   ///@{
-  /** Derivatives of both with respect to the place in between. */
+  /** Derivatives of First and Second with respect to the place in between. */
   Matrix3 FirstSlope;
   Matrix3 SecondSlope;
   ///@}
@@ -55,11 +55,13 @@ struct MaterialPlace
 class DisplacementField
 {
 public:
-  /** Of the points of a volume, the linear part of whose map from index to world is given. */
+  /**
+   * Displacements on the points of a volume, with the linear part of its map from index to world.
+   */
   DisplacementField(
     const DisplacementView& displacements, const VolumeView& volume, const Matrix3& indexToWorld);
 
-  /** For a place (an index) at a share of the time between the frames, 0 to 1. */
+  /** The material at a place (an index), at a fraction of the time between the frames, 0 to 1. */
   MaterialPlace Find(const Vector3& index, double share) const noexcept;
 
   const DisplacementView& GetView() const noexcept { return this->Given; }
@@ -76,7 +78,7 @@ private:
   DisplacementView Given;
   VectorSampler Displacements;
   Vector3 Low;  ///< the smallest index along each axis
-  Vector3 High; ///< the largest one
+  Vector3 High; ///< the largest index along each axis
   Matrix3 WorldToIndex;
 };
 

@@ -6,7 +6,7 @@
  *
  *   V(x) = V_a(x) + share (V_b(x) - V_a(x))
  *
- * and its gradient alike; or, if it is known where the material goes (DisplacementField.h),
+ * and its gradient alike; or, if the motion of the material is known (DisplacementField.h),
  *
  *   V(x) = V_a(X) + share (V_b(X + u(X)) - V_a(X)),   X + share u(X) = x.
  *
@@ -26,7 +26,7 @@ namespace VolumeHaptics
 class FieldAtTime
 {
 public:
-  /** @param memory of the last gradients; may be null */
+  /** @param memory holds the last gradients; may be null */
   explicit FieldAtTime(const FieldSampler& field, TickMemory* memory = nullptr) noexcept
     : First(field)
     , Memories(MakeMemories(memory, 0))
@@ -35,7 +35,7 @@ public:
   /**
    * @param share of the second frame, 0 to 1
    * @param motion of the material from the first frame to the second one; null if it is not known
-   * @param memory of the last gradients; may be null
+   * @param memory holds the last gradients; may be null
    * @param frame the number of the first frame, for the memory
    */
   FieldAtTime(const FieldSampler& first, const FieldSampler& second, double share,
@@ -44,7 +44,7 @@ public:
     : FieldAtTime(first, { second, share, first.BlendsSamples(second) }, motion, memory, frame)
   {
   }
-  /** With a second frame of which it is known whether samples are blended. */
+  /** With a second frame; `areSamplesBlended` tells whether samples are blended. */
   FieldAtTime(const FieldSampler& first, const FieldSampler::OtherFrame& second,
     const DisplacementField* motion, TickMemory* memory, std::size_t frame) noexcept
     : First(second.Share < 1.0 ? first : second.Field)
@@ -56,7 +56,7 @@ public:
   {
   }
 
-  // As those of FieldSampler.
+  // As in FieldSampler.
   double Value(const Vector3& index) const noexcept
   {
     if (this->FollowsMaterial())
@@ -99,7 +99,7 @@ public:
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
 private:
-  /** Whether each frame is read at a place of its own. */
+  /** Whether each frame is read at its own place. */
   bool FollowsMaterial() const noexcept { return this->Motion && this->Second; }
 
   FieldSampler::OtherFrame GetOther() const noexcept
@@ -123,7 +123,7 @@ private:
     return FieldSampler::Blend(first, second, this->Share);
   }
 
-  /** A frame at the place that stands for another one, with the gradient there. */
+  /** Reads a frame at the place that the material has in it, with the gradient there. */
   static FieldSample ReadMaterial(const FieldSampler& frame, const Vector3& place,
     const Matrix3& slope, TapMemory* memory) noexcept
   {

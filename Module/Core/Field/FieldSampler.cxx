@@ -41,7 +41,7 @@ FieldFunctions SelectFunctions(
   return SelectBaselineFunctions(view, kernel.Estimator, kernel.Taps);
 }
 
-/** The gradient from a copy of a box with N samples along an axis at most. */
+/** The gradient from a copy of a box with at most N samples along each axis. */
 template <int N>
 VOLUME_HAPTICS_OUTLINE FieldSample GradientOfCopy(const FieldView& view, const CarvedView& carved,
   const CarvedBox& box, GradientFunction gradient, const Vector3& index) noexcept
@@ -96,13 +96,13 @@ bool FieldSampler::ReadCarved(const Vector3& index, FieldSample& sample) const n
 {
   const double position[3] = { index.X, index.Y, index.Z };
   const int reach = this->View.Kernel.Radius;
-  // A place at a distance may be rounded up into the next cell.
+  // A read at a distance may be rounded up into the next cell.
   const CarvedBox box = FindBox(this->Given, position, reach, reach + 1);
   if (!this->Carved.Bricks->HasBricks(box.Low, box.High))
   {
     return false;
   }
-  // A large copy needs much of the stack, which only wide kernels shall touch.
+  // A large copy needs much of the stack: only wide kernels use it.
   constexpr int fewest = 9;
   const auto read = 2 * reach + 3 <= fewest ? GradientOfCopy<fewest>
                                             : GradientOfCopy<GradientKernel::MaximumTaps + 1>;

@@ -4,8 +4,8 @@
  * @file
  * Values and gradients of a volume at continuous positions.
  *
- * The kernels are compiled once per instruction set, each in a translation unit of its own, and
- * chosen at run time: code around them (and VTK) stays baseline. All variants carry out the same
+ * The kernels are compiled once per instruction set, each in its own translation unit, and chosen
+ * at run time: code around them (and VTK) stays baseline. All variants carry out the same
  * operations in the same order, without fused multiply-add, so that a trace does not depend on the
  * processor.
  */
@@ -43,7 +43,7 @@ struct FieldView
   KernelView Kernel;
   double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis
   double Last[3] = { 0.0, 0.0, 0.0 };  ///< the largest one
-  std::uint64_t Number = 0;            ///< that no other field has
+  std::uint64_t Number = 0;            ///< unique among all fields
 };
 
 /** Values on both sides of a position: a tick always needs both. */
@@ -53,7 +53,7 @@ struct ValuePair
   double Behind;
 };
 
-/** Two frames, of which the second one has a share from 0 to 1. */
+/** Two frames; Share (0 to 1) is the second one's. */
 struct FrameBlend
 {
   const FieldView& First;
@@ -61,14 +61,14 @@ struct FrameBlend
   double Share;
 };
 
-/** Values of a blend with two shares. */
+/** Values of a blend at two shares. */
 struct SharePair
 {
   double First = std::numeric_limits<double>::quiet_NaN();
   double Second = std::numeric_limits<double>::quiet_NaN();
 };
 
-/** The memories of a tick, with those of frames that are read by themselves; all may be null. */
+/** The memories of a tick, including those of frames that are read separately; all may be null. */
 struct BlendMemories
 {
   TapMemory* First = nullptr;
@@ -82,7 +82,7 @@ using PairFunction = ValuePair (*)(
   const FieldView&, double x, double y, double z, double dx, double dy, double dz) noexcept;
 using GradientFunction = FieldSample (*)(const FieldView&, double x, double y, double z) noexcept;
 ///@{
-/** The same of a blend of two frames with the same geometry, type and kernel. */
+/** As above, for a blend of two frames with the same geometry, type and kernel. */
 using BlendedValueFunction = double (*)(const FrameBlend&, double x, double y, double z) noexcept;
 using SharedValuesFunction = SharePair (*)(
   const FrameBlend&, double share, double x, double y, double z) noexcept;
@@ -92,7 +92,7 @@ using BlendedGradientFunction = FieldSample (*)(
   const FrameBlend&, double x, double y, double z, const BlendMemories& memories) noexcept;
 ///@}
 ///@{
-/** Values of a blend as the functions above, from a memory that is of both frames. */
+/** As the functions above, for values of a blend, from a memory of both frames. */
 using TapValueFunction = double (*)(
   const FrameTaps&, const FieldView&, double share, double x, double y, double z) noexcept;
 using SharedTapValuesFunction = SharePair (*)(const FrameTaps&, const FieldView&,
@@ -100,10 +100,13 @@ using SharedTapValuesFunction = SharePair (*)(const FrameTaps&, const FieldView&
 using TapPairFunction = ValuePair (*)(const FrameTaps&, const FieldView&, double share, double x,
   double y, double z, double dx, double dy, double dz) noexcept;
 ///@}
-/** Reads all taps from the first one; false if they are not all in the samples. */
+/** Reads all taps from the first one on; false if some are outside the samples. */
 using FillFunction = bool (*)(
   const VolumeView&, const std::int64_t* first, TapMemory& memory) noexcept;
-/** The gradient from the memory's taps, read anew if need be; false if it can't be had so. */
+/**
+ * The gradient from the memory's taps, which are read anew if necessary; false if it can't be
+ * computed in this way.
+ */
 using RememberedFunction = bool (*)(const FieldView&, double x, double y, double z, FillFunction,
   TapMemory& memory, FieldSample& sample) noexcept;
 
@@ -114,7 +117,7 @@ struct FieldFunctions
   PairFunction Pair = nullptr;
   GradientFunction Gradient = nullptr;
   BlendedValueFunction BlendedValue = nullptr;
-  SharedValuesFunction SharedValues = nullptr; ///< with the blend's share, and with another one
+  SharedValuesFunction SharedValues = nullptr; ///< at the blend's share, and at another one
   BlendedPairFunction BlendedPair = nullptr;
   /** Null for kernels of many taps. */
   BlendedGradientFunction BlendedGradient = nullptr;
@@ -141,18 +144,18 @@ enum class InstructionSet : std::uint8_t
 InstructionSet DetectInstructionSet();
 
 /**
- * A volume and an estimator, ready to be sampled. Borrows the samples and the kernel's table, and
- * the shares of what was removed.
+ * A volume and an estimator, ready to be sampled. Borrows the samples, the kernel's table, and the
+ * shares of removed tissue.
  */
 class FieldSampler
 {
 public:
-  /** Another frame of the volume, with a share from 0 to 1. */
+  /** Another frame of the volume, with its share from 0 to 1. */
   struct OtherFrame
   {
     const FieldSampler& Field;
     double Share;
-    bool AreSamplesBlended; ///< BlendsSamples() of it
+    bool AreSamplesBlended; ///< BlendsSamples() with this frame
   };
 
   FieldSampler() = default;
@@ -209,9 +212,9 @@ public:
 
   ///@{
   /**
-   * The same where another frame of the volume has a share from 0 to 1. Where it can be, samples
-   * are blended before they are summed; else sums are. Values are read from `taps`, where they are
-   * there: FindTaps() of the memory of a gradient.
+   * As above, with another frame of the volume, whose share is from 0 to 1. Blends samples before
+   * they are summed where possible, else sums. Reads values from `taps` if they are there:
+   * FindTaps() of a gradient's memory.
    */
   double Value(
     const OtherFrame& other, const Vector3& index, const FrameTaps* taps = nullptr) const noexcept
@@ -283,7 +286,7 @@ public:
     return { Blend(first.Ahead, second.Ahead, other.Share),
       Blend(first.Behind, second.Behind, other.Share) };
   }
-  /** The samples of both frames that a gradient has kept; null if they are of other frames. */
+  /** The samples of both frames that a gradient has stored; null if they are of other frames. */
   const FrameTaps* FindTaps(const OtherFrame& other, const TickMemory& memory) const noexcept
   {
     const FrameTaps& taps = memory.Pair;
@@ -324,7 +327,7 @@ public:
       index.Y <= last[1] && index.Z <= last[2];
   }
 
-  /** The index within that box that is nearest to an index; along an axis that is NaN, 0. */
+  /** The nearest index within that box; 0 along an axis that is NaN. */
   Vector3 Nearest(const Vector3& index) const noexcept
   {
     const double* const last = this->Border;
@@ -346,8 +349,8 @@ public:
   }
 
   /**
-   * Whether the kernel, the type and the resident samples of another frame are the same, and all
-   * of the tissue is there.
+   * Whether kernel, type and resident samples of another frame are the same, and no tissue was
+   * removed.
    */
   bool BlendsSamples(const FieldSampler& other) const noexcept
   {
@@ -358,7 +361,7 @@ public:
       std::equal(a.First, a.First + 3, b.First) && std::equal(a.Last, a.Last + 3, b.Last) &&
       !this->Carved.HasAny() && !other.Carved.HasAny();
   }
-  /** The samples, as they were given, and what was removed of them. */
+  /** The samples, as they were given, and what was removed from them. */
   const VolumeView& GetView() const noexcept { return this->Given; }
   const CarvedView& GetCarved() const noexcept { return this->Carved; }
 
@@ -386,7 +389,7 @@ private:
   CarvedView Carved;
   double Border[3] = { 0.0, 0.0, 0.0 }; ///< the volume's largest index along each axis
   FieldFunctions Functions;
-  FieldFunctions OfCopies; ///< of doubles
+  FieldFunctions OfCopies; ///< for doubles
   int ValueReach = 0;      ///< samples beyond a position's cell
 };
 

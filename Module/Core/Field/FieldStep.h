@@ -9,9 +9,9 @@ namespace VolumeHaptics
 {
 
 /**
- * A volume that moves, at two instants between the same two frames: as two FieldAtTime, to the bit,
- * but with less work, since both have the same samples, and those of the last gradient are at hand.
- * Neither instant is that of a frame.
+ * A moving volume at two instants between the same two frames: as two FieldAtTime, to the bit, but
+ * with less work, since both have the same samples, and the samples of the last gradient are
+ * stored. Neither instant is that of a frame.
  */
 class FieldStep
 {
@@ -32,11 +32,11 @@ public:
 
   bool IsInside(const Vector3& index) const noexcept { return this->First.IsInside(index); }
 
-  /** At the later instant. First of all: it has the samples for what follows. */
+  /** At the later instant. Call it first: it reads the samples for the other calls. */
   FieldSample Gradient(const Vector3& index) noexcept
   {
     const FieldSampler::OtherFrame now = this->GetNow();
-    // Frames that are blended have no memories of their own.
+    // Blended frames have no separate memories.
     const FieldSample sample =
       this->First.Gradient(now, index, { nullptr, nullptr, &this->Memory });
     this->Taps = this->First.FindTaps(now, this->Memory);
@@ -51,7 +51,7 @@ public:
   }
 
   ///@{
-  /** At the later instant, as those of FieldAtTime. */
+  /** At the later instant, as in FieldAtTime. */
   double Value(const Vector3& index) const noexcept
   {
     return this->First.Value(this->GetNow(), index, this->Taps);

@@ -16,23 +16,29 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Fine voxels, of the Gaussian that smooths distances along a slice. */
+/** Fine voxels: the Gaussian that smooths distances along a slice. */
 constexpr double Smoothing = 2.0;
-/** Fine voxels; a label or gap of twice this thickness is smoothed, of half of that not at all. */
+/** Fine voxels: labels or gaps twice this thick are smoothed; half as thick ones not at all. */
 constexpr float Thick = 4.0F;
-/** A label that a slice lacks is this many slices away; at most Farthest, in fine voxels. */
+/**
+ * If a slice lacks a label, the label counts as this many slices away, but at most Farthest, in
+ * fine voxels.
+ */
 constexpr double AwaySlices = 12.0;
 constexpr double Farthest = 120.0;
 /** Distances are kept in parts of a fine voxel. */
 constexpr float DistanceParts = 256.0F;
-/** Fine voxels: nearer to another label in its slice, a pixel's share of it may not be 0. */
+/**
+ * Fine voxels: nearer than this to another label in its slice, a pixel may have a share of it above
+ * 0.
+ */
 constexpr double ActiveWidth = 4.0;
-/** Slices that are worked on at once. */
+/** The number of slices that are processed at once. */
 constexpr std::int64_t ChunkSlices = 16;
 
 constexpr float NoSite = 1e12F;
 
-/** Pixels of a slice: from Low up to High, without it, along the two axes. */
+/** Pixels of a slice: from Low up to, but without, High, along the two axes. */
 struct PixelBox
 {
   std::int64_t Low[2];
@@ -42,7 +48,7 @@ struct PixelBox
   std::int64_t Area() const { return this->Size(0) * this->Size(1); }
 };
 
-/** Pixels of a row within a label, and the number of the connected piece that they belong to. */
+/** Pixels of a row within a label, with the number of their connected piece. */
 struct PieceRun
 {
   std::int64_t Row;
@@ -60,7 +66,7 @@ struct LabelShape
   std::vector<PieceRun> Runs; ///< where distances are above 0, row by row
   std::size_t Pieces = 0;
 
-  /** In DistanceParts, from the box's first pixel of a row on; null if it has none there. */
+  /** In DistanceParts, from the box's first pixel of a row on; null if the box has none there. */
   const std::int16_t* GetRow(std::int64_t j) const
   {
     return j >= this->Box.Low[1] && j < this->Box.High[1]
@@ -71,7 +77,7 @@ struct LabelShape
 
 using SliceShapes = std::vector<LabelShape>;
 
-/** The shape of a label in a slice; null if the slice lacks it. */
+/** The shape of a label in a slice; null if the slice lacks the label. */
 const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label)
 {
   const auto found = std::lower_bound(shapes.begin(), shapes.end(), label,
@@ -79,7 +85,7 @@ const LabelShape* FindShape(const SliceShapes& shapes, std::int64_t label)
   return found != shapes.end() && found->Label == label ? &*found : nullptr;
 }
 
-/** The pixels of a slice in fine voxels, and what a label that it lacks is away. */
+/** The pixels of a slice in fine voxels, and the distance of a label that the slice lacks. */
 struct SliceGrid
 {
   std::int64_t Size[2];
@@ -89,7 +95,7 @@ struct SliceGrid
 };
 
 /**
- * Squares of the distances to the nearest site, from those along rows: the lower envelope of
+ * Squares of the distances to the nearest site, from distances along rows: the lower envelope of
  * parabolas (P. F. Felzenszwalb and D. P. Huttenlocher, Theory of Computing 8, 2012).
  */
 class ColumnTransform
@@ -154,7 +160,7 @@ private:
   std::vector<float> Begins;
 };
 
-/** Distances in a box of a slice, while they are found. */
+/** Computes distances in a box of a slice. */
 class DistanceMap
 {
 public:
@@ -228,7 +234,7 @@ private:
     return squares;
   }
 
-  /** Along an axis, by a Gaussian; the border repeats. */
+  /** Smooths along an axis with a Gaussian; the border repeats. */
   void Smooth(std::vector<float>& values, int axis) const
   {
     const double scale = Smoothing / this->Grid.Pixel[axis];
@@ -246,7 +252,7 @@ private:
       sum += weights.back();
     }
     const std::int64_t count = this->Size[axis];
-    const std::int64_t width = axis == 0 ? 1 : this->Size[0]; // of what is smoothed at once
+    const std::int64_t width = axis == 0 ? 1 : this->Size[0]; // values smoothed at once
     const std::int64_t lines = axis == 0 ? this->Size[1] : 1;
     std::vector<float> line(static_cast<std::size_t>((count + 2 * radius) * width));
     for (std::int64_t l = 0; l < lines; ++l)
@@ -277,7 +283,7 @@ private:
     return values[static_cast<std::size_t>(x + this->Size[0] * y)];
   }
 
-  /** Between pixels, bilinear. */
+  /** Bilinear between pixels. */
   float Between(const std::vector<float>& values, float x, float y) const
   {
     const float left = std::floor(x);
@@ -293,7 +299,7 @@ private:
     return from + (y - low) * (row(j + 1) - from);
   }
 
-  /** 1 at the boundary of what is thick on both sides, 0 if one of them is thin. */
+  /** 1 at a boundary that is thick on both sides, 0 if one side is thin. */
   float ThickShare(const std::vector<float>& raw, const std::vector<float>& smooth, std::int64_t i,
     std::int64_t j) const
   {
@@ -377,11 +383,11 @@ float DistanceAt(const LabelShape* shape, const SliceGrid& grid, std::int64_t i,
 }
 
 /**
- * The share of the way to the next slice at which a piece ends that the next slice lacks, at a
- * pixel with the distance `here`, and `before` in the slice before; the largest ones of the piece
+ * The fraction of the way to the next slice at which a piece that the next slice lacks ends, at a
+ * pixel with the distance `here`, and `before` in the slice before; the piece's largest distances
  * are `most` and `mostBefore`. Slices are `step` fine voxels apart.
  *
- * By the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
+ * In the slices of a ball, r^2 - rho^2 = S (2 r - S) is a parabola of the height with the second
  * difference -2 step^2. A piece that does not become smaller ends halfway.
  */
 float FindEnd(float here, float before, float most, float mostBefore, float step)
@@ -401,7 +407,7 @@ float FindEnd(float here, float before, float most, float mostBefore, float step
   return end <= 1.0F ? std::clamp(end, least, last) : std::max(2.0F - end, half);
 }
 
-/** How much smaller the radius of such a piece is in the next slice; 0 if it is not smaller. */
+/** By how much the radius of such a piece falls up to the next slice; 0 if it does not. */
 float FindFall(float most, float mostBefore, float step)
 {
   const float fall = (mostBefore * mostBefore + step * step - most * most) / (2.0F * most);
@@ -410,7 +416,7 @@ float FindFall(float most, float mostBefore, float step)
 
 /**
  * For pieces of a label that the next slice lacks: limits for the distances of all labels there, so
- * that the piece ends where FindEnd() says, and around it falls as steeply as FindFall() says.
+ * that the piece ends where FindEnd() says, and falls around it as steeply as FindFall() says.
  */
 void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape* before,
   const LabelShape* next, std::vector<float>& limits)
@@ -468,7 +474,7 @@ void LimitEnds(const SliceGrid& grid, const LabelShape& shape, const LabelShape*
       limits[static_cast<std::size_t>(i + grid.Size[0] * run.Row)] = here * (1.0F - end) / end;
     }
   }
-  // Around a piece: as at its nearest pixel.
+  // Around a piece: as at the piece's nearest pixel.
   const auto acrossX = static_cast<float>(grid.Pixel[0]);
   const auto acrossY = static_cast<float>(grid.Pixel[1]);
   for (std::int64_t j = box.Low[1]; j < box.High[1]; ++j)
@@ -608,11 +614,11 @@ struct Cubic
   float C0, C1, C2, C3;
 };
 
-/** The labels with the largest distance, and the next largest one, at a fine voxel. */
+/** The labels with the largest and the second largest distance, at a fine voxel. */
 template <typename T>
 struct Place
 {
-  /** `rise` is that of the distance to the next layer. */
+  /** `rise` is the rise of the distance to the next layer. */
   void Add(T label, float distance, float rise)
   {
     if (distance > this->Best)
@@ -630,7 +636,10 @@ struct Place
     }
   }
 
-  /** The other label's share, in parts. The boundary is half the difference away in the slice. */
+  /**
+   * The other label's share, in parts. The boundary is half the difference of the distances away,
+   * within the slice.
+   */
   std::uint8_t FindShare() const
   {
     const float rise = 0.5F * (this->Rise - this->NextRise);
@@ -722,7 +731,7 @@ struct FineLabels::Pass
     return labels;
   }
 
-  /** Which slices have another hash than the last time; all if there is no last time. */
+  /** The slices whose hash has changed since the last time; all if there is no last time. */
   std::vector<char> FindChanged(const std::vector<std::uint64_t>& last) const
   {
     std::vector<char> changed(static_cast<std::size_t>(this->Slices), 1);
@@ -733,7 +742,7 @@ struct FineLabels::Pass
     return changed;
   }
 
-  /** Hashes, work and the range of labels. */
+  /** Computes hashes, work and the range of labels. */
   void Scan(const Loop& loop)
   {
     const auto count = static_cast<std::size_t>(this->Slices);
@@ -762,7 +771,7 @@ struct FineLabels::Pass
     }
   }
 
-  /** The view of the labels that are found, and their bytes. */
+  /** The view of the resulting labels, and their bytes. */
   VolumeView MakeView() const
   {
     VolumeView view;
@@ -776,12 +785,12 @@ struct FineLabels::Pass
   }
 
   /**
-   * Pixels whose label changes up to the next slice, or is not that of all pixels around in both;
-   * `Piece` of a run is the number of those before it. `from` has the labels of the slice.
+   * Pixels whose label changes up to the next slice, or differs from a nearby pixel's in one of the
+   * two; `Piece` of a run is the number of those before it. `from` has the labels of the slice.
    */
   std::vector<PieceRun> FindActive(const std::vector<std::int64_t>& from, std::int64_t slice) const;
 
-  /** Finds the labels from a slice up to the next one, or of the last slice. */
+  /** Computes the labels from a slice up to the next one, or of the last slice. */
   template <typename T>
   void FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice, const VolumeView& view,
     T* labels, std::uint8_t* shares) const;
@@ -874,7 +883,7 @@ template <typename T>
 void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int64_t slice,
   const VolumeView& view, T* labels, std::uint8_t* shares) const
 {
-  // The slices around the gap; the image repeats its first and its last one.
+  // The slices around the gap; the first and last slices of the image repeat.
   const SliceShapes* around[4];
   for (int s = 0; s < 4; ++s)
   {
@@ -890,7 +899,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
     : runs.back().Piece + static_cast<std::size_t>(runs.back().End - runs.back().Begin);
   const std::size_t count = static_cast<std::size_t>(layers) * area;
   std::vector<Place<T>> places(count);
-  std::vector<float> limits[4]; // of the distances in the four slices; empty if no piece ends
+  std::vector<float> limits[4]; // for the distances in the four slices; empty if no piece ends
   for (int s = 1; s < 3 && layers > 1; ++s)
   {
     for (const LabelShape& shape : *around[s])
@@ -911,7 +920,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
     }
   }
 
-  // All labels of both slices in rising order: of equal distances, the first one counts.
+  // All labels of both slices in rising order: if distances are equal, the first label counts.
   std::vector<std::int64_t> known;
   for (int s = 1; s < 3; ++s)
   {
@@ -975,7 +984,7 @@ void FineLabels::Pass::FillGap(const std::vector<SliceShapes>& shapes, std::int6
       }
     }
   }
-  // Elsewhere the label is that of both slices.
+  // Elsewhere the label is the same in both slices.
   const std::int64_t* const stride = view.Stride;
   const std::int64_t across[2] = { stride[this->Across[0]], stride[this->Across[1]] };
   const std::int64_t up = stride[this->Axis];
@@ -1148,7 +1157,7 @@ std::shared_ptr<const FineLabels> FineLabels::Make(const LabelView& view, const 
     }
     step[axis] /= factors[axis];
     image = found;
-    before = std::move(fine->Labels); // its memory stays where it is: the next pass reads it
+    before = std::move(fine->Labels); // its memory does not move: the next pass reads it
     image.Data = before.data();
   }
   fine->Labels = std::move(before);

@@ -5,20 +5,20 @@
  * A label image with thick slices, on a finer grid whose voxels are nearly cubes.
  *
  * Walls of labels (LabelWalls.h) come from sums over voxels. With thick slices the steps between
- * them are longer than the kernel is wide across them, and walls would be stairs. Between slices,
- * labels are therefore found by their shape (S. P. Raya and J. K. Udupa, "Shape-based interpolation
- * of multidimensional objects", IEEE Trans. Med. Imaging 9, 1990; G. T. Herman, J. Zheng and C. A.
- * Bucholtz, "Shape-based interpolation", IEEE Comput. Graph. Appl. 12(3), 1992):
+ * slices are longer than the kernel's width across them, and walls would be stairs. Between slices,
+ * labels are therefore interpolated by their shape (S. P. Raya and J. K. Udupa, "Shape-based
+ * interpolation of multidimensional objects", IEEE Trans. Med. Imaging 9, 1990; G. T. Herman, J.
+ * Zheng and C. A. Bucholtz, "Shape-based interpolation", IEEE Comput. Graph. Appl. 12(3), 1992):
  *
  * - in each slice a label has a signed distance S to its boundary, above 0 inside;
  * - along the slices' axis S is a cubic between slices, without overshoot (F. N. Fritsch and R. E.
  *   Carlson, SIAM Journal on Numerical Analysis 17, 1980);
- * - at a fine voxel the label with the largest S wins, and the share of the next one tells where
- *   between both voxels the boundary is.
+ * - at a fine voxel the label with the largest S wins, and the share of the next one gives the
+ *   place of the boundary between both voxels.
  *
- * The distances are smoothed along the slice, since those of pixels are stairs, too; but not where
- * a label or a gap is thinner than eight fine voxels, so that thin ones stay what they are. A label
- * that a slice lacks has a distance of some slices there, so that it ends between both.
+ * The distances are smoothed along the slice, since pixels make stairs, too; but not where a label
+ * or a gap is thinner than eight fine voxels, so that thin parts keep their shape. A label that a
+ * slice lacks has a distance of some slices there, so that it ends between both slices.
  */
 #ifndef FineLabels_h
 #define FineLabels_h
@@ -37,19 +37,19 @@ namespace VolumeHaptics
 class FineLabels
 {
 public:
-  /** Spacings up to this share of the finest are left as they are. */
+  /** Spacings up to this multiple of the finest one are not refined. */
   static constexpr double LargestRatio = 1.5;
-  /** The most fine voxels: 2 to 9 bytes each. With more, they are made longer. */
+  /** The most fine voxels: 2 to 9 bytes each. Beyond, fine voxels are made longer. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 28;
-  /** The most pixels of all labels' boxes, of which each costs about 100 ns. */
+  /** The most pixels in the boxes of all labels; each costs about 100 ns. */
   static constexpr std::int64_t MostWork = std::int64_t{ 1 } << 30;
-  /** A share of this many parts of a voxel is all of it. */
+  /** The number of parts that make a whole voxel. */
   static constexpr int Parts = 254;
 
   using Body = std::function<void(std::int64_t)>;
   /**
    * Calls a function with each number below a count, in any order, maybe at the same time; or with
-   * fewer, if Make() is to end: what it returns then is of no use.
+   * fewer, to end Make(), whose result is then of no use.
    */
   using Loop = std::function<void(std::int64_t count, const Body& body)>;
 
@@ -58,9 +58,9 @@ public:
     const LabelView& view, const Vector3& spacing, std::int64_t mostVoxels = MostVoxels);
 
   /**
-   * Null if the spacings are alike, or if the image is too large or has too many labels: then walls
-   * are those of its own voxels. If `last` was made of the same image before some of its slices
-   * have changed, only these are found again.
+   * Null if the spacings are similar, or if the image is too large or has too many labels: then
+   * walls come from its own voxels. If `last` was made from an earlier state of the same image,
+   * only changed slices are computed again.
    * @param spacing of the image, above 0
    * @param mostVoxels MostVoxels; less in tests
    */
@@ -75,17 +75,17 @@ public:
   /** Fine voxels in a voxel of the image, along each axis: the first samples of both coincide. */
   const Vector3& GetSteps() const noexcept { return this->Steps; }
   /**
-   * For each sample of GetView(), how much of it has another label, in shares of Parts: that of its
-   * first neighbour, in the order of axes and down before up, which has one.
+   * For each sample of GetView(), how much of it has another label, in Parts: the label of its
+   * first different neighbour, in the order of axes and down before up.
    */
   const std::uint8_t* GetShares() const noexcept { return this->Shares.data(); }
-  /** Bytes. */
+  /** In bytes. */
   std::size_t GetMemorySize() const noexcept
   {
     return sizeof(*this) + this->Labels.capacity() + this->Shares.capacity() +
       this->Hashes.capacity() * sizeof(std::uint64_t);
   }
-  /** The slices that Make found, and not took over from the last one. */
+  /** The slices that Make computed, and did not take over from the last one. */
   std::int64_t GetSlicesFound() const noexcept { return this->SlicesFound; }
 
 private:
@@ -98,8 +98,8 @@ private:
   std::vector<std::byte> Labels;
   std::vector<std::uint8_t> Shares;
   ///@{
-  /** Of the image: what Make() compares. */
-  std::vector<std::uint64_t> Hashes; ///< of the slices; empty if more than one axis was refined
+  /** Data of the image that Make() compares. */
+  std::vector<std::uint64_t> Hashes; ///< one per slice; empty if more than one axis was refined
   Vector3 Spacing;
   ///@}
   std::int64_t SlicesFound = 0;

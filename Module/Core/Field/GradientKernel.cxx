@@ -60,7 +60,7 @@ void ComputeGaussianWeights(int radius, double fraction, double* smoothing, doub
 namespace
 {
 
-/** a_i in place of the smoothing weights; the derivative's are left to Differentiate. */
+/** Writes a_i in place of the smoothing weights; Differentiate writes the derivative's. */
 void ComputeFittedValueWeights(int radius, double s, double fraction, double* value, double* slope)
 {
   const double cut = radius + 1.0;

@@ -12,15 +12,14 @@
  *
  * All of them are evaluated at the continuous position and reproduce a linear field exactly.
  *
- * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels. There w(t)
- * = exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero: no tap enters or leaves with a step. The
+ * The Gaussian has the scale s = 0.53 Radius voxels and is cut at c = Radius + 1 voxels. w(t) =
+ * exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero there: no tap enters or leaves with a step. The
  * factor 0.53 compensates for the cut: at the default radius of 2 white noise of one unit gives a
  * gradient with a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius
- * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are
- *   smoothing   w_i / sum w,
- *   derivative  w_i (t_i - m) / sum w (t - m)^2,
- * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
- * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
+ * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are smoothing
+ * w_i / sum w, derivative  w_i (t_i - m) / sum w (t - m)^2, that is, the least-squares fit of a
+ * line. They are tabulated over the sub-voxel fraction and interpolated by quintic polynomials,
+ * which keeps the sums that make linear fields exact.
  *
  * These gradients are not quite normal to the levels of any function. If that matters (a surface
  * with them as its normals would give a sliding hand energy), GaussianWeights::OwnDerivative takes
@@ -72,7 +71,7 @@ struct GradientKernel
   static constexpr int MaximumTaps = 2 * (MaximumRadius + 1);
   /** Intervals of the sub-voxel fraction: the error of a weight is about 1e-10 at most. */
   static constexpr int Intervals = 32;
-  /** Of the polynomial in each interval. */
+  /** The number of coefficients in each interval. */
   static constexpr int Coefficients = 6;
 
   GradientEstimator Estimator = GradientEstimator::Gaussian;
@@ -81,16 +80,16 @@ struct GradientKernel
   int Radius = 2;
   /** Taps along an axis of the Gaussian, from floor(x) - Radius to floor(x) + Radius + 1. */
   int Taps = 6;
-  /** Of the Gaussian of GaussianWeights::OwnDerivative, in voxels. */
+  /** Scale of the Gaussian of GaussianWeights::OwnDerivative, in voxels. */
   double OwnScale = 0.0;
   /**
    * The Gaussian's weights, Taps for smoothing and Taps for the derivative: for each interval, the
-   * constant coefficients of all of them, then the linear ones, and so on.
+   * constant coefficients of all weights, then the linear ones, and so on.
    */
   std::vector<double, CacheLines<double>> Table;
 
   GradientKernel() = default;
-  /** A scale (voxels) of 0 is the default one of OwnDerivative. */
+  /** A scale (voxels) of 0 stands for the default of OwnDerivative. */
   GradientKernel(GradientEstimator estimator, int radius,
     GaussianWeights weights = GaussianWeights::FittedLine, double ownScale = 0.0);
 

@@ -29,7 +29,7 @@ struct WeightsAt
     {
       this->Value[tap] = c[tap];
       this->Slope[tap] = c[kernel.Taps + tap];
-      // The end of the last interval is where its polynomials are the sums of their coefficients.
+      // At the end of the last interval, a polynomial is the sum of its coefficients.
       for (int power = 1; power < GradientKernel::Coefficients && i > last; ++power)
       {
         this->Value[tap] += c[power * count + tap];

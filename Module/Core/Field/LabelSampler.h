@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The labels around a position and the shares that they have, weighted by a Gaussian of 8 taps.
+ * The labels around a position and their shares, weighted by a Gaussian of 8 taps.
  *
- * Find() reads the 8^3 voxels and keeps, for each label, which of them have it: a bit for each.
- * Share() sums the kernel's weights over the bits of a label. A row along x has 8 bits; the sums of
- * its weights over all patterns of 4 bits stand in a table (LabelWeights), so that a row costs two
- * lookups, whatever its labels are.
+ * Find() reads the 8^3 voxels and stores a bit for each label and voxel: whether the voxel has the
+ * label. Share() sums the kernel's weights over the bits of a label. A row along x has 8 bits; the
+ * sums of its weights over all patterns of 4 bits are in a table (LabelWeights), so that a row
+ * costs two lookups, for any labels.
  *
  * Across a wall, rows mostly begin or end with a label: then the sums over the first and over the
- * last voxels are all that is needed, and a row costs one lookup (LabelSteps, StepWeights).
+ * last voxels suffice, and a row costs one lookup (LabelSteps, StepWeights).
  *
  * As for FieldSampler, the kernels are compiled once per instruction set and all of them give the
  * same shares, to the bit.
@@ -30,22 +30,22 @@ namespace VolumeHaptics
 struct LabelBlock
 {
   static constexpr int Taps = 8;
-  /** More labels than this around one position count as the last one of them. */
+  /** The most labels around one position; further ones count as the last of them. */
   static constexpr int Most = 32;
 
-  int Count; ///< of the labels
+  int Count; ///< of labels
   std::int64_t Label[Most];
-  /** For each label and plane k: bit i + 8 j is set if the voxel (i, j, k) has it. */
+  /** For each label and plane k: bit i + 8 j is set if voxel (i, j, k) has the label. */
   std::uint64_t Planes[Most][Taps];
 };
 
 /**
- * The rows of a label that all begin or end with it, have it everywhere or nowhere: for each row,
- * the place in StepWeights::Sums, in bytes.
+ * The rows of a label, if all of them begin or end with it, or have it everywhere or nowhere: for
+ * each row, the place in StepWeights::Sums, in bytes.
  */
 struct LabelSteps
 {
-  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< of plane k, row j
+  std::uint16_t Place[LabelBlock::Taps][LabelBlock::Taps]; ///< for plane k, row j
 
   /** False if there are other rows. */
   bool Set(const std::uint64_t* planes) noexcept;
@@ -71,12 +71,12 @@ struct LabelWeights
   static constexpr int Patterns = 16;
 
   /**
-   * For each pattern of the first and the last four bits of a row: the sum of the weights of the
-   * value, that of the slope's, and that of the value again.
+   * For each pattern of the first and the last four bits of a row: the sums of the weights of the
+   * value, of the slope, and of the value again.
    */
   alignas(32) double Low[Patterns][4];
   alignas(32) double High[Patterns][4];
-  /** For each row of a plane, what these are multiplied by: value, value, slope. */
+  /** For each row of a plane, the factors of these sums: value, value, slope. */
   alignas(32) double Across[LabelBlock::Taps][4];
   /** For each plane: value, then slope. */
   alignas(32) double Along[2 * LabelBlock::Taps];
@@ -85,11 +85,13 @@ struct LabelWeights
 /** The samples and the weights of a kernel; borrows both. */
 struct LabelField
 {
-  static constexpr int Intervals = 32; ///< of the sub-voxel fraction
+  static constexpr int Intervals = 32; ///< per voxel
   static constexpr int Coefficients = 4;
 
   VolumeView Volume;
-  /** Of the weights' polynomials: for each interval the constant ones of all taps, and so on. */
+  /**
+   * Polynomials of the weights: for each interval the constant coefficients of all taps, and so on.
+   */
   const double* Table = nullptr;
 };
 
@@ -106,8 +108,8 @@ struct LabelFunctions
 /**
  * A label image and a Gaussian of 8 taps (GaussianWeights::OwnDerivative). Borrows the samples.
  *
- * Between 32 fractions of a voxel, at which they are those of the kernel, the weights are cubic
- * Hermite polynomials: so they and their slopes are continuous, and each slope is the derivative of
+ * At 32 fractions of a voxel, the weights are the kernel's; in between, they are cubic Hermite
+ * polynomials: so the weights and their slopes are continuous, and each slope is the derivative of
  * its weight. They differ from the kernel's own weights by less than 1e-8.
  */
 class LabelSampler
@@ -136,14 +138,14 @@ public:
     return this->Functions.Share(weights, planes);
   }
 
-  /** The same at a continuous index within the image, for a label whose rows are steps. */
+  /** As above, at a continuous index within the image, for a label whose rows are steps. */
   FieldSample Share(const Vector3& index, const LabelSteps& steps) const noexcept
   {
     return this->Functions.ShareSteps(this->View, index.X, index.Y, index.Z, steps);
   }
 
   ///@{
-  /** Beyond the object. */
+  /** The memory outside the object. */
   const void* GetMemory() const noexcept { return this->Table.data(); }
   std::size_t GetMemorySize() const noexcept { return this->Table.capacity() * sizeof(double); }
   ///@}

@@ -4,8 +4,8 @@
  * @file
  * A typed view of a label image: no copy, no ownership.
  *
- * A label is an integer. Beyond the image there is no label; nor is there one where the image holds
- * NoLabel or an unsigned number that does not fit into a signed one of 64 bits.
+ * A label is an integer. There is no label outside the image, or where the image holds NoLabel or
+ * an unsigned number that does not fit into a signed one of 64 bits.
  */
 #ifndef LabelView_h
 #define LabelView_h
@@ -26,9 +26,9 @@ struct LabelCell
 {
   static constexpr int Corners = 8;
 
-  std::array<std::int64_t, Corners> Label; ///< only the first one is set if the cell is uniform
-  std::array<double, Corners> Share;       ///< their sum is 1; not set if the cell is uniform
-  bool IsUniform;                          ///< all labels are the first one
+  std::array<std::int64_t, Corners> Label; ///< if the cell is uniform, only the first one is set
+  std::array<double, Corners> Share;       ///< sum to 1; not set if the cell is uniform
+  bool IsUniform;                          ///< all labels equal the first one
 };
 
 /** The voxels of a label image, at its own continuous indices. Borrows the memory. */

@@ -5,9 +5,9 @@
  * Samples of a whole volume, from which its noise and its border value are estimated.
  *
  * A region of a volume is touched with the noise and the border value of the whole. If the volume
- * is in pieces, each piece gives the samples that it holds (NoiseEstimate.h): up to 4096 blocks of
- * 5^3 samples, 512 of a large volume, and the corners. Merge puts together blocks that pieces
- * share. Plain numbers, which can be sent as they are.
+ * is in pieces, each piece gives its samples (NoiseEstimate.h): up to 4096 blocks of 5^3 samples,
+ * 512 in a large volume, and the corners. Merge joins blocks that pieces share. The data are plain
+ * numbers, which can be sent directly.
  */
 #ifndef NoiseSamples_h
 #define NoiseSamples_h
@@ -26,7 +26,7 @@ namespace VolumeHaptics
 /** The samples of one component of an array. */
 struct NoiseSamples
 {
-  /** Of the whole volume. */
+  /** Dimensions of the whole volume. */
   std::int64_t Dimensions[3] = { 0, 0, 0 };
   /**
    * The numbers of samples, i + Dimensions[0] (j + Dimensions[1] k) with indices from 0, in any
@@ -35,14 +35,14 @@ struct NoiseSamples
   std::vector<std::int64_t> Indices;
   std::vector<double> Values;
   /**
-   * Smallest and largest value of all samples of the pieces, or, of a volume whose range is not
-   * that of all samples (HasRangeOfAll), of those in Values; the first is the larger if there are
-   * none.
+   * Smallest and largest value of all samples of the pieces or, if the volume's range does not
+   * cover all samples (HasRangeOfAll), of the samples in Values; the first is the larger if there
+   * are none.
    */
   double Range[2] = { 1.0, 0.0 };
   /**
-   * The same of all samples that are finite and stand for no missing value (OutsideSamples.h), if
-   * the range is that of all samples.
+   * The range of all samples that are finite and do not stand for missing values
+   * (OutsideSamples.h), if the range covers all samples.
    */
   double Inside[2] = { 1.0, 0.0 };
 
@@ -54,7 +54,9 @@ struct NoiseSamples
       number / this->Dimensions[0] / this->Dimensions[1] };
   }
 
-  /** The number of the corner that is Values[s]: bit a is set at the end of axis a. Else -1. */
+  /**
+   * The number of the corner whose value is Values[s]: bit a is set at the end of axis a. Else -1.
+   */
   int FindCorner(std::size_t s) const
   {
     const std::array<std::int64_t, 3> at = this->FindPlace(s);
@@ -70,7 +72,7 @@ struct NoiseSamples
     return corner;
   }
 
-  /** Adds the samples of another piece of the same volume; those that both have count once. */
+  /** Adds the samples of another piece of the same volume; samples in both count once. */
   void Merge(const NoiseSamples& other)
   {
     this->Indices.insert(this->Indices.end(), other.Indices.begin(), other.Indices.end());
@@ -79,7 +81,7 @@ struct NoiseSamples
     Extend(this->Inside, other.Inside);
   }
 
-  /** Merges the range of those values that are finite. */
+  /** Merges the range of the finite values among these. */
   void MergeValues(const double* values, std::size_t count)
   {
     double range[2] = { std::numeric_limits<double>::infinity(),

@@ -20,13 +20,15 @@ constexpr double ResidencyBand = 4.0;
 class ResidentBox
 {
 public:
-  /** `share` is below 1 if the samples of the view only stand in for those of the volume. */
+  /** `share` is below 1 if the samples of the view only stand in for the volume's. */
   explicit ResidentBox(const VolumeView& view, double share = 1.0) noexcept;
 
   /** Whether all samples of the volume are resident. */
   bool IsWhole() const noexcept { return this->Whole; }
 
-  /** The residency of the box between two corners, with a margin along each axis; share at most. */
+  /**
+   * The residency of the box between two corners, with a margin along each axis; at most `share`.
+   */
   double Find(const Vector3& low, const Vector3& high, const Vector3& margin) const noexcept;
 
 private:

@@ -10,57 +10,57 @@ namespace VolumeHaptics
 {
 
 /**
- * The samples of the last gradient, as numbers to compute with, from one tick to the next: a hand
- * stays within a voxel for many ticks. It changes no result.
+ * The samples of the last gradient, as numbers to compute with, stored from one tick to the next: a
+ * hand stays within a voxel for many ticks. They change no result.
  */
 struct TapMemory
 {
   static constexpr int MostTaps = 6; ///< along an axis
 
-  std::uint64_t Field = 0;             ///< the number of the FieldSampler; 0: there are none
+  std::uint64_t Field = 0;             ///< the number of the FieldSampler; 0: no samples
   std::int64_t First[3] = { 0, 0, 0 }; ///< the index of the first tap along each axis
-  /** Two rows along x after two others, as RowPair has them. */
+  /** Pairs of rows along x, in the layout of RowPair. */
   alignas(32) double Taps[MostTaps * MostTaps * MostTaps];
 };
 
 /**
- * The samples around the last gradient of two frames that are blended, to blend them with any
- * share. Rows lie along x as in a volume, so that values can be read from them, too.
+ * The samples around the last gradient in two blended frames, to blend them with any share. Rows
+ * lie along x as in a volume, so that values can be read from them, too.
  */
 struct FrameTaps
 {
   static constexpr int MostTaps = TapMemory::MostTaps;
-  /** The numbers of a row of N taps: whole vectors. */
+  /** The numbers in a row of N taps: whole vectors. */
   template <int N>
   static constexpr int Line = (N + 3) / 4 * 4;
   static constexpr int Most = MostTaps * MostTaps * Line<MostTaps>;
 
-  std::uint64_t Field = 0;       ///< of the first frame, as TapMemory::Field
-  std::uint64_t SecondField = 0; ///< of the second one
+  std::uint64_t Field = 0;       ///< number of the first frame, as TapMemory::Field
+  std::uint64_t SecondField = 0; ///< number of the second frame
   std::int64_t First[3] = { 0, 0, 0 };
-  alignas(64) double Taps[Most];    ///< of the first frame
-  alignas(64) double Changes[Most]; ///< those of the second frame less those of the first one
+  alignas(64) double Taps[Most];    ///< the first frame's
+  alignas(64) double Changes[Most]; ///< the second frame's minus the first frame's
 };
 
-/** The samples of two frames, blended: those of TapMemory::Field come first. */
+/** The samples of two frames, blended: TapMemory::Field is the first frame. */
 struct BlendMemory : TapMemory
 {
   std::uint64_t SecondField = 0;
-  double Share = 0.0; ///< of the second frame
+  double Share = 0.0; ///< the second frame's
 };
 
 /**
  * The memories of a tick: one for each of the two frames between which a volume moves, if each is
- * read at a place of its own; one for both, if they are blended; and one for each of two blends, as
- * a tick goes from one instant to another one. A frame has the same memory before and after it; a
- * volume that stands still has the first one.
+ * read at its own place; one for both, if they are blended; and one for each of two blends, as a
+ * tick goes from one instant to another. A frame has the same memory before and after it; a volume
+ * that stands still has the first one.
  */
 struct TickMemory
 {
   TapMemory Frames[2];
   FrameTaps Pair;
   BlendMemory Blends[2];
-  int OldBlend = 0; ///< the one that is to be replaced next
+  int OldBlend = 0; ///< the blend to replace next
 
   TapMemory& Of(std::size_t frame) noexcept { return this->Frames[frame % 2]; }
 };

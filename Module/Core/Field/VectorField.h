@@ -10,8 +10,8 @@
  *   field.Read(index, v, jacobian);
  *
  * Everything is in world axes, and derivatives are per world unit. The components of the array are
- * along the world's axes, as ParaView takes them, or along the image's (VectorAxes::Image): with D
- * the image's direction matrix, a vector is then D v, and a tensor is D T D^T.
+ * along the world's axes, as in ParaView, or along the image's (VectorAxes::Image): with D the
+ * image's direction matrix, a vector is then D v, and a tensor is D T D^T.
  */
 #ifndef VectorField_h
 #define VectorField_h
@@ -21,7 +21,7 @@
 namespace VolumeHaptics
 {
 
-/** The axes along which the components of an array stand. */
+/** The axes to which the components of an array refer. */
 enum class VectorAxes : std::uint8_t
 {
   World,
@@ -36,7 +36,7 @@ public:
   VectorField(const VectorView& view, const Affine3& indexToWorld,
     VectorAxes axes = VectorAxes::World, InstructionSet instructions = DetectInstructionSet());
 
-  /** Whether there are vectors, or tensors: 3 components, or 6 or 9. */
+  /** Whether there are vectors (3 components), or tensors (6 or 9). */
   bool HasVectors() const noexcept { return this->Sampler.GetComponents() == 3; }
   bool HasTensors() const noexcept { return this->Sampler.IsValid() && !this->HasVectors(); }
 
@@ -50,7 +50,7 @@ public:
   ///@}
 
   /**
-   * The tensor at a continuous index: of 6 components (XX YY ZZ XY YZ XZ, as VTK has them) or the
+   * The tensor at a continuous index: from 6 components (XX YY ZZ XY YZ XZ, as in VTK) or the
    * symmetric part of 9 (row by row). False, and 0, as above.
    */
   bool ReadTensor(const Vector3& index, Matrix3& tensor) const noexcept;
@@ -63,8 +63,8 @@ public:
 private:
   VectorSampler Sampler;
   bool IsOfImage = false; ///< the components are along the axes of the image
-  Matrix3 ToWorld;        ///< of the components
-  Matrix3 WorldToIndex;   ///< of displacements
+  Matrix3 ToWorld;        ///< for the components
+  Matrix3 WorldToIndex;   ///< for displacements
   double SquaredVoxel = 0.0;
 };
 

@@ -14,7 +14,7 @@
  * reproduced exactly, and a quadratic one lies higher by a sixth of its second derivative (per
  * index step).
  *
- * As FieldSampler, this gives the same bits on every processor.
+ * Like FieldSampler, it gives the same bits on every processor.
  */
 #ifndef VectorSampler_h
 #define VectorSampler_h
@@ -25,14 +25,16 @@
 namespace VolumeHaptics
 {
 
-/** The components at a position: as many as the view has, the others are not written. */
+/** The components at a position: as many as the view has; the others are not set. */
 struct VectorSample
 {
   double Value[VectorView::MostComponents] = {};
-  Vector3 Gradient[VectorView::MostComponents]; ///< of each component, per index step
+  Vector3 Gradient[VectorView::MostComponents]; ///< for each component, per index step
 };
 
-/** The samples as the kernels read them; Data of View.Volume is that of the volume's first one. */
+/**
+ * The samples as the kernels read them; Data of View.Volume points to the volume's first sample.
+ */
 struct VectorFieldView
 {
   FieldView View;
@@ -55,7 +57,7 @@ class VectorSampler
 {
 public:
   VectorSampler() = default;
-  /** Of 3, 6 or 9 components; with another number it is not valid. */
+  /** For 3, 6 or 9 components; with another number it is not valid. */
   explicit VectorSampler(
     const VectorView& view, InstructionSet instructions = DetectInstructionSet());
 
@@ -64,7 +66,7 @@ public:
   ///@{
   /**
    * The components at a continuous index, clamped to the resident samples; with and without their
-   * gradients. False if a sample that counts is not finite; then the sample is of no use.
+   * gradients. False if a sample that counts is not finite; the result is then of no use.
    */
   bool Sample(const Vector3& index, VectorSample& sample) const noexcept
   {
@@ -77,7 +79,7 @@ public:
   ///@}
 
   ///@{
-  /** As those of FieldSampler. False, and negative, for an index that is NaN. */
+  /** As in FieldSampler. False, and negative, for an index that is NaN. */
   bool IsInside(const Vector3& index) const noexcept
   {
     return this->DistanceToBorder(index) >= 0.0;

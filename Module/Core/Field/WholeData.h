@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Where the samples of a whole volume begin, of which a view may show a region.
+ * Computes where the samples of a whole volume begin, if a view shows a region of it.
  */
 #ifndef WholeData_h
 #define WholeData_h

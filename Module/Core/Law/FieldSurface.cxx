@@ -162,7 +162,7 @@ Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, con
   LabelMemory& memory) noexcept
 {
   Surface surface;
-  // Also in a part that is cut away: nothing opens the way to a forbidden label.
+  // Also in a part that is cut away: nothing gives access to a forbidden label.
   if (model.Baked->GetZone() && FindForbidden(model, model.IndexToLabel(index), surface))
   {
     return surface;

@@ -10,8 +10,7 @@
  * - the drag takes up to R of the remainder (eq. 14);
  * - the rest moves the proxy.
  *
- * All solvers share this law. They differ in the points at which they read the material, and how
- * often.
+ * All solvers share this law. They differ in where and how often they read the material.
  *
  * Everything is inlined: the law is a small part of a tick, and a tick has to be short.
  */
@@ -34,10 +33,10 @@ struct Surface
   double GradientMagnitude = 0.0;
   double Value = 0.0;         ///< the estimator's own value, whose gradient this is
   double Fade = 0.0;          ///< 0 to 1: surfaces fade out at the border; 0 without a gradient
-  double DragShare = 1.0;     ///< of the medium's drag that is felt: 0 in a part that is cut away
-  bool IsWall = false;        ///< between labels, with the Value of LabelWall; or the face of a cut
-  double Depth = 0.0;         ///< of a wall: its value, turned as the normal is
-  bool IsOneSided = false;    ///< its normal is that of the structure, wherever the tip is
+  double DragShare = 1.0;     ///< felt share of the medium's drag: 0 in a part that is cut away
+  bool IsWall = false;        ///< a wall between labels (Value: LabelWall's), or the face of a cut
+  double Depth = 0.0;         ///< for a wall: its value, with the sign of the normal
+  bool IsOneSided = false;    ///< the normal belongs to the structure, wherever the tip is
   std::uint32_t CutFaces = 0; ///< as CutPlace::Faces: several in a hollow corner
   bool IsForbidden = false; ///< the wall in front of a forbidden label; its value is in world units
 };
@@ -47,7 +46,7 @@ struct SplitLag
 {
   double Push;
   Vector3 Tangent;
-  double Length; ///< of Tangent
+  double Length; ///< length of Tangent
 };
 
 /** How surface and friction share the spring's force (N), and the excess that moves the proxy. */
@@ -56,9 +55,9 @@ struct Balance
   double Normal;        ///< taken by the surface
   double Friction;      ///< taken by friction
   double NormalExcess;  ///< left along the normal
-  double TangentExcess; ///< left across it
+  double TangentExcess; ///< left across the normal
   double Pull;          ///< the tangential force
-  double Excess;        ///< of both parts, before the drag
+  double Excess;        ///< in both parts, before the drag
   double ExcessSquare;
   bool IsThrough; ///< the normal force is more than the surface takes
   bool Slides;    ///< the tangential force is more than friction takes
@@ -78,7 +77,7 @@ inline double Capped(double value, double cap) noexcept
   return cap > 0.0 ? std::min(value, cap) : value;
 }
 
-/** No surface: its normal stands in for one. */
+/** No surface: the model's normal stands in. */
 inline Surface MakeNoSurface(const HapticModel& model) noexcept
 {
   Surface surface;
@@ -116,7 +115,7 @@ VOLUME_HAPTICS_INLINE bool FindSlope(
   return true;
 }
 
-/** The scalars' surface through an index at which they have this gradient. */
+/** The scalars' surface through an index, with their gradient there. */
 inline Surface MakeFieldSurface(
   const HapticModel& model, const Vector3& index, const FieldSample& sample) noexcept
 {
@@ -185,21 +184,26 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     if (slack == 0.0 && k >= coupling)
     {
-      return; // R/k is not longer, whatever rounding says
+      return; // R/k is the shorter one, apart from rounding
     }
     longest = std::max(longest, drag / coupling);
   }
   point.Viscosity = std::clamp(k * (longest - slack), 0.0, drag);
 }
 
-/** Of the wall in front of a forbidden label: N, and N/m at least. */
+/** The wall in front of a forbidden label: its strength (N), and its least stiffness (N/m). */
 constexpr double ForbiddenStrength = 1e6;
 constexpr double ForbiddenStiffness = 500.0;
 
-/** The depth (as LabelWall::Value) down to which a wall holds with all of its strength, and 0. */
+/**
+ * The depths (as LabelWall::Value) down to which a wall holds with all of its strength, and with
+ * none.
+ */
 constexpr double WallHolds = 0.5;
 constexpr double WallEnds = 0.9;
-/** A wall begins to hold this little before it, so that a proxy comes to rest in front of it. */
+/**
+ * A wall begins to hold by this much in front of it, so that a proxy comes to rest in front of it.
+ */
 constexpr double WallBegins = 5e-3;
 
 /** The distinctness of a wall: 1 on it and just behind it, 0 before it and farther behind. */
@@ -218,7 +222,7 @@ inline DistinctnessTable::Values FindDistinctness(
                         : model.Baked->Distinctness(surface.GradientMagnitude);
 }
 
-/** Whether, by the settings, the structure lies against the gradient. */
+/** Whether the settings put the structure against the gradient. */
 inline bool IsDescending(
   const HapticModel& model, const Vector3& lag, const Vector3& normal) noexcept
 {
@@ -227,12 +231,12 @@ inline bool IsDescending(
 }
 
 /**
- * In a hollow corner between faces of a cut, the normal is that of the faces' joint force: that of
- * the push against all of them. FieldSurface.cxx.
+ * In a hollow corner between faces of a cut, the normal is the direction of the faces' joint force,
+ * that is, of the push against all of them. FieldSurface.cxx.
  */
 void TurnIntoCorner(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept;
 
-/** Turns a surface towards its structure. True if that is against the gradient. */
+/** Turns a surface towards its structure. Returns true if that is against the gradient. */
 inline bool Orient(const HapticModel& model, const Vector3& lag, Surface& surface) noexcept
 {
   if (surface.IsOneSided)
@@ -352,7 +356,7 @@ inline Balance Weigh(const MaterialPoint& point, double k, const SplitLag& lag) 
   return b;
 }
 
-/** Where a motion (m) of the proxy meets a solid face of the cut, which is there. */
+/** Where a motion (m) of the proxy meets a solid face of the cut; there must be one. */
 Vector3 StopAtFaces(const HapticModel& model, const Vector3& from, const Vector3& to) noexcept;
 
 /** Where a motion (m) of the proxy ends: at a solid face of a cut, if it meets one. */

@@ -29,7 +29,7 @@ struct PassiveSpring
   double Tension = 1.0; ///< stretch / |d|
   double Reserve = 0.0; ///< J
 
-  /** f / |d| in N/m; not above the tissue's stiffness. */
+  /** f / |d| in N/m; at most the tissue's stiffness. */
   double GetEffective() const noexcept { return std::max(this->Tension, Least) * this->Tissue; }
 
   /** The tip moves: d grows or shrinks from one length (m) to another. */

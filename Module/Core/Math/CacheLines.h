@@ -14,7 +14,9 @@
 namespace VolumeHaptics
 {
 
-/** Begins with a line of the cache: a vector that lies across two lines is read twice. */
+/**
+ * Allocates at the beginning of a cache line: a vector that lies across two lines is read twice.
+ */
 template <typename T>
 struct CacheLines
 {

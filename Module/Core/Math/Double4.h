@@ -30,7 +30,7 @@ VOLUME_HAPTICS_INLINE bool IsNumber(double x)
   return x - x == 0.0;
 }
 
-/** A number in all lanes. */
+/** The same number in all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(double x)
 {
   return MakeDouble4(x, x, x, x);

@@ -22,14 +22,14 @@ namespace
 typedef double Double4 __attribute__((vector_size(32)));
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-/** Not loaded from an array, which the processor would have to wait for. */
+/** Not loaded from an array: the processor would have to wait for the load. */
 VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d)
 {
   return Double4{ a, b, c, d };
 }
 
 ///@{
-/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
+/** Lane by lane; Larger and Smaller give the second argument if a lane is NaN. */
 VOLUME_HAPTICS_INLINE Double4 Root(const Double4& a)
 {
   return _mm256_sqrt_pd(a);
@@ -49,7 +49,7 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 ///@}
 
 ///@{
-/** Of each lane: x if a > b, or a == b, else y; that is y if one of them is NaN. */
+/** Lane by lane: x if a > b, or a == b, else y; y if a or b is NaN. */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
 {
@@ -65,14 +65,15 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 /** Whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
-  // There is no instruction for it: the lowest bits of a sum with this are those of the number.
+  // There is no instruction for this: the lowest bits of the sum with this number are those of the
+  // number.
   const Double4 shift = _mm256_set1_pd(0x1.8p52);
   const __m256i whole =
     _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), whole);
 }
 ///@{
-/** A bit for each lane, the first one the lowest; 0 for NaN. */
+/** One bit per lane, the first lane the lowest bit; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
   return static_cast<std::uint64_t>(
@@ -132,7 +133,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** The first two lanes from or to one place, and the last two from or to another one. */
+/** The first two lanes from or to one place, and the last two from or to another place. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
@@ -177,12 +178,12 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** A number from memory in all lanes: straight from there, it passes through no shuffle. */
+/** A number from memory in all lanes, loaded without a shuffle. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return _mm256_broadcast_sd(from);
 }
-/** The first two lanes of one, and the last two of another one. */
+/** The first two lanes of the first argument, and the last two of the second one. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return _mm256_blend_pd(low, high, 0b1100);
@@ -211,7 +212,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes of each: first those two apart, then both of these sums. */
+/** The sum of the lanes: first of each half, then of both halves. */
 VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)
 {
   return _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));

@@ -52,7 +52,7 @@ VOLUME_HAPTICS_INLINE Double4 MakeDouble4(double a, double b, double c, double d
 }
 
 ///@{
-/** Of each lane; Larger and Smaller give the second one if a lane is NaN. */
+/** Lane by lane; Larger and Smaller give the second argument if a lane is NaN. */
 template <typename F>
 VOLUME_HAPTICS_INLINE Double4 EachLane(const Double4& a, const Double4& b, F&& f)
 {
@@ -77,7 +77,7 @@ VOLUME_HAPTICS_INLINE Double4 Floor(const Double4& a)
 ///@}
 
 ///@{
-/** Of each lane: x if a > b, or a == b, else y; that is y if one of them is NaN. */
+/** Lane by lane: x if a > b, or a == b, else y; y if a or b is NaN. */
 VOLUME_HAPTICS_INLINE Double4 ChooseAbove(
   const Double4& a, const Double4& b, const Double4& x, const Double4& y)
 {
@@ -101,7 +101,7 @@ VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
   }
 }
 ///@{
-/** A bit for each lane, the first one the lowest; 0 for NaN. */
+/** One bit per lane, the first lane the lowest bit; 0 for NaN. */
 VOLUME_HAPTICS_INLINE std::uint64_t NotNegative(const Double4& a)
 {
   std::uint64_t bits = 0;
@@ -140,7 +140,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadDouble4(const T* from)
 }
 
 ///@{
-/** The first two lanes from or to one place, and the last two from or to another one. */
+/** The first two lanes from or to one place, and the last two from or to another place. */
 VOLUME_HAPTICS_INLINE Double4 LoadHalves(const double* low, const double* high)
 {
   return { { low[0], low[1], high[0], high[1] } };
@@ -170,12 +170,12 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   }
 }
 
-/** A number in all lanes. */
+/** The same number in all lanes. */
 VOLUME_HAPTICS_INLINE Double4 Spread(const double* from)
 {
   return { { *from, *from, *from, *from } };
 }
-/** The first two lanes of one, and the last two of another one. */
+/** The first two lanes of the first argument, and the last two of the second one. */
 VOLUME_HAPTICS_INLINE Double4 JoinHalves(const Double4& low, const Double4& high)
 {
   return { { low[0], low[1], high[2], high[3] } };
@@ -202,7 +202,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes of each: first those two apart, then both of these sums. */
+/** The sum of the lanes: first of each half, then of both halves. */
 VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
 {
   return (a[0] + a[2]) + (a[1] + a[3]);

@@ -9,9 +9,9 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Normals that differ by less (rad) are the same. */
+/** Normals that differ by less (rad) count as equal. */
 constexpr double SameDirection = 1e-6;
-/** Share of the distances by which a bound may be missed. */
+/** Fraction of the distances by which a bound may be missed. */
 constexpr double Slack = 1e-12;
 /** Below this a system of normals is singular. */
 constexpr double Singular = 1e-9;
@@ -85,7 +85,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
   int count = 0;
   Vector3 point = goal;
   const double slack = Slack * (1.0 + Norm(goal) + Norm(fallback));
-  // Each round gets farther from the goal, so that no set of three comes twice.
+  // Each round moves farther from the goal, so that no set of three comes twice.
   for (int round = 0; round < 4 * Most; ++round)
   {
     const HalfSpace* worst = nullptr;
@@ -104,7 +104,7 @@ Vector3 HalfSpaces::Nearest(const Vector3& goal, const Vector3& fallback) const 
       return point;
     }
     active[count++] = worst;
-    // Of all subsets with the new one: the nearest point that all half-spaces here allow.
+    // Among all subsets with the new bound: the nearest point that all half-spaces here allow.
     int best = 0;
     double nearest = 0.0;
     Vector3 found;

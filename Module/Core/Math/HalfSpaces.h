@@ -34,7 +34,7 @@ public:
   void Add(const HalfSpace& space) noexcept;
 
   /**
-   * The point in all half-spaces that is nearest to a goal, by an active set of three at most.
+   * The point in all half-spaces that is nearest to a goal, by an active set of three at most;
    * `fallback` if there is none.
    */
   Vector3 Nearest(const Vector3& goal, const Vector3& fallback) const noexcept;

@@ -20,7 +20,7 @@ namespace
 VOLUME_HAPTICS_INLINE double Floor(double position)
 {
 #if defined(__SSE4_1__)
-  return __builtin_floor(position); // one instruction there, a call elsewhere
+  return __builtin_floor(position); // one instruction with SSE4.1, a call elsewhere
 #else
   return static_cast<double>(static_cast<std::int64_t>(position));
 #endif

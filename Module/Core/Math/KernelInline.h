@@ -4,9 +4,9 @@
  * @file
  * Macros for the sampling kernels.
  *
- * A kernel is inlined whole, for its speed. All its parts are static: of others the linker could
- * pick the copy that the AVX2 unit made for the baseline one. Without optimisation speed is not
- * wanted, and inlined code would take ten times as long to compile, most of all with sanitizers.
+ * A kernel is inlined whole, for its speed. All its parts are static: otherwise the linker could
+ * use the AVX2 unit's copy of a function in the baseline kernel. Without optimisation nothing is
+ * inlined, since inlined code takes ten times as long to compile, most of all with sanitizers.
  *
  * VOLUME_HAPTICS_UNROLL stands before a loop of at most eight rounds whose arrays are to become
  * registers.

@@ -16,9 +16,9 @@ namespace VolumeHaptics
 {
 
 /**
- * The decimal number that a text is, with a point, as C writes it: strtod, atof and streams read
- * 1.6 as 1 in programs that follow the locale of a user who writes 1,6. None if there is anything
- * else in the text, or if the number is beyond doubles.
+ * Parses a decimal number, with a point, as C writes it: strtod, atof and streams read 1.6 as 1 in
+ * programs that follow the locale of a user who writes 1,6. None if there is anything else in the
+ * text, or if the number is beyond doubles.
  */
 inline std::optional<double> ParseNumber(std::string_view text) noexcept
 {

@@ -116,7 +116,7 @@ auto PiecewiseTable<Channels>::Bisect(double x, int bin) const noexcept -> const
   const Segment* const first = all + this->FirstSegment[bin];
   const Segment* const last =
     bin + 2 < Bins ? all + this->FirstSegment[bin + 2] : all + this->Segments.size() - 2;
-  // The first one begins before x.
+  // The first segment begins before x.
   const Segment* const after = std::lower_bound(first + 1, last + 1, x,
     [](const Segment& segment, double value) { return segment.Begin < value; });
   return after - 1;

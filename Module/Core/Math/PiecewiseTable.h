@@ -58,7 +58,8 @@ public:
   explicit PiecewiseTable(const std::array<Polyline, Channels>& functions);
 
   /**
-   * Holds for Begin < x, up to the Begin of the next one in memory, with Value + Slope (x - Begin).
+   * Holds for Begin < x, up to the Begin of the next segment in memory, with Value + Slope (x -
+   * Begin).
    */
   struct Segment
   {
@@ -115,7 +116,7 @@ private:
   static constexpr int MostInBin = 4;
 
   std::vector<Segment> Segments;
-  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment at or before the one searched for
+  std::array<std::uint32_t, Bins> FirstSegment{}; ///< a segment at or before the wanted one
   bool IsCrowded = false;
   double Low = 0.0;
   double BinsPerUnit = 0.0;

@@ -35,26 +35,26 @@ constexpr Quaternion operator*(double s, const Quaternion& q) noexcept
 {
   return { s * q.W, s * q.X, s * q.Y, s * q.Z };
 }
-/** The turn b, then a, both about fixed axes. */
+/** The rotation b, then a, both about fixed axes. */
 constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) noexcept
 {
   return { a.W * b.W - a.X * b.X - a.Y * b.Y - a.Z * b.Z,
     a.W * b.X + a.X * b.W + a.Y * b.Z - a.Z * b.Y, a.W * b.Y - a.X * b.Z + a.Y * b.W + a.Z * b.X,
     a.W * b.Z + a.X * b.Y - a.Y * b.X + a.Z * b.W };
 }
-/** The turn back, of a unit quaternion. */
+/** The inverse rotation, of a unit quaternion. */
 constexpr Quaternion Conjugate(const Quaternion& q) noexcept
 {
   return { q.W, -q.X, -q.Y, -q.Z };
 }
 
-/** By how much the norm may differ from 1 in MakeUnit: sensors send few digits. */
+/** How far the norm may differ from 1 in MakeUnit: sensors send few digits. */
 constexpr double UnitTolerance = 0.01;
 
 /**
- * Divides a quaternion by its norm. False, and it is left alone, if it is no orientation: if a
- * number is not finite, or the norm is not 1 within the tolerance. A quaternion whose norm is 1 as
- * far as numbers tell stays the same to the bit, so that doing this twice changes nothing.
+ * Divides a quaternion by its norm. If it is no orientation (a number is not finite, or the norm is
+ * not 1 within the tolerance), returns false and leaves it alone. A quaternion whose norm is 1 as
+ * far as numbers tell stays the same to the bit, so that a second call changes nothing.
  */
 inline bool MakeUnit(Quaternion& q) noexcept
 {
@@ -84,10 +84,10 @@ constexpr Matrix3 ToMatrix(const Quaternion& q) noexcept
     { x * q.Z - y * q.W, y * q.Z + x * q.W, 1.0 - x * q.X - y * q.Y } } };
 }
 
-/** The unit quaternion of a rotation matrix, with its largest number above 0. */
+/** The unit quaternion of a rotation matrix; its largest component is positive. */
 inline Quaternion ToQuaternion(const Matrix3& m) noexcept
 {
-  // The largest number is found from the diagonal, the others by dividing by it: all are accurate.
+  // The largest component comes from the diagonal, the others by dividing by it: all are accurate.
   const double xx = m.Row[0].X;
   const double yy = m.Row[1].Y;
   const double zz = m.Row[2].Z;
@@ -115,10 +115,10 @@ inline Quaternion ToQuaternion(const Matrix3& m) noexcept
   return (1.0 / std::sqrt(SquaredNorm(q))) * q;
 }
 
-/** No orientation, in arrays and files. */
+/** Stands for no orientation, in arrays and files. */
 inline constexpr Quaternion NoOrientation{ 0.0, 0.0, 0.0, 0.0 };
 /**
- * An orientation as arrays and files have it: turned by a rotation matrix, such as that from the
+ * An orientation as arrays and files have it: turned by a rotation matrix, such as the one from the
  * device's axes to the world's, or NoOrientation if it is not valid.
  */
 inline Quaternion TurnedBy(const Matrix3& rotation, const Quaternion& q, bool isValid) noexcept

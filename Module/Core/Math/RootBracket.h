@@ -16,13 +16,13 @@ namespace VolumeHaptics
 /** The function's value if it has no root: the bracket then goes to its far end. */
 constexpr double NoRoot = std::numeric_limits<double>::infinity();
 
-/** A bracket is not made narrower than this (voxels): a step of a material function has no root. */
+/** The narrowest bracket (voxels): a step of a material function has no root. */
 constexpr double NarrowBracket = 1e-3;
 
 /**
  * Encloses the root of a falling function on [0, 1] (regula falsi, Illinois variant).
  *
- * Next proposes an argument, Narrow takes the function's value there:
+ * Next proposes an argument, Narrow receives the function's value there:
  *
  *   RootBracket bracket(f(0), f(1), length);
  *   for (int trial = 0; !bracket.IsNarrow(); ++trial)
@@ -63,7 +63,7 @@ public:
     return this->Now = this->Low + share * (this->High - this->Low);
   }
 
-  /** Takes the function's value at the argument that Next returned. */
+  /** Narrows the bracket by the function's value at the argument that Next returned. */
   void Narrow(double value) noexcept
   {
     if (!this->IsOpen || this->Now >= this->High)

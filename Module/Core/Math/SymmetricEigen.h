@@ -20,7 +20,7 @@ struct SymmetricEigen
   Vector3 Direction[3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } };
 };
 
-/** Reads the upper triangle. Of a matrix that is not finite, all values are 0. */
+/** Reads the upper triangle. If the matrix is not finite, all values are 0. */
 SymmetricEigen FindEigen(const Matrix3& matrix) noexcept;
 
 } // namespace VolumeHaptics

@@ -9,10 +9,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Meetings closer in time than this share are simultaneous: less than the gap that is kept. */
+/** Contacts closer in time than this fraction are simultaneous: less than the remaining gap. */
 constexpr double Rounding = 1e-9;
 
-/** The share of a displacement after which it meets a sphere round a point from outside. */
+/** The fraction of a displacement after which it meets a sphere round a point from outside. */
 double MeetCorner(
   const Vector3& corner, const Vector3& centre, const Vector3& displacement, double radius)
 {
@@ -30,7 +30,7 @@ double MeetCorner(
   return time <= 1.0 ? time : Never;
 }
 
-/** The same for a cylinder round an edge, between the edge's ends. */
+/** As MeetCorner, for a cylinder round an edge, between the edge's ends. */
 double MeetEdge(const Vector3& begin, const Vector3& end, const Vector3& centre,
   const Vector3& displacement, double radius)
 {
@@ -110,8 +110,8 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
   normal = height < 0.0 ? -normal : normal;
   const double closing = -Dot(displacement, normal);
   const double gap = std::abs(height) - radius;
-  // No point of a triangle is met before its plane. Of many triangles in one plane, this leaves few
-  // for a closer look.
+  // A triangle is not met before its plane. For many triangles in one plane, this leaves few for a
+  // closer look.
   if (gap > 0.0 && gap >= closing * latest * (1.0 - Rounding))
   {
     return Never;
@@ -132,7 +132,7 @@ double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector
     const double time = gap / closing;
     const Vector3 touched = centre + time * displacement - radius * normal;
     const auto& weight = NearestPoint(triangle, touched).Weight;
-    // Else an edge is met; at the limit, at the same time.
+    // Otherwise an edge is met; at the limit, at the same time.
     if (time <= 1.0 && weight[0] > 0.0 && weight[1] > 0.0 && weight[2] > 0.0)
     {
       return time;

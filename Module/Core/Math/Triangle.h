@@ -36,10 +36,10 @@ constexpr double Never = 2.0;
 TrianglePoint NearestPoint(const Triangle& triangle, const Vector3& to) noexcept;
 
 /**
- * The share (0 to 1) of a displacement after which a moving sphere touches the triangle.
+ * The fraction (0 to 1) of a displacement after which a moving sphere touches the triangle.
  *
- * Never if it does not touch it; if it touches it from the beginning and the displacement does not
- * lead nearer; and if it would touch it after `latest`, or before that only by rounding.
+ * Returns Never if the sphere does not touch it; if the sphere touches it from the beginning and
+ * does not come nearer; and if it would touch it after `latest`, or before that only by rounding.
  */
 double MeetingTime(const Triangle& triangle, const Vector3& centre, const Vector3& displacement,
   double radius, double latest = Never) noexcept;

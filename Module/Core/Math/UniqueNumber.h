@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Numbers by which objects are told apart, even if one takes the memory of another.
+ * Unique numbers that tell objects apart, even if one reuses the memory of another.
  */
 #ifndef UniqueNumber_h
 #define UniqueNumber_h

@@ -73,7 +73,7 @@ inline Vector3 ClampNorm(const Vector3& v, double most) noexcept
   return norm > most ? (most / norm) * v : v;
 }
 ///@{
-/** The smaller one of each component. */
+/** The smaller of each component. */
 inline Vector3 Least(const Vector3& a, const Vector3& b) noexcept
 {
   return { std::fmin(a.X, b.X), std::fmin(a.Y, b.Y), std::fmin(a.Z, b.Z) };
@@ -132,7 +132,7 @@ constexpr double Determinant(const Matrix3& m) noexcept
 {
   return Dot(m.Row[0], Cross(m.Row[1], m.Row[2]));
 }
-/** The inverse; the caller has made sure that the determinant is not zero. */
+/** The inverse; the caller makes sure that the determinant is not zero. */
 constexpr Matrix3 Inverse(const Matrix3& m) noexcept
 {
   const double s = 1.0 / Determinant(m);
@@ -140,7 +140,7 @@ constexpr Matrix3 Inverse(const Matrix3& m) noexcept
     s * Cross(m.Row[1], m.Row[2]), s * Cross(m.Row[2], m.Row[0]), s * Cross(m.Row[0], m.Row[1]));
 }
 
-/** The length of the longest column: of an index step, in the space to which a matrix maps. */
+/** The length of the longest column: that of an index step, in the space to which a matrix maps. */
 inline double LargestColumn(const Matrix3& m) noexcept
 {
   const Matrix3 columns = Transpose(m);

@@ -33,7 +33,7 @@ BakedBurr::BakedBurr(const BurrDescription& description)
 
 std::vector<ShellPoint> BakedBurr::MakeHead(double radius, std::size_t count)
 {
-  // Along a spiral by the golden angle.
+  // Points along a spiral by the golden angle.
   std::vector<ShellPoint> points;
   points.reserve(count);
   const auto number = static_cast<double>(count);

@@ -26,17 +26,17 @@ struct BurrSettings
   int SpinButton = 0;     ///< of the device, from 0 to 31: it spins while that is pressed; -1: none
 };
 
-/** The energy (J/mm^3) that it takes to remove tissue, against the value: channel 0. */
+/** The energy (J/mm^3) for removing tissue, by value: channel 0. */
 using SpecificEnergyTable = PiecewiseTable<2>;
 
-/** A burr, but for the points of its head. */
+/** A burr without the points of its head. */
 struct BurrDescription
 {
   BurrSettings Settings;
-  Polyline SpecificEnergy = ConstantPolyline(10.0); ///< U, J/mm^3 of the hand's space, at least 0
+  Polyline SpecificEnergy = ConstantPolyline(10.0); ///< fraction of the force, 0 to 1
 };
 
-/** Immutable. */
+/** bit of the device's button, 0 to 31: the burr spins while it is pressed; -1: none */
 struct BakedBurr
 {
   explicit BakedBurr(const BurrDescription& description);
@@ -52,7 +52,7 @@ struct BakedBurr
   const BurrSettings Settings;
   const SpecificEnergyTable SpecificEnergy;
   const double RimSpeed;  ///< v, world units a second
-  const double Frequency; ///< Hz, that of the vibration: at most MostFrequency
+  const double Frequency; ///< Hz, of the vibration: at most MostFrequency
 
   static constexpr double MostFrequency = 250.0;
 };

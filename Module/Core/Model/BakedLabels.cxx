@@ -43,7 +43,7 @@ void BakedLabels::Remember(std::int64_t label, const Vector3& labelIndex, std::u
   MixMemory& memory) const noexcept
 {
   const LabelMaterial* const material = this->Table.Find(label);
-  // At the border, a cell may have labels beside a place that has none.
+  // At the border, some voxels of a cell may have labels although the position has none.
   memory.Baked = label == NoLabel ? 0 : baked;
   memory.Low = { std::floor(labelIndex.X), std::floor(labelIndex.Y), std::floor(labelIndex.Z) };
   memory.HasMaterial = material != nullptr;

@@ -20,12 +20,12 @@ namespace VolumeHaptics
 
 /**
  * The material of the last cell whose eight voxels have one label: the next position mostly lies in
- * the same one. It saves time and changes no result.
+ * the same cell. It saves time and changes no result.
  */
 struct MixMemory
 {
-  std::uint64_t Baked = 0; ///< the number of the BakedVolume that looked; 0: none
-  Vector3 Low;             ///< of the cell: its smallest indices
+  std::uint64_t Baked = 0; ///< the number of the BakedVolume that used it; 0: none
+  Vector3 Low;             ///< the cell's smallest indices
   bool HasMaterial = false;
   LabelMaterial Material;
 
@@ -37,17 +37,17 @@ struct MixMemory
   }
 };
 
-/** Immutable. The label image has a geometry of its own. */
+/** Immutable. The label image has its own geometry. */
 struct BakedLabels
 {
   LabelView View;
-  Affine3 IndexToWorld;                ///< of View; not singular
+  Affine3 IndexToWorld;                ///< from View's indices; not singular
   std::shared_ptr<const void> Samples; ///< keeps the memory of the label image alive
   LabelTable Table;
   std::shared_ptr<const ForbiddenZone> Zone; ///< null if nothing is forbidden
   /**
-   * If not null, View is its finer grid, and "label image" means that everywhere. The zone is that
-   * of the image itself.
+   * If not null, View is its finer grid, and "label image" means that grid everywhere. The zone
+   * belongs to the image itself.
    */
   std::shared_ptr<const FineLabels> Fine;
   ///@{
@@ -56,17 +56,17 @@ struct BakedLabels
   Affine3 ImageToWorld;
   ///@}
 
-  /** Goes over to a finer grid of the image; nothing changes if it is null. */
+  /** Replaces the view by a finer grid of the image; null changes nothing. */
   void Refine(std::shared_ptr<const FineLabels> fine);
 
   /** The distance to forbidden labels, as in ForbiddenZone. There must be a zone. */
   ForbiddenPlace FindForbidden(const Vector3& labelIndex) const noexcept;
 
   /**
-   * Replaces what the functions of the scalar say at a position by the materials of the labels
-   * there, mixed by the trilinear shares of the eight voxels around it. The share of labels without
-   * a value keeps the functions' value; if no label has one, the values stay as they are, to the
-   * bit. `baked` is the number of the volume with these labels.
+   * Replaces the functions' values at a position by the materials of the labels there, mixed by the
+   * trilinear shares of the eight voxels around it. The share of labels without a material keeps
+   * the functions' value; if no label has one, the values stay the same to the bit. `baked` is the
+   * number of the volume with these labels.
    */
   void Mix(const Vector3& labelIndex, std::uint64_t baked, MixMemory& memory,
     MaterialTable::Values& values) const noexcept

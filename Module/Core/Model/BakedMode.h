@@ -54,8 +54,8 @@ enum class ModeKind : std::uint8_t
 /** Where a GuideSurface holds the hand. */
 enum class GuideSide : std::uint8_t
 {
-  Surface, ///< on it
-  Outside, ///< where its normals point, or on it
+  Surface, ///< on the surface
+  Outside, ///< on the side to which its normals point, or on the surface
   Inside
 };
 
@@ -68,12 +68,12 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< N
   Polyline Second = ConstantPolyline(0.0); ///< N
-  bool IsActive = true;                    ///< if not, it adds no primitives, but keeps its number
-  bool IsDark = false;                     ///< Ridge: a vessel is darker than what is around it
-  double SnapDistance = 3.0;               ///< Ridge: within it, the hold is whole (voxels)
+  bool IsActive = true;                    ///< if false, it adds no primitives
+  bool IsDark = false;                     ///< Ridge: the vessel is darker than its surroundings
+  double SnapDistance = 3.0;               ///< Ridge: voxels within which the hold is whole
   std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide
   ///@{
-  /** Of a GuideSurface, for which the surface is not null. */
+  /** For a GuideSurface, whose surface is not null. */
   std::shared_ptr<const VolumeHaptics::GuideSurface> GuideSurface;
   GuideSide Side = GuideSide::Surface;
   ///@}
@@ -96,7 +96,7 @@ struct BakedMode
   {
   }
 
-  /** Whether the array has the components that the mode is about, if it is about one. */
+  /** Whether the array has the number of components that the mode needs, if it needs an array. */
   bool IsValid() const noexcept
   {
     switch (this->Kind)

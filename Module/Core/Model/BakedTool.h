@@ -29,12 +29,12 @@ enum class ToolKind : std::uint8_t
   Burr    ///< see Core/Tools/BurrInServo.h
 };
 
-/** What a needle feels by the value of the scalars, where a label does not say it. */
+/** How a needle feels by the value of the scalars, where no label gives a material. */
 struct NeedleDescription
 {
   Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau, N per metre of the shaft
   Polyline CuttingForce = ConstantPolyline(0.0);  ///< R, N
-  bool HasCuttingForce = false;                   ///< if not, R is the material's viscosity
+  bool HasCuttingForce = false;                   ///< if false, R is the material's viscosity
   double LateralStrength = 1.0;                   ///< s_l, N
 };
 
@@ -42,7 +42,10 @@ struct NeedleDescription
 struct ShellDescription
 {
   std::shared_ptr<const PointShell> Points; ///< in world units; not null
-  /** But for the contact area, which is in square world units, and the scale, which is not used. */
+  /**
+   * Settings of the shell, except its contact area, which is in square world units here, and its
+   * scale, which is not used.
+   */
   ShellSettings Touch;
 };
 
@@ -50,9 +53,9 @@ struct ShellDescription
 struct ToolDescription
 {
   ToolKind Kind = ToolKind::Point;
-  NeedleDescription Needle; ///< of that kind
-  ShellDescription Shell;   ///< of that kind, and the head of a burr
-  BurrDescription Burr;     ///< of that kind
+  NeedleDescription Needle; ///< for Needle
+  ShellDescription Shell;   ///< for Shell, and the head of a Burr
+  BurrDescription Burr;     ///< for Burr
 };
 
 /** A tool as a tick reads it. Immutable. */
@@ -72,13 +75,13 @@ struct BakedTool
 
   const ToolKind Kind;
   ///@{
-  /** Of a needle: see NeedleDescription. */
+  /** For a needle: see NeedleDescription. */
   const PiecewiseTable<2> NeedleForces; ///< channels tau, R
   const bool HasCuttingForce;
   const double LateralStrength;
   ///@}
   ///@{
-  /** Of a tool with a shape: see ShellDescription. */
+  /** For a tool with a shape: see ShellDescription. */
   const std::shared_ptr<const PointShell> Shell;
   const ShellSettings ShellTouch;
   ///@}

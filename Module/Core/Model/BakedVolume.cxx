@@ -17,7 +17,7 @@ namespace
 
 /**
  * PRECISE holds its proxy on levels of the estimator's own value: the normals must be normal to
- * them. LOCAL_SURFACE and the ridges of PRIMITIVES depend on how the normals turn, too.
+ * these levels. LOCAL_SURFACE and the ridges of PRIMITIVES depend on how the normals turn, too.
  */
 GaussianWeights ChooseWeights(const HapticSettings& settings)
 {
@@ -27,7 +27,7 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
-/** The stiffness of all materials that have one. */
+/** The stiffness of all materials that are felt. */
 Polyline MakeStiffness(const HapticModelDescription& d)
 {
   if (!d.Settings.SameShape)
@@ -60,7 +60,7 @@ std::shared_ptr<const LabelWalls> MakeWalls(
   {
     return nullptr;
   }
-  // The default radius of 2 makes a scale of 1.4 voxels.
+  // The default radius of 2 gives a scale of 1.4 voxels.
   return std::make_shared<const LabelWalls>(labels->View, labels->Table, d.KernelRadius + 1,
     labels->Fine ? labels->Fine->GetShares() : nullptr);
 }
@@ -84,7 +84,7 @@ std::shared_ptr<const BakedTool> MakeTool(const ToolDescription& tool)
   return tool.Kind == ToolKind::Point ? nullptr : std::make_shared<const BakedTool>(tool);
 }
 
-/** In a tick; the servo has time for no more. */
+/** In a tick; the servo has no time for more. */
 constexpr int MostFramesFollowed = 4;
 
 FrameSeries MakeSeries(const HapticModelDescription& d)
@@ -116,7 +116,7 @@ std::vector<FieldFrame> MakeFrames(const std::vector<VolumeFrame>& given, const 
     }
     frames.push_back({ frame.Time, 0.0, false, FieldSampler(frame.View, kernel), frame.Samples, {},
       frame.DisplacementSamples, frame.Mesh });
-    // How the material gets from the last frame back to the first one is not known.
+    // The motion of the material from the last frame back to the first one is not known.
     if (frame.Displacements.Data && frame.Time < series.Last)
     {
       frames.back().Motion.emplace(frame.Displacements, frame.View, indexToWorld);
@@ -208,12 +208,12 @@ BakedVolume::BakedVolume(
 
 std::size_t BakedVolume::FindFrame(double time) const noexcept
 {
-  // Below this time are the frames that follow the last one of the series.
+  // Earlier times belong to the frames that follow the last one of the series.
   const double front = this->Frames.front().Time;
   const double turn = front < this->Frames.back().Time ? -HUGE_VAL : front;
   const auto isBefore = [turn, time](double other)
   { return (time < turn) == (other < turn) ? time < other : other < turn; };
-  // Not the last one: it has no next one.
+  // Not the last frame: it has no next one.
   std::size_t frame = 0;
   for (std::size_t above = this->Frames.size() - 1; above - frame > 1;)
   {
@@ -230,7 +230,7 @@ double BakedVolume::FindShare(std::size_t frame, double time) const noexcept
   {
     return 0.0; // the only one
   }
-  // A window may end where the series begins again.
+  // A time span may end where the series begins again.
   const bool isPast = time < before.Time && this->Frames[frame + 1].Time < before.Time;
   return isPast ? 1.0 : std::clamp((time - before.Time) / before.Interval, 0.0, 1.0);
 }
@@ -286,7 +286,7 @@ Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to
     std::fmax(from, to) > this->Series.Last && std::abs(to - from) > 0.5 * this->Series.GetPeriod();
   if (isWindowOfLoop && (isOverEnd || (from < front) != (to < front)))
   {
-    // From the end of the loop to its beginning, within a tick.
+    // Both times are in one tick over the end of the loop.
     return index;
   }
   const auto within = [&](double time)
@@ -295,7 +295,7 @@ Vector3 BakedVolume::FollowMaterial(const Vector3& index, double from, double to
   const double begin = within(from);
   Vector3 at = index;
   std::size_t frame = this->FindFrame(begin);
-  // At a frame that time leaves backwards.
+  // Time leaves this frame backwards.
   frame -= end < begin && begin == this->Frames[frame].Time && frame > 0 ? 1 : 0;
   double time = begin;
   for (int i = 0; i < MostFramesFollowed && time != end && frame + 1 < this->Frames.size(); ++i)

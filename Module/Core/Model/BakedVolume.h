@@ -29,24 +29,24 @@ namespace VolumeHaptics
 struct FieldFrame
 {
   double Time;     ///< data time, in the units of the data
-  double Interval; ///< data time to the next frame; 0: there is none
+  double Interval; ///< data time to the next frame; 0: no next frame
   bool BlendsNext; ///< FieldSampler::BlendsSamples() of the next frame
   FieldSampler Field;
   std::shared_ptr<const void> Samples; ///< keeps the memory of Field alive
-  /** Where its material goes until the next frame, if that is known. */
+  /** The motion of the material until the next frame, if known. */
   std::optional<DisplacementField> Motion;
   std::shared_ptr<const void> DisplacementSamples; ///< keeps the memory of Motion alive
   /** The isosurface on its way to the next frame; null if there is no mesh, or no next frame. */
   std::shared_ptr<const SurfaceMesh> Mesh;
 };
 
-/** A mesh that moves, from one share of its way to another one. */
+/** A moving mesh, between two fractions of its way. */
 struct MeshWay
 {
-  const SurfaceMesh* Mesh; ///< null: there is none
+  const SurfaceMesh* Mesh; ///< null: no mesh
   double From;
   double To;
-  /** Whether its points go along with the material, and not only with their level. */
+  /** Whether its points move with the material, not only with their level. */
   bool IsMaterial;
 };
 
@@ -54,7 +54,7 @@ struct MeshWay
 struct BakedVolume
 {
   explicit BakedVolume(const HapticModelDescription& description);
-  /** Another window of a series of a volume that moves. Bakes nothing again. */
+  /** The same volume with other frames of its series. Bakes nothing again. */
   BakedVolume(
     const BakedVolume& other, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
   /** The same volume, which does not move, with another removal. Bakes nothing again. */
@@ -62,22 +62,20 @@ struct BakedVolume
   BakedVolume(const BakedVolume&) = delete;
   BakedVolume& operator=(const BakedVolume&) = delete;
 
-  /** The kernel that a model of this description gets. */
+  /** The kernel of a model with this description. */
   static GradientKernel MakeKernel(const HapticModelDescription& description);
 
   const GradientKernel Kernel;
-  /**
-   * Null if no tool removes anything. What it has, and not the pointer, is what a tick may change.
-   */
+  /** Null if no tool removes tissue. A tick may change the object, but not the pointer. */
   const std::shared_ptr<TissueRemoval> Removal;
   const FieldSampler Field; ///< the first frame, if there are several
-  const FrameSeries Series; ///< of which Frames are a window
+  const FrameSeries Series; ///< the series of which Frames are a part
   /**
-   * By ascending time, but those that follow the last one of the series; empty if the volume does
-   * not move.
+   * In ascending time, except frames that follow the last one of the series; empty if the volume
+   * does not move.
    */
   const std::vector<FieldFrame> Frames;
-  const bool HasMotion;                 ///< of the material, between any frames
+  const bool HasMotion;                 ///< the material's motion is known between some frames
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
   const Affine3 IndexToWorld;
@@ -95,31 +93,31 @@ struct BakedVolume
   const std::vector<BakedMode> Modes;          ///< of HapticMethod::Primitives
   const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
-  /** The share of what is felt at an index that a cut leaves. */
+  /** The share that is felt at an index of a cut volume: see CutPlace::Share. */
   double KeptShare(const Vector3& index) const noexcept
   {
     return this->Cut ? this->Cut->Find(index).Share() : 1.0;
   }
   bool HasTool(ToolKind kind) const noexcept { return this->Tool && this->Tool->Kind == kind; }
-  /** Whether the tool has points that touch. */
+  /** Whether the tool touches with points. */
   bool HasShape() const noexcept
   {
     return this->HasTool(ToolKind::Shell) || this->HasTool(ToolKind::Burr);
   }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
-  /** Whether surfaces and materials are those of its scalars alone. */
+  /** Whether surfaces and materials come from its scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }
   /**
-   * The volume at a data time; before the first frame and after the last one, it stands still. The
-   * memory is that of the last gradients.
+   * The volume at a data time; before the first frame and after the last one, it stands still.
+   * `memory` holds the last gradients.
    */
   FieldAtTime At(double time, TickMemory* memory = nullptr) const noexcept
   {
     return this->IsMoving() ? this->BlendFrames(time, memory) : FieldAtTime(this->Field, memory);
   }
   /**
-   * Two data times between the same two frames, whose material is not followed; none if either of
-   * them is that of a frame, or if samples are not blended.
+   * The step between two data times that lie between the same two frames, if the material's motion
+   * is unknown; none if either time is that of a frame, or if samples are not blended.
    */
   std::optional<FieldStep> FindStep(double before, double now, TickMemory& memory) const noexcept;
   FrameWindow GetWindow() const noexcept
@@ -132,15 +130,16 @@ struct BakedVolume
   /** The number of the frame that is nearest to a data time. */
   std::size_t FindNearestFrame(double time) const noexcept;
   /**
-   * Where the material at an index at a data time is at another one, within the volume; the same
-   * index where that is not known. It is followed through four frames at most.
+   * The index, at another data time, of the material at an index, within the volume; the same index
+   * if the motion is not known. It crosses at most four frames.
    */
   Vector3 FollowMaterial(const Vector3& index, double from, double to) const noexcept;
 
   ///@{
   /**
-   * The meshes of the way from one data time to another one: of the frame in which it begins, and
-   * of that in which it ends. Over more frames, or over the end of a series, only the end.
+   * The meshes on the way from one data time to another: the one of the frame in which the way
+   * begins, and the one of the frame in which it ends. If the way crosses more frames, or the end
+   * of a series, only the end.
    */
   static constexpr int MostMeshWays = 2;
   int FindMeshWays(double from, double to, MeshWay ways[MostMeshWays]) const noexcept;
@@ -150,24 +149,24 @@ struct BakedVolume
   {
     return this->Labels ? this->Labels->Zone.get() : nullptr;
   }
-  /** Whether there are surfaces that the label image makes. */
+  /** Whether the label image makes surfaces. */
   bool FeelsLabels() const noexcept { return this->Walls || this->GetZone(); }
   /**
-   * Of the volume, the material and the settings; only regions of one volume, and parts of one
-   * series of frames, may share one.
+   * Identifies volume, material and settings; only regions of one volume, and parts of one series
+   * of frames, may share it.
    */
   const std::uint64_t Number;
 
 private:
   /**
-   * With another removal and other frames; `shown` is the first one, or the volume if it does not
+   * With another removal and other frames; `shown` is the first frame, or the volume if it does not
    * move.
    */
   BakedVolume(const BakedVolume& other, std::shared_ptr<TissueRemoval> removal, double airValue,
     const VolumeFrame& shown, const std::vector<VolumeFrame>& frames, const FrameSeries& series);
 
   FieldAtTime BlendFrames(double time, TickMemory* memory) const noexcept;
-  /** Of the frame after this one, at a data time. */
+  /** The fraction of the way from this frame to the next one, at a data time. */
   double FindShare(std::size_t frame, double time) const noexcept;
 };
 

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-constexpr int Strides[3] = { 1, 3, 9 }; // of regions
+constexpr int Strides[3] = { 1, 3, 9 }; // between regions
 
 double ComponentOf(const Vector3& v, int axis) noexcept
 {
@@ -123,7 +123,7 @@ CutPlace CutAway::FindHidden(const Vector3& index) const noexcept
     return place;
   }
   place.Normal = (1.0 / steepness) * gradient;
-  // The share that is felt is all there where t is 1, half a voxel behind the face.
+  // All is felt where t is 1, half a voxel behind the face.
   place.Voxel = 0.5 / Norm(this->WorldToIndex * place.Normal);
   place.Depth = (2.0 * kept - 1.0) * place.Voxel;
   return place;
@@ -240,7 +240,7 @@ Vector3 CutAway::StopAtFaces(const Vector3& from, const Vector3& to) const noexc
     const double aside = beyond.Behind(face);
     if (aside > axis.WorldPerIndex)
     {
-      return to; // inside of what is kept
+      return to; // inside the kept part
     }
     const double behind = after.Behind(face);
     if (this->HasFace(away, face) && !this->IsAt(face, aside) && behind > 0.0)

@@ -6,17 +6,16 @@
  *
  * Planes cut, as those of vtkAbstractMapper::SetClippingPlanes do, and the 27 regions between two
  * planes of constant index along each axis, as those of vtkVolumeMapper::SetCroppingRegionPlanes
- * do, and voxels that are hidden one by one. What none of them cuts away is kept. With s_i the
- * signed distance to a plane, positive in the part that it keeps, and s_0 that to the faces of the
- * regions,
+ * do, and voxels that are hidden one by one. The rest is kept. With s_i the signed distance to a
+ * plane, positive in the part that it keeps, and s_0 the distance to the faces of the regions,
  *
  *   depth(x) = min_i s_i(x)
  *
  * is positive in the kept part, 0 on its faces and nowhere larger than the distance to them. Axes
- * of the index are perpendicular to one another in the world. Of hidden voxels, with the share t of
- * the eight voxels around that are kept, interpolated linearly, faces are where t = 1/2, halfway
- * between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a voxel, if t is
- * neither 0 nor 1.
+ * of the index are perpendicular to one another in the world. For hidden voxels, let t be the share
+ * of the eight surrounding voxels that are kept, interpolated linearly: faces are where t = 1/2,
+ * halfway between a hidden voxel and a kept one, and depth is t - 1/2 times the length of a voxel,
+ * if t is neither 0 nor 1.
  */
 #ifndef CutAway_h
 #define CutAway_h
@@ -33,7 +32,7 @@
 namespace VolumeHaptics
 {
 
-/** Keeps the side to which its normal points. */
+/** A plane that keeps the side to which its normal points. */
 struct CutPlane
 {
   Vector3 Normal; ///< world; a unit vector
@@ -65,14 +64,14 @@ struct CutRegions
 /** Voxels that are hidden one by one, as flags of an image's points. */
 struct HiddenVoxels
 {
-  const std::uint8_t* Flags = nullptr; ///< x first; null: none are hidden
-  std::uint8_t Hidden = 0;             ///< the bit that says so
-  std::int64_t First[3] = {};          ///< the index of the first one
+  const std::uint8_t* Flags = nullptr; ///< x first; null: no hidden voxels
+  std::uint8_t Hidden = 0;             ///< the bit of a hidden voxel
+  std::int64_t First[3] = {};          ///< the index of the first flag
   std::int64_t Dimensions[3] = {};
   std::shared_ptr<const void> Holder; ///< keeps the memory of Flags alive
-  std::uint64_t Version = 0;          ///< of the flags
+  std::uint64_t Version = 0;          ///< changes with the flags
 
-  /** 1 if a voxel is kept, or the one of the image that is nearest to it; else 0. */
+  /** 1 if a voxel, or the nearest one in the image, is kept; else 0. */
   double IsKept(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept;
 
   friend bool operator==(const HiddenVoxels& a, const HiddenVoxels& b) noexcept
@@ -81,20 +80,20 @@ struct HiddenVoxels
   }
 };
 
-/** A position, as the nearest face of the kept part sees it. */
+/** A position relative to the nearest face of the kept part. */
 struct CutPlace
 {
   double Depth = HUGE_VAL; ///< world units; below 0 in the part that is cut away
   Vector3 Normal;          ///< world; a unit vector, into the kept part
   double Voxel = 1.0;      ///< the length of an index step along Normal, world units
   /**
-   * Of regions: the faces on which the position lies, of the nearest region that is cut away, from
-   * `TouchDistance` in front of them on. Several meet in a hollow corner. Bit 2 axis is towards the
-   * lower index, bit 2 axis + 1 towards the higher one.
+   * For regions: the faces of the nearest region that is cut away, if the position is on or behind
+   * them, or at most `TouchDistance` in front. Several meet in a hollow corner. Bit 2 axis is
+   * towards the lower index, bit 2 axis + 1 towards the higher one.
    */
   std::uint32_t Faces = 0;
 
-  /** The share that is felt: it falls from 1 to 0 over the last voxel in front of a face. */
+  /** The share that is felt: falls from 1 to 0 over the last voxel in front of a face. */
   double Share() const noexcept { return std::clamp(this->Depth / this->Voxel, 0.0, 1.0); }
 };
 
@@ -115,9 +114,9 @@ public:
     return face % 2 == 0 ? -this->Axes[face / 2].Normal : this->Axes[face / 2].Normal;
   }
   /**
-   * The end of a motion, both index, that begins in a region that is cut away, or on one of its
-   * faces, and goes no farther than to the next face: solid faces hold once they are touched. The
-   * faces of planes meet in no hollow corner, and stop nothing.
+   * The end of a motion, both in index space, that begins in a region that is cut away, or on one
+   * of its faces; it stops at the next face: solid faces hold once they are touched. The faces of
+   * planes form no hollow corner, and stop nothing.
    */
   Vector3 StopAtFaces(const Vector3& from, const Vector3& to) const noexcept;
   bool IsSolid() const noexcept { return this->HasSolidFaces; }
@@ -131,10 +130,10 @@ public:
 private:
   struct Axis
   {
-    Vector3 Normal;       ///< of its planes; world, a unit vector
+    Vector3 Normal;       ///< of the axis's planes; world, a unit vector
     double WorldPerIndex; ///< the distance between planes of consecutive indices
   };
-  /** A region as seen from a position: how far that is behind its planes, world units. */
+  /** A region seen from a position: how far the position is behind its planes, world units. */
   struct Beyond
   {
     double Low[3];
@@ -149,26 +148,26 @@ private:
   };
 
   bool IsKept(int region) const noexcept { return (this->Regions.Kept >> region & 1U) != 0; }
-  /** Whether a position that is so far behind a face touches it. */
+  /** Whether a position at this distance behind a face touches it. */
   bool IsAt(int face, double aside) const noexcept
   {
     return aside > -TouchDistance * this->Axes[face / 2].WorldPerIndex;
   }
   int FindRegionOf(const Vector3& index) const noexcept;
-  /** The nearest region that is kept, or cut away; -1 if there is none. */
+  /** The nearest kept or cut region; -1 if there is none. */
   int FindNearest(const Vector3& index, bool isKept, double& distance) const noexcept;
-  /** Whether something kept lies behind a face of a region that is cut away. */
+  /** Whether a kept part lies behind a face of a region that is cut away. */
   bool HasFace(int region, int face) const noexcept;
   Beyond FindBeyond(const Vector3& index, int region) const noexcept;
   CutPlace FindRegion(const Vector3& index) const noexcept;
   CutPlace FindHidden(const Vector3& index) const noexcept;
 
   const std::vector<CutPlane> Planes;
-  std::vector<double> Voxels; ///< of the planes
+  std::vector<double> Voxels; ///< length of a voxel along each plane's normal
   const CutRegions Regions;
   const Affine3 IndexToWorld;
   const Matrix3 WorldToIndex;
-  Axis Axes[3]; ///< of rising index
+  Axis Axes[3]; ///< by rising index
   const bool HasSolidFaces;
   const HiddenVoxels Hidden;
 };

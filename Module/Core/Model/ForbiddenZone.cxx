@@ -15,15 +15,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of the walls that find the boundary. */
+/** The kernel radius of the walls that locate the boundary. */
 constexpr int BoundaryRadius = 3;
-/** s^2 / 2 of their kernel, in voxels. */
+/** s^2 / 2 of the walls' kernel, in voxels. */
 constexpr double HalfVariance = 0.5 * 0.355 * 0.355 * (BoundaryRadius + 1) * (BoundaryRadius + 1);
 /** Voxels around the stand-off. */
 constexpr std::int64_t Margin = 6;
-/** Beyond this part of a voxel, a tangent plane ends at an edge. */
+/** The part of a voxel beyond which a tangent plane ends at an edge. */
 constexpr double PlanePart = 0.75;
-/** The value of a wall at a forbidden voxel below which smoothing has taken the voxel away. */
+/** The wall value at a forbidden voxel below which smoothing has removed the voxel. */
 constexpr double TakenAway = -0.38;
 
 /** A box of voxels of the label image; 1 where they are forbidden. */
@@ -50,7 +50,7 @@ struct Mask
   }
 };
 
-/** The work was ended; never leaves this file. */
+/** Thrown when the work is ended; never leaves this file. */
 struct Ended
 {
 };
@@ -102,7 +102,7 @@ void VisitForbidden(const VolumeView& view, const LabelTable& table,
     });
 }
 
-/** The box of forbidden voxels with all that the stand-off reaches; false if there are none. */
+/** The box of forbidden voxels with everything within the stand-off; false if there are none. */
 bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& indexToWorld,
   double standOff, const ForbiddenZone::Progress& goesOn, Mask& mask)
 {
@@ -150,9 +150,9 @@ bool MakeMask(const VolumeView& view, const LabelTable& table, const Affine3& in
 }
 
 /**
- * A point of the boundary, in index steps of the box, and the normal outwards, in the world. A
- * voxel of a speck or a thin vessel, which smoothing would take away, has no normal: it is a ball
- * of half a voxel.
+ * A point of the boundary, in index steps of the box, and the outward normal, in the world. A voxel
+ * of a speck or a thin vessel that smoothing would remove has no normal: it is a ball of half a
+ * voxel.
  */
 struct BoundaryPoint
 {
@@ -168,12 +168,12 @@ Vector3 OutwardAt(const LabelWalls& walls, const Vector3& at)
   return wall.IsThere && norm > 0.0 ? (-1.0 / norm) * wall.Gradient : Vector3{};
 }
 
-/** The sum of the principal curvatures (1 / voxel) of the boundary with a normal. */
+/** The sum of the principal curvatures (1 / voxel) of the boundary with this normal. */
 double FindCurvature(const LabelWalls& walls, const Vector3& at, const Vector3& normal)
 {
   constexpr double h = 3.0;
   constexpr double most = 0.5;
-  // Along the boundary only: behind a thin part there is another one.
+  // Along the boundary only: a thin part has a second boundary behind it.
   const Vector3 u = UnitAcross(normal);
   const Vector3 v = Cross(normal, u);
   double divergence = 0.0;
@@ -215,7 +215,7 @@ bool FindBoundary(const LabelWalls& walls, const Vector3& voxel, const Matrix3& 
   return true;
 }
 
-/** Nearest points of the boundary for every voxel of a box, from voxel to voxel. */
+/** Spreads the nearest boundary points from voxel to voxel through a box. */
 class NearestPoints
 {
 public:
@@ -240,7 +240,7 @@ public:
           return;
         }
         const bool isForbidden = mask.Is[static_cast<std::size_t>(mask.Index(i, j, k))] != 0;
-        // Without a boundary nearby, smoothing has taken a thin part away.
+        // If there is no boundary nearby, smoothing has removed a thin part.
         const bool isTaken = isForbidden && walls.Find(voxel).Value < TakenAway;
         if (isTaken || !FindBoundary(walls, voxel, gradientToWorld, point))
         {

@@ -4,10 +4,10 @@
  * @file
  * The distance to forbidden labels, baked once on the part of the label grid around them.
  *
- * The labels' boundary is that of their smoothed share (LabelWalls.h), moved out by the s^2 kappa /
- * 2 by which smoothing has moved it in; kappa is the sum of the principal curvatures. Each voxel
- * keeps its distance to the boundary's tangent plane at the nearest point, or to that point beyond
- * an edge; between voxels it is a cubic B-spline.
+ * The labels' boundary is the wall of their smoothed share (LabelWalls.h), moved out by s^2 kappa /
+ * 2, since smoothing has moved it in by as much; kappa is the sum of the principal curvatures. Each
+ * voxel stores its distance to the boundary's tangent plane at the nearest point or, beyond an
+ * edge, to that point; between voxels the distance is a cubic B-spline.
  */
 #ifndef ForbiddenZone_h
 #define ForbiddenZone_h
@@ -26,7 +26,7 @@ namespace VolumeHaptics
 /** The distance at a position. */
 struct ForbiddenPlace
 {
-  bool IsNear = false;   ///< else the stand-off is farther away
+  bool IsNear = false;   ///< if false, the stand-off is farther away
   double Distance = 0.0; ///< world units; below 0 inside
   Vector3 Gradient;      ///< of Distance, per index step of the label image
 };
@@ -37,7 +37,7 @@ public:
   /** The most voxels of a zone: 0.5 GiB while it is baked. */
   static constexpr std::int64_t MostVoxels = std::int64_t{ 1 } << 25;
 
-  /** Called for every slice of voxels; false ends the work. */
+  /** Called for every slice of voxels; returning false ends the work. */
   using Progress = std::function<bool()>;
 
   /**
@@ -53,7 +53,7 @@ public:
   ForbiddenPlace Find(const Vector3& labelIndex) const noexcept;
 
   double GetStandOff() const noexcept { return this->StandOff; }
-  /** World units over which the wall begins to hold. */
+  /** The world units over which the wall begins to hold. */
   double GetTolerance() const noexcept { return this->Tolerance; }
   std::size_t GetMemorySize() const noexcept
   {
@@ -67,7 +67,7 @@ private:
 
   double StandOff = 0.0;
   double Tolerance = 0.0;
-  std::int64_t First[3] = {}; ///< of the box, in the label image
+  std::int64_t First[3] = {}; ///< the box's first voxel, in the label image
   std::vector<float> Distances;
   GradientKernel Kernel{ GradientEstimator::CubicBSpline, 1 };
   FieldSampler Field;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Bounds on the change of a force with position and speed.
+ * Bounds on how fast a force changes with position and speed.
  */
 #ifndef ForceCaps_h
 #define ForceCaps_h
@@ -13,8 +13,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The stiffness and damping that a device and its sampling can hold, whatever the materials and
- * settings are; 0 does not cap.
+ * The stiffness and damping that a device and its sampling can hold, with any materials and
+ * settings; 0: no cap.
  */
 struct ForceCaps
 {
@@ -27,7 +27,7 @@ struct ForceCaps
   }
 };
 
-/** The smaller of two caps, of which either may be 0 and not cap. */
+/** The smaller of two caps; 0 means no cap. */
 inline double TighterCap(double a, double b) noexcept
 {
   return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);

@@ -9,9 +9,9 @@
  *
  *   First ... Last ... First + GetPeriod(), which is First again.
  *
- * A model may hold a window only: some of the frames, in this order. A window that goes on with the
- * first frame after the last one ends at an earlier time than it begins. A window of one frame has
- * no other time than that of the frame.
+ * A model may hold a part of the series only, the *window*: some of the frames, in this order. A
+ * window that crosses the end of a loop ends at an earlier time than it begins. A window of one
+ * frame has only the time of that frame.
  */
 #ifndef FrameSeries_h
 #define FrameSeries_h
@@ -34,8 +34,8 @@ struct FrameSeries
 struct FrameWindow
 {
   FrameSeries Series;
-  double Front = 0.0;     ///< of its first frame
-  double Back = 0.0;      ///< of its last frame; that of Front again if it holds the whole loop
+  double Front = 0.0;     ///< the first frame's time
+  double Back = 0.0;      ///< the last frame's time; equals Front if the window has the whole loop
   bool IsInstant = false; ///< it has one frame only
 
   bool IsLoop() const noexcept { return this->Front == this->Back && !this->IsInstant; }
@@ -45,7 +45,7 @@ struct FrameWindow
                                                        : time >= this->Front || time <= this->Back;
   }
   ///@{
-  /** The data time that it has from `time` on, forward and backward. */
+  /** The data time that the window has beyond `time`, forward and backward. */
   double GetAhead(double time) const noexcept { return this->Measure(this->Back - time); }
   double GetBehind(double time) const noexcept { return this->Measure(time - this->Front); }
   ///@}

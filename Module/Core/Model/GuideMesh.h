@@ -17,8 +17,8 @@
  *   w = u_0 u_1 u_2,   w_0 = (1 - u_0) u_1 u_2 and so on,
  *
  * with n_e the bisector of two faces and n_corner the mean of faces by their angles. On an edge,
- * both of its triangles give the same. Places stay those of the mesh, and faces that are wider than
- * the rounding stay flat.
+ * both of its triangles give the same. Places stay on the mesh, and faces wider than the rounding
+ * stay flat.
  */
 #ifndef GuideMesh_h
 #define GuideMesh_h
@@ -33,7 +33,7 @@ namespace VolumeHaptics
 struct GuideMeshPlace
 {
   Vector3 Nearest;
-  Vector3 Normal; ///< unit; to the side from which corners are seen counterclockwise
+  Vector3 Normal; ///< unit; towards the side from which corners are seen counterclockwise
   bool IsThere = false;
 };
 
@@ -41,10 +41,10 @@ struct GuideMeshPlace
 class GuideMesh
 {
 public:
-  /** Points of the mesh at the same place are one. @param rounding in the units of the mesh */
+  /** Points of the mesh at the same place are merged. @param rounding in the units of the mesh */
   GuideMesh(std::shared_ptr<const SurfaceMesh> mesh, double rounding);
 
-  /** Of a finite position. It is not there if the mesh has no triangles. */
+  /** The place nearest to a finite position; not there if the mesh has no triangles. */
   GuideMeshPlace Find(const Vector3& position) const noexcept;
 
   double GetRounding() const noexcept { return this->Rounding; }
@@ -54,7 +54,7 @@ private:
   struct Face
   {
     Vector3 Normal;
-    Vector3 AtEdge[3]; ///< of the edge opposite to a corner
+    Vector3 AtEdge[3]; ///< at the edge opposite to each corner
     double Height[3] = { 0.0, 0.0, 0.0 };
     double Turn = 0.0;
   };
@@ -63,11 +63,11 @@ private:
     Vector3 Normal;
     double Turn = 0.0;
   };
-  /** Boxes: many more than what a place near the mesh needs, and some tens of microseconds. */
+  /** Boxes: many more than a place near the mesh needs; takes some tens of microseconds. */
   static constexpr int Budget = 2000;
 
   void FindFaces();
-  /** The numbers of the triangles' corners, of which those at the same place are one. */
+  /** The corner numbers of the triangles, with corners at the same place merged. */
   std::vector<SurfaceMesh::Indices> MergeCorners();
   void FindCorners(const std::vector<SurfaceMesh::Indices>& merged);
   void FindEdges(const std::vector<SurfaceMesh::Indices>& merged);
@@ -76,7 +76,7 @@ private:
   double Rounding;
   std::vector<Face> Faces;
   std::vector<Corner> Corners;
-  std::vector<SurfaceMesh::Indices> CornersOf; ///< of each triangle, in Corners
+  std::vector<SurfaceMesh::Indices> CornersOf; ///< for each triangle, in Corners
 };
 
 } // namespace VolumeHaptics

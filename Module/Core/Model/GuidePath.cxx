@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The direction of two that follow one another; the second one if the line turns back. */
+/** The direction between two consecutive ones; the second one if the line turns back. */
 Vector3 DirectionBetween(const Vector3& a, const Vector3& b) noexcept
 {
   const Vector3 sum = a + b;
@@ -97,7 +97,7 @@ void GuidePath::MakeBoxes()
     leaves *= 2;
   }
   this->FirstLeaf = leaves - 1;
-  // Boxes without segments are nowhere, and never looked into.
+  // Boxes without segments are infinitely far away, and never visited.
   this->Boxes.assign(
     2 * leaves - 1, { { Nowhere, Nowhere, Nowhere }, { -Nowhere, -Nowhere, -Nowhere } });
   for (std::size_t i = 0; i < this->Segments.size(); ++i)
@@ -125,12 +125,12 @@ double GuidePath::SquareDistance(std::size_t box, const Vector3& place) const no
 
 GuidePlace GuidePath::Find(const Vector3& place) const noexcept
 {
-  constexpr std::size_t deepest = 64; // a box's children wait here, one a level
+  constexpr std::size_t deepest = 64; // the children of boxes wait here, one per level
   std::size_t waiting[deepest] = { 0 };
   std::size_t count = 1;
   double least = Nowhere;
   const Segment* nearest = &this->Segments.front();
-  double share = 0.0; // the way along it
+  double share = 0.0; // position along the segment
   while (count > 0)
   {
     const std::size_t box = waiting[--count];

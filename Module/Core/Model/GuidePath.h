@@ -11,7 +11,7 @@
  * nearest place along that direction rests where the lag is at right angles to it, and a tip may be
  * outside of a corner, where no segment is at right angles to any lag. So within half of the
  * rounding from a corner the direction turns steadily from one segment's to the next one's. The
- * places stay those of the polyline: a proxy on it is not drawn off.
+ * places stay on the polyline: a proxy on it is not drawn off.
  */
 #ifndef GuidePath_h
 #define GuidePath_h
@@ -31,7 +31,7 @@ struct GuidePlace
   Vector3 Direction; ///< unit, along the line
   bool IsNearEnd = false;
   ///@{
-  /** If it is on the first or last segment of a line that is not closed. */
+  /** For a place on the first or last segment of an open line. */
   Vector3 End;
   Vector3 Outward; ///< unit, at the end
   ///@}
@@ -44,21 +44,24 @@ public:
   using Line = std::vector<Vector3>;
 
   /**
-   * Of finite points. Points that repeat the one before are left out; so are lines of one point. A
+   * Builds the guide from finite points. Repeated points are left out; so are lines of one point. A
    * line that ends where it begins is closed.
    * @param rounding of corners, in the units of the points
    */
   GuidePath(const std::vector<Line>& lines, double rounding);
 
   bool IsEmpty() const noexcept { return this->Segments.empty(); }
-  /** Whether another one guides alike. */
+  /** Whether another guide has the same places and directions. */
   bool IsSame(const GuidePath& other) const noexcept;
 
-  /** The guide must not be empty. A place that is not finite gives any place on it. */
+  /**
+   * The nearest place on the guide, which must not be empty. For a position that is not finite, any
+   * place.
+   */
   GuidePlace Find(const Vector3& place) const noexcept;
 
   ///@{
-  /** What Find reads, and its size (bytes). */
+  /** The memory that Find reads, and its size (bytes). */
   const void* GetSegments() const noexcept { return this->Segments.data(); }
   std::size_t GetSegmentsSize() const noexcept { return this->Segments.size() * sizeof(Segment); }
   const void* GetBoxes() const noexcept { return this->Boxes.data(); }
@@ -71,7 +74,7 @@ private:
     Vector3 Begin;
     Vector3 Direction; ///< unit
     double Length = 0.0;
-    Vector3 AtBegin; ///< the direction in which the line goes through its first point
+    Vector3 AtBegin; ///< the line's direction through its first point
     Vector3 AtEnd;
     double Turn = 0.0; ///< from a corner on, the direction turns over this length
     bool BeginsLine = false;
@@ -86,7 +89,7 @@ private:
 
   void AddLine(const Line& line, double rounding);
   void MakeBoxes();
-  /** Of box i of the tree, in which box i has the boxes 2 i + 1 and 2 i + 2. */
+  /** The square distance to box i of the tree, whose children are boxes 2 i + 1 and 2 i + 2. */
   double SquareDistance(std::size_t box, const Vector3& place) const noexcept;
 
   std::vector<Segment> Segments;

@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Of the rounding: a place that is nearer to the mesh has no direction of its own from it. */
+/** Fraction of the rounding: a place nearer to the mesh has no direction of its own. */
 constexpr double LeastAway = 1e-9;
 /** Voxels from the border of the field. */
 constexpr double FieldFade = 2.0;

@@ -7,8 +7,8 @@
  * With p the nearest place of the mesh, n its normal and u the direction from p to the position,
  * away from the back, the surface at the distance a goes through p + a u with the normal u; at the
  * distance 0 the normal is n. With d the distance field, a cubic B-spline of its samples, and g its
- * gradient, the surface is at (a - d) g/|g|^2 from the position. Where |g| is less than a half,
- * places at the same distance from several parts of the surface have no one direction; the hold
+ * gradient, the surface is at (a - d) g/|g|^2 from the position. Where |g| is less than a half, a
+ * place is equally far from several parts of the surface and has no single direction; the hold
  * fades there, and within two voxels of the border of the field.
  */
 #ifndef GuideSurface_h
@@ -22,13 +22,13 @@
 namespace VolumeHaptics
 {
 
-/** The place of a guiding surface for a position. */
+/** The place on a guiding surface for a position. */
 struct GuideSurfacePlace
 {
   Vector3 Anchor;
   Vector3 Normal;        ///< unit; outwards, where distances grow
-  double Distance = 0.0; ///< of the position from the surface
-  double Share = 0.0;    ///< in which it holds; 0 if there is none
+  double Distance = 0.0; ///< from the surface to the position
+  double Share = 0.0;    ///< of the hold; 0 if there is none
 };
 
 /** Immutable. All lengths are in world units. */
@@ -36,16 +36,16 @@ class GuideSurface
 {
 public:
   GuideSurface(std::shared_ptr<const GuideMesh> mesh, double distance);
-  /** The view is of `samples`, which are kept. */
+  /** `view` shows `samples`, which are kept alive. */
   GuideSurface(const VolumeView& view, std::shared_ptr<const void> samples,
     const Affine3& indexToWorld, double distance);
   GuideSurface(const GuideSurface&) = delete; // the sampler borrows the kernel
   void operator=(const GuideSurface&) = delete;
 
-  /** Of any position. */
+  /** The place for any position. */
   GuideSurfacePlace Find(const Vector3& position) const noexcept;
 
-  /** Whether another one is made of the same mesh or samples. */
+  /** Whether another surface is made of the same mesh or samples. */
   bool IsSame(const GuideSurface& other) const noexcept;
   std::size_t GetMemorySize() const noexcept;
 

@@ -31,7 +31,7 @@ const Affine3& LabelToWorld(const BakedVolume& baked)
   return baked.Labels ? baked.Labels->IndexToWorld : baked.IndexToWorld;
 }
 
-/** Whether voxels are cubes but for rounding: then each direction has the same length. */
+/** Whether voxels are cubes, apart from rounding: then all directions have the same length. */
 bool IsOfCubes(const Matrix3& indexToWorld)
 {
   constexpr double rounding = 1e-9;
@@ -41,7 +41,7 @@ bool IsOfCubes(const Matrix3& indexToWorld)
     (1.0 - rounding) * largest;
 }
 
-/** Whether the solver is the paper's, whose r is one number in all directions. */
+/** Whether the solver is PAPER, whose r is one number in all directions. */
 bool IsOfPaper(const HapticSettings& settings)
 {
   return settings.Method == HapticMethod::Proxy && settings.Solver == HapticSolver::Paper;

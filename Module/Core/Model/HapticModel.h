@@ -28,7 +28,7 @@ class HapticModel
 public:
   explicit HapticModel(const HapticModelDescription& description);
   ///@{
-  /** The volume of another model, with another device or placed elsewhere. Bakes nothing again. */
+  /** The volume of another model, with another device or another placement. Bakes nothing again. */
   HapticModel(const HapticModel& other, const Affine3& deviceToWorld, const ForceCaps& deviceCaps);
   HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3& deviceToWorld,
     const ForceCaps& deviceCaps);
@@ -40,7 +40,9 @@ public:
   static constexpr double MinimumStiffness = 1e-3;
 
   const std::shared_ptr<const BakedVolume> Baked;
-  /** The tighter caps of the user and the device: no stiffness or damping is felt above them. */
+  /**
+   * The tighter of the user's and the device's caps: no stiffness or damping is felt above them.
+   */
   const ForceCaps Caps;
 
   const Affine3 DeviceToWorld;
@@ -48,7 +50,7 @@ public:
   const Affine3 DeviceToIndex;
   const Matrix3 DeviceToWorldRotation;
   const double WorldUnitsPerMeter;
-  /** The largest number of index steps along each axis of a vector of 1 m. */
+  /** The largest number of index steps along each axis for a vector of 1 m. */
   const Vector3 VoxelsPerMeter;
   const double MostVoxelsPerMeter; ///< along the axis of the smallest spacing
   /** Turns a gradient per index step into scalar units per world unit along the device's axes. */
@@ -56,13 +58,13 @@ public:
   /** Stands in for the normal without a gradient: the volume's third axis. */
   const Vector3 FallbackNormal;
   /**
-   * Whether the kernel's length depends on the direction: KernelRadius voxels along it. It does not
-   * if voxels are cubes, nor with the solver PAPER.
+   * Whether the kernel's length depends on the direction: KernelRadius voxels along it. Not for
+   * cubic voxels, nor with the solver PAPER.
    */
   const bool HasLengthByDirection;
   /**
    * KernelRadius times the largest spacing, in metres: with the solver PAPER and for cubes, the
-   * distance of x_s and x_v from the proxy; for all others, the largest one.
+   * distance of x_s and x_v from the proxy; otherwise, the largest such distance.
    */
   const double KernelLength;
   const double InverseRadius; ///< 1/KernelRadius
@@ -73,7 +75,7 @@ public:
   const Matrix3 GradientToReach;
   /** x_s - x_p, as index steps, without a gradient. */
   const Vector3 FallbackReach;
-  const ResidentBox Resident; ///< of the samples in Baked->Field
+  const ResidentBox Resident; ///< the resident samples in Baked->Field
   ///@{
   /** From an index of the volume, and from the device, to an index of the label image. */
   const Affine3 IndexToLabel;
@@ -87,23 +89,25 @@ public:
    */
   const bool HasLabelLengthByDirection;
   const double LabelReach;
-  /** As GradientToReach, of a gradient per index step of the label image and LabelReach. */
+  /** As GradientToReach, for a gradient per index step of the label image and LabelReach. */
   const Matrix3 LabelGradientToReach;
   /** The most index steps in 1 m of the volume or, if its walls are felt, of the label image. */
   const double MostStepsPerMeter;
 
-  /** KernelRadius voxels along a direction, of which one unit has these index steps. */
+  /**
+   * The length of KernelRadius voxels along a direction whose unit vector has these index steps.
+   */
   double KernelLengthOf(const Vector3& steps) const noexcept
   {
     return this->Baked->Kernel.Radius / std::fmax(Norm(steps), 1e-300);
   }
-  /** The distance (m) of x_s and x_v from a proxy whose surface has this normal, a unit or zero. */
+  /** The distance (m) of x_s and x_v from a proxy whose surface has this normal (unit or zero). */
   double KernelLengthAlong(const Vector3& normal) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(this->DeviceToIndex.Linear * normal)
                                       : this->KernelLength;
   }
-  /** x_s - x_p (index steps), of a vector in its direction; that of GradientToReach for cubes. */
+  /** x_s - x_p (index steps) for a vector in its direction; as GradientToReach for cubes. */
   Vector3 FindReach(const Vector3& direction) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
@@ -116,7 +120,7 @@ public:
     return this->Baked->Cut &&
       this->Baked->Cut->Find(this->DeviceToIndex(this->WorldToDevice(world))).Depth < 0.0;
   }
-  /** The index steps of a displacement (m), of the finer image of those that are felt. */
+  /** The index steps of a displacement (m), in the finer of the images that are felt. */
   double StepsOf(const Vector3& displacement) const noexcept
   {
     const double steps = Norm(this->DeviceToIndex.Linear * displacement);
@@ -153,7 +157,7 @@ public:
   /** The tables that every tick reads, without the samples and the mesh. */
   std::vector<MemoryRange> GetTables() const;
 
-  /** Bytes beyond the image. */
+  /** Bytes without the image. */
   std::size_t GetMemorySize() const noexcept;
 };
 

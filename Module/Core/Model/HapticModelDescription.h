@@ -46,9 +46,11 @@ struct VolumeFrame
   double Time = 0.0; ///< data time, in the units of the data
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
-  /** To the next frame, on the points of View; none if it is not known, or there is no next one. */
+  /**
+   * To the next frame, on the points of View; none if it is not known, or there is no next frame.
+   */
   DisplacementView Displacements = {};
-  std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps them alive
+  std::shared_ptr<const void> DisplacementSamples = {}; ///< keeps the displacements alive
   /** For HapticMethod::SurfaceProxy: its isosurface, which moves to the next frame. */
   std::shared_ptr<const SurfaceMesh> Mesh = {};
 };
@@ -59,16 +61,19 @@ struct HapticModelDescription
   VolumeView View;
   std::shared_ptr<const void> Samples; ///< keeps View.Data alive
   /**
-   * Of a volume that moves, by ascending time, two at least, or one of a Series; View is that of
+   * The frames of a volume that moves, by ascending time: at least two, or one of a Series. View is
    * the first one, and all have its geometry. After the last frame of the series, the first one may
-   * follow once more.
+   * follow again.
    */
   std::vector<VolumeFrame> Frames;
-  /** That of the frames if they are a window; with a LoopInterval of 0, they are all of it. */
+  /**
+   * The series to which the frames belong, if they are a part of one; with a LoopInterval of 0,
+   * they are all of it.
+   */
   FrameSeries Series;
   Affine3 IndexToWorld;  ///< not singular
   Affine3 DeviceToWorld; ///< a similarity, world units per metre
-  ForceCaps DeviceCaps;  ///< the user's are in Settings
+  ForceCaps DeviceCaps;  ///< the user's caps are in Settings
   GradientEstimator Estimator = GradientEstimator::Gaussian;
   int KernelRadius = 2; ///< voxels
   HapticMaterial Material;
@@ -77,24 +82,24 @@ struct HapticModelDescription
   std::shared_ptr<const BakedLabels> Labels; ///< null without a label image
   std::shared_ptr<const CutAway> Cut;        ///< null if all of the volume is felt
   /**
-   * For HapticMethod::Primitives, on the points of View. Of those that are not valid, and those
-   * whose primitives are more than a tick has, nothing is felt.
+   * For HapticMethod::Primitives, on the points of View. Modes that are not valid, or whose
+   * primitives exceed the limit of a tick, are not felt.
    */
   std::vector<ModeDescription> Modes;
   ToolDescription Tool;
   /**
-   * Null, or what a tool removes from the samples of View, which is read as if it were not there.
-   * The one who ticks writes to it. Not for a volume that moves.
+   * Null, or the tissue that a tool removes from the samples of View, which then reads as absent.
+   * The thread that ticks writes to it. Not for a volume that moves.
    */
   std::shared_ptr<TissueRemoval> Removal;
-  double AirValue = 0.0; ///< what a sample is without tissue
+  double AirValue = 0.0; ///< the value of a sample without tissue
   /**
    * 0, or the BakedVolume::Number of a model of another region of the same volume, or of other
-   * frames, with the same material and settings: a servo goes on from one to the other as if it had
-   * the whole.
+   * frames, with the same material and settings: a servo continues from one to the other as on the
+   * whole.
    */
   std::uint64_t Number = 0;
-  /** Of the force that is felt; below 1 if the samples stand in for the volume's own ones. */
+  /** The share of the force that is felt; below 1 if the samples stand in for the volume's own. */
   double ResidentShare = 1.0;
 };
 

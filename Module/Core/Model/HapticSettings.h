@@ -30,29 +30,29 @@ enum class HapticSolver : std::uint8_t
   Precise ///< the same law, in balance at the proxy's end point; see PreciseSolver.h
 };
 
-/** The point at which a surface begins to hold; of HapticSolver::Precise. */
+/** The point at which a surface begins to hold; for HapticSolver::Precise. */
 enum class ContactAlignment : std::uint8_t
 {
   Distinctness, ///< by W_d and T_N alone
-  Edge          ///< not before V(x_p) >= (V(x_s) + V(x_v))/2
+  Edge          ///< only from V(x_p) >= (V(x_s) + V(x_v))/2 on
 };
 
-/** The image whose surfaces are felt; of HapticMethod::Proxy. */
+/** The image whose surfaces are felt; for HapticMethod::Proxy. */
 enum class SurfaceGeometry : std::uint8_t
 {
   Scalars,
-  Labels, ///< walls between labels alone; see LabelWalls.h
-  Both    ///< those between labels where the scalars have no distinct surface
+  Labels, ///< only walls between labels; see LabelWalls.h
+  Both    ///< walls between labels where the scalars have no distinct surface
 };
 
-/** The value that a surface's material belongs to; of HapticSolver::Precise. */
+/** The value that determines a surface's material; for HapticSolver::Precise. */
 enum class MaterialPlacement : std::uint8_t
 {
   Kernel, ///< V(x_s) and V(x_v), a kernel radius to either side of the proxy
-  FarSide ///< those of the plateaus on either side of the edge; see FarSide.h
+  FarSide ///< the values of the plateaus on either side of the edge; see FarSide.h
 };
 
-/** The shape that stands in for the surface near the proxy; of HapticMethod::LocalSurface. */
+/** The shape that stands in for the surface near the proxy; for HapticMethod::LocalSurface. */
 enum class LocalSurfaceShape : std::uint8_t
 {
   Plane,
@@ -60,7 +60,8 @@ enum class LocalSurfaceShape : std::uint8_t
 };
 
 /**
- * The side of a surface on which its structure lies: that of higher values, of lower, or either.
+ * The side of a surface on which its structure lies: the side of higher values, of lower ones, or
+ * either.
  */
 enum class SurfaceSide : std::uint8_t
 {
@@ -78,21 +79,21 @@ struct HapticSettings
   SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
-  bool SameShape = false;           ///< one stiffness for all materials that have any
-  double ReleaseTime = 0.005;       ///< s, of a leap of Precise with FarSide; 0: at once
-  double CouplingStiffness = 500.0; ///< N/m, with SameShape, and of Primitives
+  bool SameShape = false;           ///< one stiffness for all materials that are felt
+  double ReleaseTime = 0.005;       ///< s, duration of a leap of Precise with FarSide; 0: at once
+  double CouplingStiffness = 500.0; ///< N/m, with SameShape, and for Primitives
   double TickPeriod = 1e-3;         ///< s
   double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand
-  ForceCaps Caps;                   ///< of the user; the device has its own: HapticModel::Caps
-  double MaximumForce = 0.0;        ///< N on the hand; 0 does not limit
+  ForceCaps Caps;                   ///< the user's; the device has its own: HapticModel::Caps
+  double MaximumForce = 0.0;        ///< N on the hand; 0: no limit
   double ForceFieldGain = 0.0;      ///< C1 of eq. 1, N per (scalar per world unit)
   double ForceFieldDamping = 0.0;   ///< C2 of eq. 1, N s/m
-  double IsoValue = 0.0;            ///< of the surface of SurfaceProxy and LocalSurface
-  bool HasIsoSurface = false;       ///< the surface is that of IsoValue, not another mesh
-  double ProxyRadius = 0.5;         ///< world units, more than 0; of SurfaceProxy
-  bool ForceShading = true;         ///< of SurfaceProxy, if the mesh has normals
-  double LocalSurfaceRate = 60.0;   ///< Hz, of the slow loop of LocalSurface
-  double RecoveryTime = 0.015;      ///< s, from one surface to the next, of LocalSurface
+  double IsoValue = 0.0;            ///< value of the surface of SurfaceProxy and LocalSurface
+  bool HasIsoSurface = false;       ///< the surface has IsoValue; it is not another mesh
+  double ProxyRadius = 0.5;         ///< world units, more than 0; for SurfaceProxy
+  bool ForceShading = true;         ///< for SurfaceProxy, if the mesh has normals
+  double LocalSurfaceRate = 60.0;   ///< Hz, the slow loop of LocalSurface
+  double RecoveryTime = 0.015;      ///< s, from one surface to the next, for LocalSurface
   LocalSurfaceShape LocalShape = LocalSurfaceShape::Plane;
 };
 

@@ -9,7 +9,7 @@
 namespace VolumeHaptics
 {
 
-/** The last look at a label image, from one tick to the next. It changes no result. */
+/** Memories of the last label lookups, from one tick to the next. They change no result. */
 struct LabelMemory
 {
   WallMemory Wall;  ///< around the proxy

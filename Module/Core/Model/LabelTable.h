@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The material of a label. What is not set comes from the functions of the scalar. */
+/** The material of a label. Unset values come from the functions of the scalar. */
 struct LabelMaterial
 {
   /** The channels of MaterialTable that a label may have: k, mu, T_N and R. */
@@ -33,7 +33,7 @@ struct LabelMaterial
   double SpecificEnergy = 0.0;
   bool HasSpecificEnergy = false;
   ///@}
-  bool IsFelt = true; ///< if not, T_N, R and tau are 0, and the label makes no surface
+  bool IsFelt = true; ///< if false, T_N, R and tau are 0, and the label makes no surface
   bool IsForbidden = false;
 };
 
@@ -45,13 +45,13 @@ struct LabelledMaterial
 };
 
 /**
- * The place of a label in the order from soft to hard, which tells on which side of a wall its
- * structure lies: labels that are not felt, those without an entry, those with one; among these by
- * T_N, then by k; then by number.
+ * The place of a label in the order from soft to hard, which determines on which side of a wall its
+ * structure lies: labels that are not felt, labels without an entry, labels with an entry; within
+ * these by T_N, then by k; then by number.
  */
 struct LabelOrder
 {
-  int Kind = 0; ///< 0: not felt; 1: without an entry; 2: with one
+  int Kind = 0; ///< 0: not felt; 1: without an entry; 2: with an entry
   double Strength = 0.0;
   double Stiffness = 0.0;
   std::int64_t Label = 0;
@@ -67,20 +67,20 @@ inline bool operator<(const LabelOrder& a, const LabelOrder& b) noexcept
 
 /**
  * Materials by label: a hash table that is at most half full, so that a lookup takes one or two
- * looks for any number of labels.
+ * probes for any number of labels.
  */
 class LabelTable
 {
 public:
   LabelTable() = default;
-  /** Each label once. Channels whose surfaces nothing shall feel are set to 0 here. */
+  /** Each label once. Channels whose surfaces must not be felt are set to 0 here. */
   explicit LabelTable(const std::vector<LabelledMaterial>& entries);
 
-  /** Gives labels this stiffness (N/m) whose own is more than a floor. */
+  /** Sets the stiffness (N/m) of all labels whose own stiffness is above a floor. */
   void SetOneStiffness(double stiffness, double floor);
 
   bool IsEmpty() const noexcept { return this->Entries.empty(); }
-  /** Whether any label has one. */
+  /** Whether any label has a specific energy. */
   bool HasSpecificEnergy() const noexcept { return this->AnySpecificEnergy; }
 
   /** The material of a label; null if it has none. */
@@ -124,7 +124,7 @@ public:
   }
 
   ///@{
-  /** Beyond the object. */
+  /** The memory outside the object. */
   const void* GetEntries() const noexcept { return this->Entries.data(); }
   std::size_t GetEntriesSize() const noexcept
   {
@@ -137,14 +137,17 @@ public:
   }
   ///@}
 
-  /** Bytes beyond the object. */
+  /** Bytes outside the object. */
   std::size_t GetMemorySize() const noexcept
   {
     return this->GetEntriesSize() + this->GetPlacesSize();
   }
 
 private:
-  /** Where the search for a label begins: the highest bits of a product mix all of the label's. */
+  /**
+   * Where the search for a label begins: the highest bits of a product depend on all bits of the
+   * label.
+   */
   std::size_t Home(std::int64_t label) const noexcept
   {
     constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U; // 2^64 over the golden ratio, odd
@@ -152,7 +155,7 @@ private:
   }
 
   std::vector<LabelledMaterial> Entries;
-  std::vector<std::uint32_t> Places; ///< 1 + the place in Entries; 0: free
+  std::vector<std::uint32_t> Places; ///< 1 + the index in Entries; 0: free
   std::size_t Mask = 0;
   int Shift = 63;
   bool AnySpecificEnergy = false;

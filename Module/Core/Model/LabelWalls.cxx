@@ -11,17 +11,17 @@
 namespace VolumeHaptics
 {
 
-/** The taps of a kernel at a position. Those beyond the image repeat the voxel at its border. */
+/** The taps of a kernel at a position. Taps beyond the image repeat the voxel at its border. */
 struct LabelWalls::Taps
 {
   static constexpr int Most = GradientKernel::MaximumTaps;
 
   int Count;
-  /** Along each axis: the weights of the value, then those of the derivative. */
+  /** Along each axis: the weights of the value, then the weights of the derivative. */
   double Weights[3][2 * Most];
   std::int64_t Offset[3][Most];
   ///@{
-  /** Of the weights along x: the sums of the first ones. */
+  /** Prefix sums of the weights along x. */
   double Value[Most + 1];
   double Slope[Most + 1];
   ///@}
@@ -29,7 +29,7 @@ struct LabelWalls::Taps
   std::int64_t Place[3][Most]; ///< the indices of the voxels
 };
 
-/** The labels around a position with their shares, and the gradients of these. */
+/** The labels around a position with their shares, and the gradients of the shares. */
 struct LabelWalls::Around
 {
   static constexpr int Most = LabelBlock::Most;
@@ -292,7 +292,7 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
 template <typename F>
 LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept
 {
-  // From the hardest label on; the nearest of the walls between labels of different order.
+  // From the hardest label on; the nearest wall between labels of different order.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
   for (int i = 0; i < count; ++i)

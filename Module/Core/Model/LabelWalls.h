@@ -11,16 +11,16 @@
  * with the weights of the Gaussian kernel (GradientKernel.h), is smooth although labels are not.
  * Labels have an order (LabelTable::OrderOf), and a set is that of a label and all harder ones.
  * Where this set and the remaining labels have equal shares, there is a wall; u_in - u_out = 2 u -
- * 1 is its value and the gradient of that its normal, into the harder side. Sets hold one another,
- * so that walls never cross. Near several walls, the nearest counts.
+ * 1 is its value and the gradient of that its normal, into the harder side. The sets are nested, so
+ * that walls never cross. Near several walls, the nearest counts.
  *
  * The kernel is wider than that of gradients, and cut at r + 1 voxels of the label image for a
  * radius r: its standard deviation is s = 0.355 (r + 1), 1.4 voxels for r = 3. A wall on a ball of
  * radius R lies s^2 / R inside it, and a sheet thinner than 1.35 s between equal labels has no
  * wall.
  *
- * Of FineLabels, whose boundaries are known more finely than by whole voxels, each voxel counts
- * with the shares of its two labels.
+ * In FineLabels, which resolve boundaries within voxels, each voxel counts with the shares of its
+ * two labels.
  */
 #ifndef LabelWalls_h
 #define LabelWalls_h
@@ -39,33 +39,33 @@ struct LabelWall
 {
   bool IsThere = false;
   double Value = 0.0; ///< u_in - u_out: -1 far outside the harder labels, 0 on the wall
-  Vector3 Gradient;   ///< of Value, per index step of the label image
+  Vector3 Gradient;   ///< gradient of Value, per index step of the label image
 };
 
 /**
- * The voxels of the last look, in a cell of the label image: the next looks mostly need the same
- * ones. It saves time and changes no result.
+ * The voxels of the last lookup, in a cell of the label image: the next lookups mostly need the
+ * same ones. It saves time and changes no result.
  */
 struct WallMemory
 {
-  std::uint64_t Walls = 0; ///< the number of the LabelWalls that looked; 0: none
+  std::uint64_t Walls = 0; ///< the number of the LabelWalls that used it; 0: none
   std::int64_t Cell[3] = {};
-  bool HasWall = false; ///< of two labels; if not, there is no wall
+  bool HasWall = false; ///< between two labels; if false, there is no wall
   ///@{
-  /** Of the harder label; the planes, as in LabelBlock, count if its rows are not steps. */
+  /** For the harder label; the planes, as in LabelBlock, count if its rows are not steps. */
   bool HasSteps = false;
   LabelSteps Steps = {};
   std::uint64_t Planes[LabelBlock::Taps] = {};
   ///@}
 };
 
-/** Finds walls. Borrows the view's memory and the table. */
+/** Computes walls. Borrows the view's memory and the table. */
 class LabelWalls
 {
 public:
   /**
-   * The radius (voxels of the label image) is that of the kernel. The shares, if there are any, are
-   * those of FineLabels with this view.
+   * `radius` (voxels of the label image) is the kernel's. `shares`, if any, belong to the
+   * FineLabels with this view.
    */
   LabelWalls(const LabelView& view, const LabelTable& table, int radius,
     const std::uint8_t* shares = nullptr);
@@ -73,7 +73,7 @@ public:
   LabelWalls& operator=(const LabelWalls&) = delete;
 
   ///@{
-  /** The wall at an index of the label image. There is none beyond the image. */
+  /** The wall at an index of the label image; none outside the image. */
   LabelWall Find(const Vector3& index, WallMemory& memory) const noexcept;
   LabelWall Find(const Vector3& index) const noexcept
   {
@@ -90,7 +90,7 @@ public:
     return std::clamp(nearest * this->InverseRadius, 0.0, 1.0);
   }
 
-  /** Bytes beyond the object. */
+  /** Bytes outside the object. */
   std::size_t GetMemorySize() const noexcept
   {
     return this->Kernel.Table.capacity() * sizeof(double) + this->Sampler.GetMemorySize();
@@ -102,7 +102,7 @@ public:
   std::size_t GetTableSize() const noexcept { return this->Sampler.GetMemorySize(); }
   ///@}
 
-  /** Scale of the kernel's Gaussian, as a share of the length at which it is cut. */
+  /** Scale of the kernel's Gaussian, as a fraction of the length at which it is cut. */
   static constexpr double ScalePerCut = 0.55;
 
 private:
@@ -112,12 +112,12 @@ private:
 
   template <typename T>
   static void Gather(const VolumeView& view, const Taps& taps, Around& around) noexcept;
-  /** The same of voxels with shares. */
+  /** As Gather, for voxels with shares. */
   template <typename T>
   static void GatherShared(const VolumeView& view, const Taps& taps, Around& around) noexcept;
 
   LabelWall FindInBlock(const Vector3& index, WallMemory& memory) const noexcept;
-  /** False if there are more than two labels. */
+  /** Returns false if there are more than two labels. */
   bool Remember(const LabelBlock& block, WallMemory& memory) const noexcept;
   LabelWall FindInRuns(const Vector3& index) const noexcept;
   /** The nearest wall; share(i) is the share of the label i and its gradient. */
@@ -127,12 +127,12 @@ private:
   const GradientKernel Kernel;
   const VolumeView View;
   const LabelTable& Table;
-  const std::uint64_t Number; ///< no other object has it
+  const std::uint64_t Number; ///< unique among all objects
   Vector3 Last;               ///< the largest index along each axis
   const double InverseRadius;
-  const LabelSampler Sampler; ///< of the default radius of 3, which has LabelBlock::Taps
+  const LabelSampler Sampler; ///< for the default radius of 3, which has LabelBlock::Taps
   const std::uint8_t* const Shares;
-  GatherFunction GatherShares; ///< of other radii, and of voxels with shares
+  GatherFunction GatherShares; ///< for other radii, and for voxels with shares
 };
 
 } // namespace VolumeHaptics

@@ -22,7 +22,7 @@ std::uint64_t SpreadBits(std::uint64_t bits)
   return spread;
 }
 
-/** The place of a point along a curve that fills the box from `low` on (Morton's order). */
+/** The place of a point along a curve that fills the box from `low` on (Morton order). */
 std::uint64_t PlaceOnCurve(const Vector3& position, const Vector3& low, double scale)
 {
   const Vector3 at = scale * (position - low);
@@ -37,7 +37,7 @@ struct ShellBox
   Vector3 High;
 };
 
-/** Of at least one point. */
+/** The box of at least one point. */
 ShellBox FindBox(const ShellPoint* begin, const ShellPoint* end)
 {
   ShellBox box{ begin->Position, begin->Position };

@@ -30,18 +30,18 @@ struct ShellSettings
 {
   double Level = 0.0;               ///< V_c
   bool IsBelow = false;             ///< values below the level are solid
-  double ContactArea = 2.5e-5;      ///< m^2, on which the materials' stiffness and strength act
+  double ContactArea = 2.5e-5;      ///< m^2, to which the materials' stiffness and strength refer
   double CouplingStiffness = 500.0; ///< N/m, between hand and tool
   double TurningStiffness = 0.5;    ///< N m/rad, between hand and tool
-  double Scale = 1.0;               ///< m, of the shell's unit of length
+  double Scale = 1.0;               ///< m, length of the shell's unit
 };
 
-/** Some points that are neighbours: 64, the last ones fewer. */
+/** A block of 64 neighbouring points; the last one may have fewer. */
 struct ShellBlock
 {
   static constexpr std::size_t Size = 64;
 
-  Vector3 Centre; ///< of a sphere that has all of them
+  Vector3 Centre; ///< of a sphere around all of them
   double Radius = 0.0;
 };
 
@@ -52,7 +52,7 @@ struct ShellBlock
 class PointShell
 {
 public:
-  /** Leaves out points that have a number that is not finite, or no area. */
+  /** Leaves out points with a number that is not finite, or without an area. */
   explicit PointShell(std::vector<ShellPoint> points);
 
   std::size_t GetSize() const noexcept { return this->Areas.size(); }
@@ -66,7 +66,7 @@ public:
     return { this->X[i], this->Y[i], this->Z[i] };
   }
   double GetArea() const noexcept { return this->Area; }   ///< of all points
-  double GetReach() const noexcept { return this->Reach; } ///< of the farthest from the origin
+  double GetReach() const noexcept { return this->Reach; } ///< largest distance from the origin
   std::size_t GetMemorySize() const noexcept;              ///< bytes
 
 private:

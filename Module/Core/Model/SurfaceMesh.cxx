@@ -12,7 +12,7 @@ namespace
 {
 
 /**
- * A triangle whose height is less than this share of its longest edge has no reliable normal.
+ * A triangle whose height is less than this fraction of its longest edge has no reliable normal.
  */
 constexpr double LeastHeight = 1e-9;
 
@@ -127,7 +127,7 @@ MeshPlace SurfaceMesh::FindNearest(const Vector3& position, int budget) const no
     budget -= 1 + node.Count;
     if (node.Count == 0)
     {
-      // The nearer one is looked into first.
+      // Visits the nearer child first.
       Waiting near = { node.First, SquareDistance(this->Nodes[node.First].Bounds, position) };
       Waiting far = { node.First + 1,
         SquareDistance(this->Nodes[node.First + 1].Bounds, position) };
@@ -205,7 +205,7 @@ void SurfaceMesh::Build()
   std::vector<std::int32_t> order(size);
   std::iota(order.begin(), order.end(), 0);
 
-  // Halves along the axis on which the centres lie farthest apart.
+  // Split at the middle of the axis along which the centres spread farthest.
   const auto twiceMiddle = [&](std::int32_t i, int axis)
   { return boxes[i].Low[axis] + boxes[i].High[axis]; };
   this->Nodes.push_back({ {}, 0, size });
@@ -244,7 +244,7 @@ void SurfaceMesh::Build()
     this->Boxes[i] = boxes[order[i]];
   }
   this->Triangles = std::move(triangles);
-  // Children stand behind their parents.
+  // Children come after their parents.
   for (auto node = this->Nodes.rbegin(); node != this->Nodes.rend(); ++node)
   {
     if (node->Count > 0)

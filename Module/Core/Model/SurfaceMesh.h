@@ -4,11 +4,11 @@
  * @file
  * Triangles in the world, with an immutable tree of boxes that finds those nearby.
  *
- * The triangles of a surface that moves go to their places in the next frame along straight ways,
- * and the boxes hold all of these.
+ * The triangles of a moving surface go to their places in the next frame along straight ways, and
+ * the boxes contain these ways.
  *
  * Built outside the servo thread. Queries visit a triangle at most once and allocate nothing. Each
- * box that they look at is taken from a budget; they return false if the budget is spent.
+ * box that they visit counts against a budget; they return false if the budget is spent.
  */
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
@@ -23,12 +23,12 @@
 namespace VolumeHaptics
 {
 
-/** The place of a mesh that is nearest to a position. */
+/** The place on a mesh that is nearest to a position. */
 struct MeshPlace
 {
-  std::int32_t Triangle = -1; ///< none if the mesh has none
+  std::int32_t Triangle = -1; ///< -1 if the mesh has no triangles
   TrianglePoint Point{};
-  double Square = 0.0; ///< of the distance
+  double Square = 0.0; ///< square of the distance
 };
 
 class SurfaceMesh
@@ -39,7 +39,7 @@ public:
   /**
    * Triangles are given by indices into points (world units). `normals` are unit normals of the
    * points, for shading, or empty. Triangles without an area, or with a corner that is not finite,
-   * are left out. `motions` are those of the points until the next frame, or empty.
+   * are left out. `motions` are the points' motions until the next frame, or empty.
    */
   SurfaceMesh(std::vector<Vector3> points, const std::vector<Indices>& triangles,
     std::vector<Vector3> normals, std::vector<Vector3> motions = {});
@@ -51,7 +51,7 @@ public:
   bool HasNormals() const noexcept { return !this->Normals.empty(); }
   std::size_t GetMemorySize() const noexcept;
 
-  /** @param share of the way to the next frame, 0 to 1 */
+  /** @param share fraction of the way to the next frame, 0 to 1 */
   Triangle GetTriangle(std::int32_t i, double share = 0.0) const noexcept
   {
     const Indices& corners = this->Triangles[i];
@@ -65,13 +65,13 @@ public:
   }
   const Indices& GetCorners(std::int32_t i) const noexcept { return this->Triangles[i]; }
   const std::vector<Vector3>& GetPoints() const noexcept { return this->Points; }
-  /** The longest way of a point to the next frame (world units). */
+  /** The longest way of any point to the next frame (world units). */
   double GetLongestMotion() const noexcept { return this->LongestMotion; }
   /** The interpolated normal at a point of a triangle, not quite of unit length. */
   Vector3 GetNormal(std::int32_t i, const TrianglePoint& point) const noexcept;
 
   /**
-   * The largest number of boxes that VisitNear takes around some hundred triangles, which are
+   * The largest number of boxes that VisitNear visits around some hundred triangles, which are
    * spread over the mesh.
    */
   int EstimateVisits(double distance) const noexcept;
@@ -95,14 +95,14 @@ public:
   }
 
   /**
-   * The nearest place to a finite position, of a mesh that does not move. If the budget is spent,
-   * the nearest one that was found by then.
+   * The place nearest to a finite position, on a mesh that does not move. If the budget is spent,
+   * the nearest place so far.
    */
   MeshPlace FindNearest(const Vector3& position, int budget) const noexcept;
 
   /**
    * Calls visit(i) for the triangles that a sphere may meet on a displacement. `visit` returns the
-   * share of the displacement (0 to 1) beyond which other triangles no longer matter.
+   * fraction of the displacement (0 to 1) beyond which other triangles no longer matter.
    */
   template <typename Visitor>
   bool VisitAlong(const Vector3& start, const Vector3& displacement, double radius, int& budget,
@@ -144,12 +144,12 @@ private:
   struct Node
   {
     Box Bounds;
-    std::int32_t First; ///< of a leaf, its first triangle; else the first of its two children
+    std::int32_t First; ///< the first triangle of a leaf; else the first of its two children
     std::int32_t Count; ///< triangles of a leaf; else 0
   };
 
   static constexpr int LeafSize = 4;
-  /** Nodes are halved: a tree of 2^31 triangles is not deeper. */
+  /** Nodes are halved: a tree of 2^31 triangles is no deeper. */
   static constexpr int Deepest = 64;
 
   void Build();
@@ -197,10 +197,10 @@ private:
 
   std::vector<Vector3> Points;
   std::vector<Vector3> Normals;
-  std::vector<Vector3> Motions; ///< of Points; empty if they stand still
+  std::vector<Vector3> Motions; ///< per point; empty if the points stand still
   double LongestMotion = 0.0;
   std::vector<Indices> Triangles; ///< in the order of the leaves
-  std::vector<Box> Boxes;         ///< of the triangles
+  std::vector<Box> Boxes;         ///< per triangle
   std::vector<Node> Nodes;
 };
 

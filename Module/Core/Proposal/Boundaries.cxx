@@ -13,7 +13,7 @@ namespace
 constexpr int Bins = 128;
 constexpr int Cells = Bins * Bins;
 constexpr double BlurBins = 3.0; // of the histogram, standard deviation
-/** Two peaks are one if the saddle between them is higher than this share of the lower one. */
+/** Two peaks are one if the saddle between them is higher than this fraction of the lower one. */
 constexpr double SaddleShare = 0.6;
 constexpr double LeastShare = 0.02;
 constexpr std::size_t LeastLines = 8;
@@ -29,7 +29,7 @@ struct Weighted
   double Weight;
 };
 
-/** The value below which there is a share of the weight. */
+/** The value below which this share of the weight lies. */
 double Quantile(std::vector<Weighted> values, double share)
 {
   std::sort(values.begin(), values.end(),
@@ -50,7 +50,7 @@ double Quantile(std::vector<Weighted> values, double share)
   return values.back().Value;
 }
 
-/** Blurs along an axis; what would leave the histogram stays in its last bin. */
+/** Blurs along an axis; weight that would leave the histogram stays in its last bin. */
 Histogram BlurAlong(const Histogram& histogram, int stride)
 {
   constexpr int reach = 9;
@@ -95,8 +95,8 @@ std::vector<int> AssignPeaks(const Histogram& histogram)
     {
       break;
     }
-    // The neighbours that are higher; of two peaks that meet here, the lower one is given up if it
-    // stands out too little.
+    // The higher neighbours; if two peaks meet here, the lower one is dropped if it stands out too
+    // little.
     int best = -1;
     for (int neighbour = 0; neighbour < 9; ++neighbour)
     {

@@ -28,7 +28,7 @@ struct Boundary
   /** Variance of the estimator's own blur (world units squared), which Width does not include. */
   double Blur = 0.0;
   double Voxel = 0.0; ///< the mean length of a voxel along the lines (world units)
-  /** Of the area of all boundaries. */
+  /** Share of the area of all boundaries. */
   double Share = 0.0;
   /** The share of the lines that are brighter towards the middle of all edges. */
   double Inward = 0.0;
@@ -50,10 +50,10 @@ public:
   double Last = 1.0;
 
 private:
-  double Scale = 0.0; ///< from here on it is logarithmic; 0: linear
+  double Scale = 0.0; ///< logarithmic from here on; 0: linear
 };
 
-/** In descending order of their shares; boundaries that hardly a line crosses are left out. */
+/** In descending order of their shares; boundaries with hardly any lines are left out. */
 std::vector<Boundary> FindBoundaries(const std::vector<EdgeLine>& lines, const ValueAxis& axis);
 
 } // namespace VolumeHaptics

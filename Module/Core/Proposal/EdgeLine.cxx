@@ -16,11 +16,11 @@ constexpr double StepsPerVoxel = 4.0;
 constexpr int Reach = 48; // steps to either side
 /** Steps of a plateau over which its value is averaged. */
 constexpr int PlateauSteps = 8;
-/** A plateau begins where the slope is this share of the largest one, or noise. */
+/** A plateau begins where the slope is this fraction of the largest one, or noise. */
 constexpr double PlateauShare = 0.03;
 /**
- * A slope below this share of the largest one, which has not fallen to DriftFall within a voxel, is
- * that of a plateau that drifts, as under a bias.
+ * A slope below this fraction of the largest one that has not fallen to DriftFall within a voxel
+ * belongs to a drifting plateau, as under a bias.
  */
 constexpr double DriftShare = 0.15;
 constexpr double DriftFall = 0.9;

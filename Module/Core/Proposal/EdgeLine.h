@@ -51,7 +51,7 @@ struct EdgeLine
   std::array<float, Shares> Curvature{};
 };
 
-/** The noise of a field as its edges see it: slopes are per voxel. */
+/** The noise of a field, as slopes per voxel. */
 struct EdgeThresholds
 {
   double Least = 0.0; ///< an edge has a slope of at least this
@@ -59,13 +59,13 @@ struct EdgeThresholds
 };
 
 /**
- * Follows lines through a volume. Its sampler estimates gradients that are the derivatives of its
+ * Traces lines through a volume. Its sampler estimates gradients that are the derivatives of its
  * values (GaussianWeights::OwnDerivative).
  */
 class EdgeTracer
 {
 public:
-  /** `variance`: of the estimator's kernel along an axis (voxels squared). */
+  /** `variance`: the variance of the estimator's kernel along an axis (voxels squared). */
   EdgeTracer(const FieldSampler& field, const Affine3& indexToWorld, double variance,
     const EdgeThresholds& thresholds);
 
@@ -74,7 +74,7 @@ public:
 
   /**
    * The edge on whose slope an index stands. False if there is none: too little slope, no plateau
-   * within reach, or the border of the volume or samples that are not finite before it.
+   * within reach, or the border of the volume or samples that are not finite before a plateau.
    */
   bool Trace(const Vector3& index, EdgeLine& line) const noexcept;
 
@@ -93,7 +93,10 @@ private:
   EdgeThresholds Thresholds;
 };
 
-/** The variance of an estimator's kernel along an axis (voxels squared): what it adds to x^2. */
+/**
+ * The variance of an estimator's kernel along an axis (voxels squared): the amount that it adds to
+ * x^2.
+ */
 double MeasureKernelVariance(const GradientKernel& kernel);
 
 } // namespace VolumeHaptics

@@ -11,26 +11,32 @@ namespace VolumeHaptics
 {
 namespace
 {
-constexpr double LeastSalience = 0.03; // of area times rise of all boundaries
+constexpr double LeastSalience = 0.03; // fraction of area times rise of all boundaries
 constexpr double Salient = 0.1;
-/** Values closer than this share of the axis are one material. */
+/** Values closer than this fraction of the axis are one material. */
 constexpr double MergeShare = 0.06;
-constexpr double StartShare = 0.2; // of the slope of the weakest boundary: distinctness 0
-constexpr double FullShare = 0.5;  // the same: distinctness 1
-/** From the end of a background with noise to the next material, over which its strength rises. */
+constexpr double StartShare = 0.2; // fraction of the slope of the weakest boundary: distinctness 0
+constexpr double FullShare = 0.5;  // as StartShare: distinctness 1
+/**
+ * The strength rises over this fraction of the gap from the end of a noisy background to the next
+ * material.
+ */
 constexpr double EmptyShare = 0.15;
-/** Boundaries are felt if the noise lies below this share of their slope. */
+/** Boundaries are felt if the noise lies below this fraction of their slope. */
 constexpr double NoiseShare = 0.4;
-/** Of the gap to the next material over which a material is constant. */
+/** Fraction of the gap to the next material over which a material is constant. */
 constexpr double ConstantShare = 0.2;
 /** V has reached 97.7 % of a material two widths behind the middle of its boundary. */
 constexpr double RadiusPerWidth = 2.0;
 constexpr int LeastRadius = 2;
-constexpr int LargestRadius = 5; // more smears what is thin, and takes long
-/** A boundary whose darker side lies inside is one that the brighter side alone would not show. */
+constexpr int LargestRadius = 5; // a larger radius smears thin parts, and takes long
+/**
+ * Shares of inward lines below (above) which the darker (brighter) side lies inside: the other side
+ * alone would not show such a boundary.
+ */
 constexpr double DarkInside = 1.0 / 3.0;
 constexpr double BrightInside = 2.0 / 3.0;
-/** Of an uncut Gaussian that blurs as the kernel does (GradientKernel.h). */
+/** Scale of an uncut Gaussian that blurs as the kernel does (GradientKernel.h). */
 constexpr double BlurPerRadius = 0.5;
 constexpr double Friction[2] = { 0.1, 0.4 };
 constexpr double Viscosity[2] = { 0.1, 0.4 }; // N
@@ -49,7 +55,7 @@ double FeltSlope(const Boundary& boundary, int radius, double searchVariance)
   return boundary.LeastRise / (rootTwoPi * std::sqrt(boundary.Width * boundary.Width + blur));
 }
 
-/** The boundaries that matter, in descending order. */
+/** The boundaries that matter, in descending order of area times rise. */
 std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 {
   double total = 0.0;
@@ -71,8 +77,8 @@ std::vector<Boundary> KeepSalient(const std::vector<Boundary>& all)
 }
 
 /**
- * The values of the materials: both ends of all boundaries; those that are close are one material,
- * and so are those in the background.
+ * The values of the materials: both ends of all boundaries; close values, and all values in the
+ * background, are one material.
  */
 std::vector<double> MergeEnds(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts)
@@ -175,8 +181,8 @@ std::vector<double> ChooseStrengths(
   const std::size_t count = proposal.Materials.size();
   const bool down = proposal.Side == ProposedSide::Lower;
   std::vector<double> rise(count, 0.0); // of the boundaries that lead into a material
-  // Whether no other material lies behind; if there are more than two, one that is met straight
-  // from outside may hide others.
+  // Whether no other material lies behind; if there are more than two, a material that is met
+  // directly from outside may hide others.
   std::vector<bool> isLast(count, proposal.Side != ProposedSide::Both);
   std::vector<bool> isBehind(count, count == 2);
   double largest = 0.0;
@@ -214,7 +220,7 @@ std::vector<double> ChooseStrengths(
   return strength;
 }
 
-/** The same line of the negative argument. */
+/** The polyline of the negative argument. */
 Polyline Mirror(const Polyline& line)
 {
   Polyline mirrored;
@@ -225,7 +231,9 @@ Polyline Mirror(const Polyline& line)
   return mirrored;
 }
 
-/** Takes strength, friction and drag from a noisy background: what is blended there is felt. */
+/**
+ * Removes strength, friction and drag from a noisy background: blended values there would be felt.
+ */
 void EmptyBackground(MaterialProposal& proposal, const ProposalFacts& facts)
 {
   const std::vector<double>& values = proposal.Materials;

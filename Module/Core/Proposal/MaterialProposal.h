@@ -10,9 +10,9 @@
  *   strength     Strongest dV / dV_max of the largest rise dV of a boundary that leads into it; the
  *                Ceiling for the largest rise into a material with another one in front of it and
  *                none behind
- *   friction     rises from material to material, as their values do
- *   drag         the same; none outside
- *   distinctness 0 up to the larger one of 3.4 sigma_g and 0.2 g_max, 1 from 0.5 g_max on; g_max is
+ * friction     rises from material to material, as their values do drag         as friction; none
+ * outside distinctness 0 up to the larger one of 3.4 sigma_g and 0.2 g_max, 1 from 0.5 g_max on;
+ * g_max is
  *                the largest slope that the estimator finds at the weakest boundary, and sigma_g
  *                the noise of its gradients
  *
@@ -42,18 +42,18 @@ enum class ProposedSide : std::uint8_t
   Both
 };
 
-/** Facts about the volume that its edges do not tell. */
+/** Facts about the volume that its edges do not show. */
 struct ProposalFacts
 {
   double Outside = 0.0; ///< the value at the volume's border
   /** Values on this side of it are one material, whatever noise and streaks it has. */
   std::optional<double> BackgroundEnd;
-  double SearchVariance = 1.0; ///< of the kernel that found the edges (voxels squared)
-  int MostRadius = 2;          ///< of the kernel, as the volume allows it (voxels)
+  double SearchVariance = 1.0; ///< variance of the kernel that found the edges (voxels squared)
+  int MostRadius = 2;          ///< the largest kernel that the volume allows (voxels)
   /** 3.4 times the noise of a gradient (scalar units per world unit), with a kernel's radius. */
   std::function<double(int)> NoiseGradient;
 
-  /** Whether a value is that of a background with noise. */
+  /** Whether a value belongs to a noisy background. */
   bool Covers(double value) const noexcept;
 };
 
@@ -63,10 +63,10 @@ struct MaterialProposal
   static constexpr double Strongest = 3.0;   // N: any device can break through
   static constexpr double Ceiling = 12.0;    // N: more than most devices exert
 
-  std::vector<Boundary> Boundaries; ///< that are felt, in descending order of area times rise
-  std::vector<double> Slopes;       ///< the largest ones, as the kernel finds them
-  std::vector<double> Materials;    ///< their values, in ascending order
-  std::size_t Background = 0;       ///< which of them is outside
+  std::vector<Boundary> Boundaries; ///< felt boundaries, in descending order of area times rise
+  std::vector<double> Slopes;       ///< their largest slopes, as the kernel estimates them
+  std::vector<double> Materials;    ///< values of the materials, in ascending order
+  std::size_t Background = 0;       ///< the index of the outside material
   ProposedSide Side = ProposedSide::Higher;
   int KernelRadius = 2; ///< voxels
   Polyline SurfaceStrength;
@@ -75,7 +75,7 @@ struct MaterialProposal
   Polyline Distinctness;
 };
 
-/** Without boundaries if none of them stands out of the noise. */
+/** Has no boundaries if none stands out of the noise. */
 MaterialProposal ProposeMaterials(
   const std::vector<Boundary>& boundaries, const ValueAxis& axis, const ProposalFacts& facts);
 

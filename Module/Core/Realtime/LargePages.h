@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An allocator for arrays of megabytes that are written at once.
+ * An allocator for arrays of megabytes that are filled right after allocation.
  */
 #ifndef LargePages_h
 #define LargePages_h
@@ -20,8 +20,8 @@ namespace VolumeHaptics
 {
 
 /**
- * The system gives and clears each page of 4 KiB by itself when it is first touched, which costs
- * more than all that is then written to it; a large page (2 MiB) is given once.
+ * The system provides and clears each page of 4 KiB separately when it is first touched, which
+ * costs more than filling it; it provides a large page (2 MiB) at once.
  */
 template <typename T>
 struct LargePages
@@ -43,7 +43,8 @@ struct LargePages
 #if defined(__linux__)
     if (count * sizeof(T) >= PageSize)
     {
-      // Refused where large pages are off. What does not fill the last one stays in small pages.
+      // Fails where large pages are off. The end that does not fill a large page stays in small
+      // pages.
       (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE);
     }
 #endif

@@ -71,7 +71,7 @@ public:
     return false;
   }
 
-  /** Ranges of one array, in rising order, are unlocked with as few calls as possible. */
+  /** Unlocks ranges of one array, in rising order, with as few system calls as possible. */
   template <typename Ranges>
   void Remove(const Ranges& ranges, bool areOfOneArray) noexcept
   {
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  /** Pages that nothing locks any more, and, in an array, pages between them that nothing locks. */
+  /** Pages that are no longer locked, including unlocked pages between them in an array. */
   struct Run
   {
     std::uintptr_t Begin = 0;
@@ -125,7 +125,7 @@ private:
     {
       return;
     }
-    // It ends at the first page that the program has unmapped.
+    // The run ends at the first page that the program has unmapped.
     for (std::uintptr_t page = run.Begin; page < run.End; ++page)
     {
       munlock(AddressOf(page), GetPageSize());
@@ -161,7 +161,7 @@ void FetchPages(const void* begin, std::size_t size) noexcept
 #if defined(__linux__)
   const std::uintptr_t first = PageCounts::PageOf(begin);
   const std::size_t pages = PageCounts::PageOf(end - 1) - first + 1;
-  // EINVAL: this kernel does not know it. After any other error, reading would crash.
+  // EINVAL: this kernel lacks MADV_POPULATE_READ. After any other error, reading would crash.
   if (madvise(PageCounts::AddressOf(first), pages * GetPageSize(), PopulateForReading) == 0 ||
     errno != EINVAL)
   {
@@ -210,7 +210,7 @@ bool MemoryLock::Add(const void* begin, std::size_t size) noexcept
     }
     return granted;
   }
-  catch (...) // no memory to remember them
+  catch (...) // no memory for the list
   {
     return false;
   }

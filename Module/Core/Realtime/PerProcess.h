@@ -27,8 +27,8 @@ public:
   PerProcess& operator=(const PerProcess&) = delete;
 
   /**
-   * Made by the first call, which may throw std::bad_alloc, and never destroyed: threads and
-   * signals may use it while the process ends. From any thread.
+   * Returns the object, from any thread. The first call makes it and may throw std::bad_alloc; it
+   * is never destroyed, since threads and signals may use it while the process ends.
    */
   T& Get()
   {

@@ -29,16 +29,18 @@ constexpr const char* Path = "/org/freedesktop/RealtimeKit1";
 constexpr const char* BusService = "org.freedesktop.DBus";
 constexpr const char* BusPath = "/org/freedesktop/DBus";
 
-/** The longest wait for one answer, and the pause between two looks at `stop` (ns, ms). */
+/** The longest wait for one answer (ns), and the pause between two polls of `stop` (ms). */
 constexpr std::int64_t LongestWait = 10000000000;
 constexpr int LookPeriod = 10;
 constexpr int NoTimeLimit = 0x7fffffff;
 /** Below 50, the priority of the kernel's own interrupt threads. */
 constexpr std::int64_t HighestPriority = 40;
-/** If a thread may compute for less time than this (us), a real-time class does more harm. */
+/**
+ * If a thread may compute for less time than this (us), a real-time class does more harm than good.
+ */
 constexpr std::int64_t LeastTime = 20000;
 
-/** Types of arguments in messages: their letters in D-Bus signatures. */
+/** Argument types in messages: their letters in D-Bus signatures. */
 constexpr int None = 0;
 constexpr int Text = 's';
 constexpr int Variant = 'v';
@@ -46,19 +48,19 @@ constexpr int Int32 = 'i';
 constexpr int Int64 = 'x';
 constexpr int UInt32 = 'u';
 constexpr int UInt64 = 't';
-/** A type of messages. */
+/** A message type. */
 constexpr int MethodReturn = 2;
 
 struct Connection;
 struct Message;
 struct PendingCall;
-/** Has room for a DBusMessageIter, whose members are private. */
+/** Has the size of a DBusMessageIter, whose members are private. */
 struct Iterator
 {
   alignas(std::max_align_t) unsigned char Memory[256];
 };
 
-/** The functions of libdbus that are used. Names and types are those of its public interface. */
+/** The functions used from libdbus. Names and types are those of its public interface. */
 struct Library
 {
   Connection* (*Open)(const char* address, void* error) = nullptr;
@@ -82,7 +84,7 @@ struct Library
   void (*GetValue)(Iterator*, void* value) = nullptr;
   void (*ReleaseMessage)(Message*) = nullptr;
 
-  /** Null if it is not installed, or not as expected. */
+  /** Null if libdbus is not installed, or not as expected. */
   static const Library* Get() noexcept
   {
     static Library functions;
@@ -121,7 +123,7 @@ private:
   }
 };
 
-/** An answer to a call, or none in time. */
+/** An answer to a call; empty if none came in time. */
 class Reply
 {
 public:
@@ -145,7 +147,7 @@ public:
     return this->Content && this->Functions.GetType(this->Content) == MethodReturn;
   }
 
-  /** Whether the bus answers that there is no such service. */
+  /** Whether the bus answers that the service does not exist. */
   bool IsAbsent() const
   {
     const char* const name = this->Content ? this->Functions.GetErrorName(this->Content) : nullptr;
@@ -160,7 +162,7 @@ public:
     return false;
   }
 
-  /** The number in the variant that a property comes in; 0 if there is none. */
+  /** The number in the variant of a property; 0 if there is none. */
   std::int64_t GetNumber() const
   {
     Iterator outer;
@@ -191,7 +193,7 @@ private:
   Message* const Content;
 };
 
-/** A connection to the bus, on which every wait ends with `stop`. */
+/** A connection to the bus; every wait on it ends with `stop`. */
 class Bus
 {
 public:
@@ -199,7 +201,7 @@ public:
     : Functions(library)
     , Stop(stop)
   {
-    library.ChangeSigpipe(0); // it is the program's
+    library.ChangeSigpipe(0); // SIGPIPE belongs to the program
     this->Wire = library.Open(address, nullptr);
   }
   ~Bus()
@@ -213,7 +215,7 @@ public:
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /** Has to be called first. */
+  /** Call it first. */
   bool SayHello()
   {
     return this->Wire && this->Call(BusService, BusPath, BusService, "Hello").Returned();
@@ -230,7 +232,7 @@ public:
   }
 
 private:
-  /** The arguments are pairs of a type and a pointer. */
+  /** `arguments` are pairs of a type and a pointer. */
   template <typename... Arguments>
   Reply Call(const char* service, const char* path, const char* interface, const char* method,
     Arguments... arguments)
@@ -241,7 +243,7 @@ private:
     PendingCall* call = nullptr;
     if (message)
     {
-      // The time limit is Await's: libdbus keeps one only if it has a main loop.
+      // Await has the time limit: libdbus has one only with a main loop.
       if (this->Functions.Append(message, arguments..., None))
       {
         this->Functions.Send(this->Wire, message, &call, NoTimeLimit);
@@ -278,7 +280,7 @@ private:
   Connection* Wire = nullptr;
 };
 
-/** A real-time thread of this process may compute at most so long (us) without a pause. */
+/** Sets how long (us) a real-time thread of this process may compute without a pause. */
 bool LimitTime(std::int64_t most) noexcept
 {
   rlimit limit{};

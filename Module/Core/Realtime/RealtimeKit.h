@@ -5,14 +5,14 @@
  * RealtimeKit, a service of Linux desktops that gives a real-time class to threads of users who are
  * logged in at the computer.
  *
- * It is asked over D-Bus: the system bus, or the one of $DBUS_SYSTEM_BUS_ADDRESS. The library
- * libdbus-1.so.3 is loaded when it is needed; without it, without a bus and without the service
- * nothing else changes. $VOLUMEHAPTICS_RTKIT=off asks nothing.
+ * Requests go over D-Bus: the system bus, or the bus at $DBUS_SYSTEM_BUS_ADDRESS. The library
+ * libdbus-1.so.3 is loaded when it is needed; without the library, a bus or the service, nothing
+ * else changes. $VOLUMEHAPTICS_RTKIT=off sends no request.
  *
  * RealtimeKit only serves a process that the kernel ends if one of its real-time threads computes
  * for too long without a pause, as a rule for 200 ms. So the limit RLIMIT_RTTIME of the process is
- * lowered, for good, to the time that the service tells. After half of it the process gets SIGXCPU,
- * so that it can still send zero force.
+ * lowered, for good, to the time that the service reports. After half of it the process gets
+ * SIGXCPU, so that it can still send zero force.
  */
 #ifndef RealtimeKit_h
 #define RealtimeKit_h
@@ -29,27 +29,27 @@ namespace RealtimeKit
 enum class Answer : std::uint8_t
 {
   Granted,
-  Absent, ///< there is no library, bus or service, or it was not to be asked
-  Refused ///< or it did not answer
+  Absent, ///< there is no library, bus or service, or requests are off
+  Refused ///< the service refused or did not answer
 };
 
-/** What the user has set for RealtimeKit with environment variables. */
+/** The user's settings for RealtimeKit, from environment variables. */
 struct Wish
 {
   bool IsAsked = true;
-  std::string Bus; ///< its address
+  std::string Bus; ///< the bus's address
 };
 
 /**
- * By a thread that may read the environment: on many systems the process crashes if another thread
- * changes a variable meanwhile, as a script may do once the servo runs.
+ * Call it from a thread that may read the environment: on many systems the process crashes if
+ * another thread changes a variable meanwhile, as a script may do once the servo runs.
  */
 Wish ReadEnvironment();
 
 /**
- * Asks for a real-time class for a thread of this process, which the kernel's number names. Waits
- * for the service, which may have to be started, at most 10 s for each of three answers; returns
- * within milliseconds once `stop` is set.
+ * Requests a real-time class for a thread of this process, given by the kernel's thread number.
+ * Waits for the service, which may have to be started, at most 10 s for each of three answers;
+ * returns within milliseconds once `stop` is set.
  */
 Answer MakeRealTime(std::int64_t thread, const Wish& wish, const std::atomic<bool>& stop) noexcept;
 

@@ -48,7 +48,7 @@ void BlockSignals() noexcept
 {
   sigset_t others;
   sigfillset(&others);
-  // If the thread blocks a crash signal of its own, no handler can end the force before the process
+  // If the thread blocks its own crash signals, no handler can end the force before the process
   // ends.
   for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP })
   {

@@ -25,11 +25,9 @@ inline double SecondsSince(std::int64_t time) noexcept
 {
   return static_cast<double>(Now() - time) * SecondsPerNanosecond;
 }
-/** Sleeps until a time of Now(); returns at once if that has passed. */
+/** Sleeps until a time of Now(); returns at once if it has passed. */
 void SleepUntil(std::int64_t time) noexcept;
-/**
- * Leaves the process's signals to other threads, except those of a crash of the calling thread.
- */
+/** Leaves the process's signals to other threads, except crash signals of the calling thread. */
 void BlockSignals() noexcept;
 /**
  * The number of this process. A forked child has copies of all objects but none of the threads, so

@@ -21,7 +21,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** How often AskRealtimeKit looks whether Raise was called (ns). */
+/** How often AskRealtimeKit checks whether Raise was called (ns). */
 constexpr std::int64_t LookPeriod = 5000000;
 
 #if defined(__linux__)
@@ -29,7 +29,7 @@ constexpr std::int64_t LookPeriod = 5000000;
 /** The smallest slice that the kernel gives (ns). */
 constexpr std::uint64_t ShortestSlice = 100000;
 
-/** The kernel's struct sched_attr in its first version, which older C libraries do not have. */
+/** The first version of the kernel's struct sched_attr, which older C libraries lack. */
 struct SchedulingAttributes
 {
   std::uint32_t Size = sizeof(SchedulingAttributes);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Asks the system to run the servo on time, with what the user may have.
+ * Asks the system to run the servo on time, within the user's privileges.
  *
  *   ServoPriority priority;
  *   priority.Raise();          // on the servo's thread, before its first tick
@@ -11,10 +11,10 @@
  * 1. The kernel: a real-time class (SCHED_FIFO), if a privilege or the limit RLIMIT_RTPRIO allows
  *    it.
  * 2. RealtimeKit, if the kernel refuses: see RealtimeKit.h.
- * 3. In any case what needs no privilege: wake-ups that are not put off to save energy, and short
- *    slices of time. With these, on Linux 6.12 and later, a thread that needs less than its share
- *    of a processor runs as soon as it wakes up. Otherwise it may have to wait until the slice of a
- *    busy thread ends, which takes milliseconds.
+ * 3. In any case the settings that need no privilege: wake-ups that are not delayed to save energy,
+ *    and short time slices. With these, on Linux 6.12 and later, a thread that needs less than its
+ *    share of a processor runs as soon as it wakes up. Otherwise it may have to wait until the
+ *    slice of a busy thread ends, which takes milliseconds.
  *
  * Documentation/devices.md has measurements.
  */
@@ -32,7 +32,7 @@ namespace VolumeHaptics
 /** Whether the servo's thread has a real-time class. */
 enum class RealTimeGrant : std::uint8_t
 {
-  Unknown,     ///< it was not asked for yet
+  Unknown,     ///< not requested yet
   Asked,       ///< the kernel has refused; RealtimeKit has not answered
   Kernel,      ///< granted by the kernel
   RealtimeKit, ///< granted by RealtimeKit
@@ -44,15 +44,15 @@ class ServoPriority
 {
 public:
   /**
-   * For the calling thread: asks the kernel for a real-time class below its own interrupt threads,
-   * and if that is refused, for what needs no privilege. Returns whether the class was granted.
+   * For the calling thread: requests a real-time class below the kernel's interrupt threads and, if
+   * that is refused, sets what needs no privilege. Returns whether the class was granted.
    */
   static bool RaiseThread() noexcept;
 
-  /** On the servo's thread: RaiseThread, and the answer is kept. */
+  /** On the servo's thread: calls RaiseThread, and stores the answer. */
   void Raise() noexcept;
   /**
-   * On another thread: waits for Raise; if the kernel has refused, asks RealtimeKit. Returns with
+   * On another thread: waits for Raise; if the kernel has refused, asks RealtimeKit. Returns after
    * its answer, or soon after RequestStop.
    */
   void AskRealtimeKit() noexcept;

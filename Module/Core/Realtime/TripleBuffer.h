@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The latest value from one thread to another, without waiting on either side.
+ * Passes the latest value from one thread to another, without waiting on either side.
  *
  * Three slots: one that the writer fills, one that the reader reads, and a spare in between that
  * holds the latest complete value. Each side swaps its own slot with the spare in one atomic
@@ -37,7 +37,10 @@ public:
     this->Writing = spare & Index;
   }
 
-  /** Called by the reader: whether a value came since the last call. The value stays readable. */
+  /**
+   * Called by the reader: returns whether a value came since the last call. The value stays
+   * readable.
+   */
   bool Update() noexcept
   {
     if (!(this->Spare.load(std::memory_order_relaxed) & Fresh))

@@ -25,7 +25,7 @@ namespace
 /** The watcher's longest patience (ns). */
 constexpr std::int64_t MostPatience = 300000;
 /**
- * The watcher's shortest and longest pause between two looks (ns), so that it takes little of its
+ * The watcher's shortest and longest pause between two checks (ns), so that it uses little of its
  * processor, and soon sees a request to stop.
  */
 constexpr std::int64_t LeastPause = 250000;
@@ -37,7 +37,10 @@ constexpr long FutexCall = sizeof(time_t) > sizeof(long) ? SYS_futex_time64 : SY
 constexpr long FutexCall = SYS_futex;
 #endif
 
-/** Where a thread may run; 0 is the calling one. False if the kernel does not tell. */
+/**
+ * The processors on which a thread may run; 0 is the calling thread. False if the kernel does not
+ * report them.
+ */
 bool GetProcessors(std::int64_t thread, cpu_set_t& processors) noexcept
 {
   return sched_getaffinity(static_cast<pid_t>(thread), sizeof(processors), &processors) == 0;
@@ -100,7 +103,7 @@ void WatchedSleep::Watch() noexcept
   cpu_set_t own;
   if (!GetProcessors(0, own))
   {
-    return; // there are too many
+    return; // too many processors
   }
   std::int64_t counted = 0;
   while (!this->StopRequested.load(std::memory_order_acquire))
@@ -171,13 +174,13 @@ bool WatchedSleep::WakeHere(std::int64_t planned) noexcept
     this->Wakes.fetch_add(1, std::memory_order_release);
     syscall(FutexCall, &this->Wakes, FUTEX_WAKE_PRIVATE, 1, nullptr, nullptr, 0);
   }
-  // Even if State is None again: the sleeper may have looked before the binding took effect.
+  // Even if State is None again: the sleeper may have checked before the binding took effect.
   this->IsOwing = true;
   this->EndBinding();
   return isBound;
 }
 
-/** By the watcher, until it succeeds. */
+/** Called by the watcher, until it succeeds. */
 void WatchedSleep::EndBinding() noexcept
 {
   if (this->IsOwing && this->GiveBack())
@@ -189,8 +192,8 @@ void WatchedSleep::EndBinding() noexcept
 }
 
 /**
- * Both threads may do this at the same time, with the same effect. True if the sleeper is no longer
- * bound.
+ * Both threads may call it at the same time, with the same effect. Returns true if the sleeper is
+ * no longer bound.
  */
 bool WatchedSleep::GiveBack() const noexcept
 {

@@ -15,7 +15,7 @@
  *   sleep.SleepUntil(time); // always the same thread
  *   sleep.Watch();          // meanwhile on another thread, until RequestStop
  *
- * The pause is that of ServoClock::SleepUntil if
+ * The pause is a plain ServoClock::SleepUntil if
  *
  * - there is no watcher,
  * - the sleeper may run on one processor only,
@@ -24,9 +24,9 @@
  *
  * A delay within a tick is not shortened.
  *
- * To be moved, the sleeper is bound to the watcher's processor. Both threads then give back the
- * processors that it had, unless someone else has changed them after the binding. Processors that
- * the system gets later are not among them.
+ * To move the sleeper, the watcher binds it to its own processor. Both threads then restore the
+ * sleeper's processors, unless someone else has changed them after the binding. Processors that the
+ * system gets later are not included.
  */
 #ifndef WatchedSleep_h
 #define WatchedSleep_h
@@ -49,17 +49,17 @@ public:
 
   /** Sleeps until a time of ServoClock::Now(), never shorter. */
   void SleepUntil(std::int64_t time) noexcept { this->SleepUntil(time, time); }
-  /** For tests: the same with an alarm that comes too late, so that only a watcher is in time. */
+  /** For tests: sleeps with an alarm that comes too late, so that only a watcher is in time. */
   void SleepUntil(std::int64_t planned, std::int64_t alarm) noexcept;
 
   /**
-   * By one thread, which gets the priority of a servo (ServoPriority::RaiseThread) and leaves the
-   * sleeper's processor. Returns after RequestStop, for good.
+   * Called by one thread, which gets the priority of a servo (ServoPriority::RaiseThread) and
+   * leaves the sleeper's processor. Returns only after RequestStop.
    */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
 
-  /** How many sleeps a watcher has tried to end. */
+  /** The number of sleeps that a watcher has tried to end. */
   std::uint64_t GetRescues() const noexcept { return this->Rescues.load(); }
 
 private:
@@ -83,14 +83,14 @@ private:
   bool GiveBack() const noexcept;
 
   const std::int64_t Patience;            // ns; the sleeper is woken up if it is this late
-  std::atomic<std::int64_t> Sleeper{ 0 }; // the kernel's number of the thread
-  std::atomic<int> Processor{ -1 };       // on which it fell asleep
-  std::atomic<std::uint32_t> Wakes{ 0 };  // the sleeper waits for a change of it
+  std::atomic<std::int64_t> Sleeper{ 0 }; // the kernel's number of the sleeping thread
+  std::atomic<int> Processor{ -1 };       // on which the sleeper fell asleep
+  std::atomic<std::uint32_t> Wakes{ 0 };  // the sleeper waits for a change of this
   std::atomic<Binding> State{ Binding::None };
-  cpu_set_t Allowed{}; // where the sleeper may run, and
-  cpu_set_t Here{};    // the one to which it is bound
+  cpu_set_t Allowed{}; // where the sleeper may run,
+  cpu_set_t Here{};    // and the processor to which it is bound
   ///@{
-  /** The watcher's own: whether it has to end a binding, and the processor that it has left. */
+  /** For the watcher only: whether it has to end a binding, and the processor that it has left. */
   bool IsOwing = false;
   int Left = -1;
   ///@}

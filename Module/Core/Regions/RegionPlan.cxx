@@ -30,7 +30,7 @@ struct Cube
   double PerUnit[3]; // index steps
 };
 
-/** The cube around a position (world); if that is not finite, around the volume's middle. */
+/** The cube around a position (world); around the volume's middle if the position is not finite. */
 Cube FindCube(const WholeGeometry& whole, const Matrix3& inverse, const Vector3& centre) noexcept
 {
   const Vector3 at = inverse * (centre - whole.IndexToWorld.Offset);
@@ -55,7 +55,7 @@ double CountVoxels(const int extent[6]) noexcept
 }
 
 /**
- * Finds the part of a volume within a half-width (world units), by indices; never empty. Returns
+ * Computes the part of a volume within a half-width (world units), as indices; never empty. Returns
  * the number of its voxels.
  */
 double Cut(const WholeGeometry& whole, const Cube& cube, double halfWidth, int region[6]) noexcept
@@ -121,7 +121,7 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
     const double time = std::min(Length(needs.Latency), MostLatency);
     const double way = std::min(speed, Length(needs.MaximumSpeed)) * time;
     const double ahead = std::min(way, std::max(halfWidth - needed, 0.0));
-    // A speed that is not finite is none.
+    // A speed that is not finite counts as zero.
     const Vector3 shift =
       std::isfinite(speed) && speed > 0.0 ? (ahead / speed) * velocity : Vector3{};
     return FindCube(whole, inverse, tip + shift);
@@ -149,8 +149,8 @@ bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vect
   const bool isSame = std::equal(wanted, wanted + 6, resident);
   const double now = FindRoom(whole, cube, resident) - needed;
   const double then = FindRoom(whole, cube, wanted) - needed;
-  // A cut region may have no room at all. Then half of the way to its border counts: the next one
-  // is to come before the tip leaves this one.
+  // A cut region may have no room at all. Then half of the way to its border counts: the next
+  // region is to come before the tip leaves this one.
   const double enough = LeastRoom * (then > 0.0 ? then : then - needed);
   return !isSame && now < enough;
 }

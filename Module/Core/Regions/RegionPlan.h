@@ -46,7 +46,7 @@ struct RegionNeeds
   double SpringLength = 0.0;     ///< T_N/k
   double Reach = 0.0;            ///< r
   double Band = 0.0;             ///< b
-  double MostVoxels = 2097152.0; ///< of a region; no fewer than LeastVoxels
+  double MostVoxels = 2097152.0; ///< of a region; at least LeastVoxels
 };
 
 /** The smallest region: kernels fit into it, whatever the limit is. */
@@ -56,21 +56,21 @@ constexpr double LeastVoxels = 4096.0;
 double FindHalfWidth(const RegionNeeds& needs) noexcept;
 
 /**
- * Finds the wanted region, as indices, for a tip (world) with a velocity (world units per second).
- * Returns whether to fetch it now, with another one resident (empty: none).
+ * Computes the wanted region, as indices, for a tip (world) with a velocity (world units per
+ * second). Returns whether to fetch it now, while another region (empty: none) is resident.
  *
- * The region is whole if the volume has no more than MostVoxels; else h is cut to have no more. For
- * any input, the region of a volume that is not empty is not empty and lies in it. A tip that is
- * not finite counts as at rest in the middle of the volume. False, with an empty region, for an
- * empty volume.
+ * The region is the whole volume if that has at most MostVoxels; else h is cut to that size. For
+ * any input, the region of a volume that is not empty lies in it and is not empty. A tip that is
+ * not finite counts as at rest in the middle of the volume. An empty volume gives false, with an
+ * empty region.
  */
 bool PlanRegion(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const Vector3& velocity, const int resident[6], int wanted[6]) noexcept;
 
 /**
- * By how much (world units) a region gives a tip (world) more than T_N/k + r + b to its nearest
- * border that is not the volume's own. If it is negative, a tick there may lack samples; it is far
- * below 0 for an empty region, and above for a whole one.
+ * The distance (world units) of a tip (world) from the region's nearest border that is not the
+ * volume's own, less T_N/k + r + b. If it is negative, a tick there may lack samples; it is very
+ * negative for an empty region, and very large for a whole one.
  */
 double FindSpareRoom(const WholeGeometry& whole, const RegionNeeds& needs, const Vector3& tip,
   const int region[6]) noexcept;

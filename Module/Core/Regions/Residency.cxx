@@ -19,8 +19,8 @@ double LocalDistance(const HapticModel& model) noexcept
 }
 
 /**
- * Of a tool with a shape, beyond that of the method: its points around its origin, and their
- * material a kernel length farther.
+ * The reach of a tool with a shape, in addition to the method's: its points around its origin, and
+ * their material a kernel length farther.
  */
 Vector3 FindToolReach(const HapticModel& model) noexcept
 {
@@ -29,7 +29,7 @@ Vector3 FindToolReach(const HapticModel& model) noexcept
     return {};
   }
   const double reach = model.Baked->Tool->Shell->GetReach() / model.WorldUnitsPerMeter;
-  // A foot is followed over a voxel, and its gradient reads one more to either side.
+  // The foot of a point may move over a voxel, and its gradient reads one more on either side.
   constexpr double around = 3.0;
   return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };
 }
@@ -51,7 +51,7 @@ Vector3 FindMethodReach(const HapticModel& model) noexcept
     return (LocalDistance(model) + bend) * perUnit + kernel;
   }
   const bool isProxy = settings.Method == HapticMethod::Proxy;
-  // A wall between labels has x_s and x_v as far away as voxels of the label image are large.
+  // At a wall between labels, x_s and x_v are as far away as voxels of the label image are large.
   const double aside = isProxy && model.Baked->FeelsLabels()
     ? std::fmax(model.KernelLength, model.LabelReach)
     : model.KernelLength;
@@ -105,7 +105,7 @@ bool FindReadBox(
     {
       const LocalSurfaceRequest& request = state.Local.Request;
       include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
-      // The nearest point of a surface that is met ahead may lie on any side.
+      // The nearest point of a surface ahead may lie on any side.
       const double most = LocalReachAhead * model.Baked->LargestSpacing;
       const double ahead = std::fmin(Norm(request.Ahead), most) - LocalDistance(model);
       box.Margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;

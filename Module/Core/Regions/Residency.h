@@ -13,8 +13,8 @@
  *   residency = s(c / ResidencyBand),   s(t) = t^2 (3 - 2 t) on 0 ... 1,
  *
  * so that it is 1 well inside and 0 before a tick could read a sample that is not resident. Models
- * of whole volumes have a residency of 1. Where the samples are those of a coarser level, which
- * stands in for the volume's own, it is a share of that (HapticModelDescription::ResidentShare).
+ * of whole volumes have a residency of 1. Where the samples of a coarser level stand in for the
+ * volume's own, the residency is multiplied by HapticModelDescription::ResidentShare.
  */
 #ifndef Residency_h
 #define Residency_h
@@ -32,7 +32,7 @@ struct ServoState;
  * tip and proxy, and one more.
  */
 constexpr double ResidencySpare = 3.0;
-/** How far (voxels) a push of a mode, or a line that bends, leads off the box of proxy and tip. */
+/** How far (voxels) a mode's push, or a line that bends, leads out of the box of proxy and tip. */
 constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**
@@ -45,10 +45,13 @@ struct ReadBox
 {
   Vector3 Low;
   Vector3 High;
-  Vector3 Margin; ///< along each axis, to either side
+  Vector3 Margin; ///< along each axis, on either side
 };
 
-/** Finds that box for the tick that takes a state to a tip (device); false if it reads none. */
+/**
+ * Computes that box for the tick that takes a state to a tip (device); false if the tick reads
+ * none.
+ */
 bool FindReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;
 

@@ -4,14 +4,14 @@
  * @file
  * The narrow interface between the servo and a haptic device.
  *
- * A back end knows nothing of volumes, solvers or VTK: it reports the stylus and takes a force.
+ * A back end does not depend on volumes, solvers or VTK: it reports the stylus and takes a force.
  * Everything is in the device's space: metres, newtons, newton metres, a right-handed frame of the
  * device's own. Vendor libraries are added by deriving from this class.
  *
- * A stylus has axes of its own: it points along its -z, so that its handle is on the side of +z,
- * and its button is on the side of +y. Its orientation is the turn from the device's axes to these.
- * On a device whose axes point right, up and towards the user, a stylus that is not turned has its
- * handle towards the user.
+ * A stylus has its own axes: it points along its -z, with the handle on the side of +z and the
+ * button on the side of +y. Its orientation is the rotation from the device's axes to the stylus's
+ * axes. On a device whose axes point right, up and towards the user, a stylus that is not turned
+ * has its handle towards the user.
  */
 #ifndef DeviceBackend_h
 #define DeviceBackend_h
@@ -38,22 +38,22 @@ struct DeviceLimits
   double MaximumSpeed = 0.0;
   double Damping = 0.0;         ///< N s/m, the device's own friction b; 0 if it is not known
   double WorkspaceRadius = 0.0; ///< m
-  /// m: a device that reports only what is new is silent unless it moves by this; 0 if it also
-  /// reports at rest
+  /// The smallest motion (m) that a device reports if it sends only what is new, so that it is
+  /// silent at rest; 0 if it also reports at rest.
   double LeastMotion = 0.0;
-  unsigned ForceAxes = 7;     ///< bit i: it can push along axis i
-  bool MovesTip = true;       ///< its forces move the tip, so that PortObserver can judge them
-  bool Vibrates = false;      ///< it can't push: it vibrates when the force changes
-  double MaximumTorque = 0.0; ///< N m; 0 if it gives none
+  unsigned ForceAxes = 7;     ///< bit i: the device can push along axis i
+  bool MovesTip = true;       ///< forces move the tip, so that PortObserver can judge them
+  bool Vibrates = false;      ///< the device can't push: it vibrates when the force changes
+  double MaximumTorque = 0.0; ///< N m; 0 if it gives no torque
 };
 
-/** The round trip (s) for which devices state the largest stiffness and damping that they hold. */
+/** The round trip (s) to which the largest stiffness and damping that devices state refer. */
 constexpr double StatedRoundTrip = 1e-3;
 
 /**
  * The largest stiffness and damping that a device holds if forces are late by a round trip of T (s,
  * LoopTiming.h): its own limits, and a stiffness of 2 b / T, above which a sampled spring feeds
- * energy in. If b is not known, that which the device states stands for it: b = k T / 2 with its
+ * energy in. If b is not known, it follows from the device's stated limits: b = k T / 2 with its
  * largest k and the T of StatedRoundTrip. The largest damping falls with 1 / T, too.
  */
 inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
@@ -64,10 +64,11 @@ inline ForceCaps CapsOf(const DeviceLimits& limits, double roundTrip) noexcept
   return { TighterCap(stated, sampled), share * limits.MaximumDamping };
 }
 
-/** A force that the device has taken: which one, and when. Times are in ns of ServoClock. */
+/** A force that the device has taken. Times are in ns of ServoClock. */
 struct TakenForce
 {
-  /// DeviceSample::Time of the measurement that it answers; 0: the device can't tell; -1: none yet
+  /// DeviceSample::Time of the measurement that the force answers; 0: the device can't tell; -1: no
+  /// force yet
   std::int64_t Of = 0;
   std::int64_t At = 0;
 };
@@ -76,44 +77,45 @@ struct TakenForce
 struct DeviceSample
 {
   Vector3 Tip;               ///< m
-  std::uint32_t Buttons = 0; ///< bit 0 is the main one
-  bool Fresh = false;        ///< news: measured since the last Read
-  /// Since the last Read, the device has shown that it is there and has nothing new to say: the tip
-  /// is known to be where it was. For devices that are silent at rest; Fresh says as much.
+  std::uint32_t Buttons = 0; ///< bit 0 is the main button
+  bool Fresh = false;        ///< measured since the last Read
+  /// Since the last Read, the device has shown that it is connected and has nothing new: the tip
+  /// has not moved. For devices that are silent at rest; Fresh implies it.
   bool Alive = false;
   bool Begins = false; ///< the stylus is taken up here; earlier positions mean nothing
   Vector3 Turn;        ///< rad/s: how fast the hand asks the view to turn; zero for most devices
-  /// ns of std::chrono::steady_clock, which is ServoClock: when Tip was measured, or else, when the
-  /// computer got it; 0 stands for Read
+  /// ns of std::chrono::steady_clock, which is ServoClock: when Tip was measured or, if that is not
+  /// known, when the computer received it; 0 stands for the time of Read
   std::int64_t Time = 0;
-  TakenForce Taken; ///< the last one; of a device that can't tell, when Write returned counts
-  /// Of the stylus, see above: a unit quaternion, w first. The servo divides it by its norm, and
-  /// takes it as not valid if that is not 1 within UnitTolerance, or if a number is not finite.
+  TakenForce Taken; ///< the last force taken; if the device can't tell, the return of Write counts
+  /// The stylus's orientation (see above): a unit quaternion, w first. The servo divides it by its
+  /// norm, and treats it as invalid if the norm is not 1 within UnitTolerance, or if a number is
+  /// not finite.
   Quaternion Orientation;
-  bool HasOrientation = false; ///< Orientation is valid; false for a device that measures none
+  bool HasOrientation = false; ///< Orientation is valid; false if the device measures none
 };
 
 /** The order to a device in a tick. */
 struct DeviceCommand
 {
   Vector3 Force;  ///< N, on the hand at the tip
-  Vector3 Torque; ///< N m, on the hand about the tip, of a tool with a shape
+  Vector3 Torque; ///< N m, on the hand about the tip, for a tool with a shape
 };
 
-/** For the servo loop, each tick: what came of a Read or a Write. DeviceStage is for people. */
+/** The result of a Read or a Write, for the servo loop in each tick. DeviceStage is for people. */
 enum class DeviceState : std::uint8_t
 {
   Running,  ///< reads and writes succeed
   NotReady, ///< not homed or not loaded yet: there is no position, and arming has no effect
-  Finished, ///< nothing more will come, for example at the end of a replay
+  Finished, ///< no more samples will come, for example at the end of a replay
   Lost      ///< unplugged or broken; the back end has to be opened again
 };
 
-/** For people, now and then: how far a device is from taking forces. */
+/** How far a device is from taking forces, for displays. */
 enum class DeviceStage : std::uint8_t
 {
   Firmware, ///< its firmware is being loaded
-  Homing,   ///< its encoders wait for the hand
+  Homing,   ///< its encoders wait until the hand moves them
   Ready,
   Lost ///< unplugged or broken
 };
@@ -123,7 +125,7 @@ struct DeviceCondition
 {
   DeviceStage Stage = DeviceStage::Ready;
   std::array<char, 320>
-    Text{}; ///< the request to the hand, or the fault and the cure; may be empty
+    Text{}; ///< what the hand has to do, or the fault and the cure; may be empty
 };
 
 class DeviceBackend
@@ -136,48 +138,48 @@ public:
 
   ///@{
   /**
-   * Outside the servo loop. Open returns false, with the reason and the cure, if the device can't
-   * be opened; Close sends zero force first. A device that has to be homed opens at once, and is
-   * NotReady until it is homed.
+   * Called outside the servo loop. Open returns false, with the reason and the cure, if the device
+   * can't be opened; Close sends zero force first. A device that has to be homed opens at once, and
+   * is NotReady until it is homed.
    */
   virtual bool Open(std::string& error) = 0;
   virtual void Close() = 0;
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
-  /** At any time, from the owner's thread. */
+  /** Called at any time, from the owner's thread. */
   virtual DeviceCondition GetCondition() { return {}; }
   /**
-   * A name that this very device keeps, such as its kind and serial number, or its kind and port if
-   * it has none, once it is open. The user's confirmations and calibrations are remembered under
-   * it, unless KeepsIdentity is false. Empty for a back end whose signs and newtons are right by
-   * themselves.
+   * A name that identifies this device, such as its kind and serial number, or its kind and port if
+   * it has no serial number, once it is open. The user's confirmations and calibrations are stored
+   * under this name, unless KeepsIdentity is false. Empty for a back end whose signs and newtons
+   * need no check.
    */
   virtual std::string GetIdentity() const { return {}; }
   /**
-   * Whether GetIdentity names this very device. False if another device may have that name, since
-   * this one tells neither a serial number nor its port: then the user's confirmation and
-   * calibration hold until Close.
+   * Whether GetIdentity identifies this device only. False if another device may have the same
+   * name, because this one reports neither a serial number nor its port: then the user's
+   * confirmation and calibration hold until Close.
    */
   virtual bool KeepsIdentity() const { return true; }
   /**
-   * The newtons that the device really gives for each newton that it is asked for, as the user has
-   * measured it. From then on forces and limits are true newtons.
+   * The measured newtons that the device gives for each newton that it is asked for. From then on
+   * forces and limits are true newtons.
    */
   virtual void SetForceScale(double) noexcept {}
   /**
-   * Looks for the zero of the encoders again, for example after they lost it: NotReady until then.
+   * Homes the encoders again, for example after they lost their zero: NotReady until that is done.
    */
   virtual void Home() noexcept {}
-  /** Bits of the device's lights; below zero (the default) the device shows its own condition. */
+  /** Bits of the device's lights; if negative (the default), the device shows its own condition. */
   virtual void SetLights(int) noexcept {}
   ///@}
 
   ///@{
   /**
-   * Once a tick each, in the servo loop: no lock, no allocation, no exception, and no wait beyond a
-   * fraction of the period. Read comes first; the sample that it gets has the tip, the orientation
-   * and its validity of the last one. The loop calls Send; a device without torque leaves it as it
-   * is, and takes the force by Write.
+   * Called once a tick each, in the servo loop: no lock, no allocation, no exception, and no wait
+   * beyond a fraction of the period. Read comes first; its sample comes in with the last sample's
+   * tip, orientation and HasOrientation. The loop calls Send; a device without torque does not
+   * override it, and takes the force by Write.
    */
   virtual DeviceState Read(double period, DeviceSample& sample) noexcept = 0;
   virtual DeviceState Write(const Vector3& force) noexcept = 0;
@@ -188,11 +190,11 @@ public:
   ///@}
 
   /**
-   * From any thread, if the servo thread does not answer: no force and no torque from now on until
-   * Write or Send is called again.
+   * Called from any thread if the servo thread does not answer: no force and no torque from now on
+   * until Write or Send is called again.
    */
   virtual void Quench() noexcept = 0;
-  /** From any thread, after Quench: whether the device has got the order. */
+  /** Called from any thread, after Quench: whether the device has received the order. */
   virtual bool IsAtRest() const noexcept { return true; }
 };
 

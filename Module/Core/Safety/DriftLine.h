@@ -20,30 +20,30 @@ namespace VolumeHaptics
 class DriftLine
 {
 public:
-  /** s, from one tip that is kept to the next. */
+  /** s, between two stored tips. */
   static constexpr double Spacing = 0.008;
-  /** Tips that are kept, and tips that a line is fitted to. */
+  /** The number of stored tips, and of those that a line is fitted to. */
   static constexpr int Capacity = 50;
   static constexpr int Fitted = 31;
 
-  /** Forgets all tips. */
+  /** Removes all tips. */
   void Reset() noexcept;
-  /** A measured tip (m) at a time (s). Tips that come closer in time than Spacing are left out. */
+  /** Adds a measured tip (m) at a time (s). Tips closer in time than Spacing are left out. */
   void Add(const Vector3& tip, double time) noexcept;
   bool IsFull() const noexcept { return this->Count == Capacity; }
 
   /**
-   * Once it is full: the largest distance (m) of the newer tips, along each axis, from a line
-   * through the older ones.
+   * The largest distance (m) of the newer tips, along each axis, from a line through the older
+   * ones. Call it only when all places are full.
    */
   Vector3 FindSurprise() noexcept;
 
-  /** Once it is full: fits the line to the newest tips. */
+  /** Fits the line to the newest tips. Call it only when all places are full. */
   void Fit() noexcept { this->FitFrom(Capacity - Fitted); }
   ///@{
   /**
-   * Of the last fit: the place at a time (m), the slope (m/s), and along each axis the root mean
-   * square of the tips' distances from the line (m).
+   * Results of the last fit: the place at a time (m), the slope (m/s), and along each axis the root
+   * mean square of the tips' distances from the line (m).
    */
   Vector3 GetPlace(double time) const noexcept
   {
@@ -59,7 +59,7 @@ private:
     Vector3 Tip;
     double Time = 0.0;
   };
-  /** By age: 0 is the oldest. */
+  /** An entry by age: 0 is the oldest. */
   const Entry& Get(int i) const noexcept { return this->Entries[(this->Next + i) % Capacity]; }
   Vector3 GetDistance(int i) const noexcept
   {
@@ -69,7 +69,7 @@ private:
 
   Entry Entries[Capacity];
   int Count = 0;
-  int Next = 0; ///< the oldest one, once it is full
+  int Next = 0; ///< the oldest entry, when full
   double LastTime = 0.0;
   Vector3 Middle;
   double MiddleTime = 0.0;

@@ -9,15 +9,15 @@ namespace VolumeHaptics
 namespace
 {
 
-/** E has turned if it came back by this share of the last swing, */
+/** E has turned if it came back by this fraction of the last swing, */
 constexpr double Turn = 0.2;
-/** and by what the force gives over this way (m): encoders have steps, of one axis or another. */
+/** and by the force times this way (m): encoders have steps, which differ between axes. */
 constexpr double StepWay = 1e-4;
 /** The most that one cycle counts: given / taken. */
 constexpr double MostGain = 2.0;
 /** A tip that was not measured for this long (s) has moved unseen. */
 constexpr double UnseenTime = 0.03;
-/** A tip that is faster (m/s) was not moved by a hand: it leaps. */
+/** A faster tip (m/s) was not moved by a hand: it leaps. */
 constexpr double LeapSpeed = 5.0;
 
 } // namespace
@@ -72,7 +72,7 @@ bool EnergyObserver::FollowEnergy() noexcept
   }
   if (-ahead < std::max({ LeastSwing, Turn * this->Swing, StepWay * this->Force }))
   {
-    // A swing that is much smaller than the last one must be seen, too, later.
+    // A swing that is much smaller than the last one must be seen later, too.
     const bool rests = this->Time - this->Extreme.Time > LongestCycle;
     this->Swing = rests ? 0.0 : this->Swing;
     return false;

@@ -10,9 +10,9 @@
  *
  *   E = sum of F.dx,
  *
- * with the force F that was sent, held until the next one, and the measured motion dx. It needs to
- * know nothing of the wall, unless the wall moves by itself: the work of the wall on the spring may
- * reach the hand rightly, and is not counted in E. Tell it every force that was sent, and each
+ * with the force F that was sent, held until the next one, and the measured motion dx. It does not
+ * depend on the wall, unless the wall moves by itself: the work of the wall on the spring may
+ * rightly reach the hand, and is not counted in E. Pass it every force that was sent, and each
  * measurement.
  *
  * Cycles
@@ -62,8 +62,9 @@
  * Limits
  * ------
  *
- * A loop that swings more slowly than LongestCycle is not told from a hand. Nor is a wall that is
- * published anew in every few ticks observed. A wrong sign does not swing: PortObserver.h.
+ * The observer can't tell a loop that swings more slowly than LongestCycle from a hand, and does
+ * not observe a wall that is published anew every few ticks. A wrong sign does not swing:
+ * PortObserver.h.
  */
 #ifndef EnergyObserver_h
 #define EnergyObserver_h
@@ -91,21 +92,21 @@ public:
   static constexpr std::size_t FewCycles = 4;
   static constexpr double MuchGiven = 4.0;
 
-  /** Forgets all: nothing is known of the force and of the tip. */
+  /** Clears everything: force and tip are unknown. */
   void Reset() noexcept;
 
-  /** The energy so far is no fault of the loop: the row begins anew. */
+  /** Treats the energy so far as no fault of the loop: the row begins anew. */
   void Excuse() noexcept;
 
   /**
-   * For every measurement of the tip (m), with the time (s) since the one before. Returns true if
+   * Processes a measurement of the tip (m), with the time (s) since the one before. Returns true if
    * the port gives energy; the row then begins anew.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * In every tick: the force (N) until the next one, without any that only takes energy, and the
-   * work (J) of a wall that moves.
+   * Records, in every tick, the force (N) until the next one, without its purely dissipative part,
+   * and the work (J) of a wall that moves.
    */
   void NoteSent(const Vector3& force, double wallWork = 0.0) noexcept;
 
@@ -113,7 +114,7 @@ public:
    * The energy (J) that the port itself has given since Reset; below zero, the hand has put it in.
    */
   double GetEnergy() const noexcept { return this->Energy; }
-  /** The cycles of the row. */
+  /** The number of cycles in the row. */
   std::size_t GetCount() const noexcept { return this->Count; }
 
 private:
@@ -138,17 +139,17 @@ private:
   Vector3 Tip;
   double Path = 0.0;
   double Energy = 0.0;
-  double WallWork = 0.0; ///< J, of either sign: their sum without it
+  double WallWork = 0.0; ///< J, the sum of absolute values
   Vector3 SentSum;       ///< N, of all ticks since the last measurement
   double SentCount = 0.0;
-  double Force = 0.0; ///< N, that was sent last
+  double Force = 0.0; ///< N, the last force sent
 
-  bool Rises = false;   ///< E, since its last extreme
+  bool Rises = false;   ///< E rises since its last extreme
   bool HasPeak = false; ///< Peak is a maximum
   Instant Extreme;      ///< the highest or lowest E since it turned
   Instant Peak;         ///< the last maximum
   double Low = 0.0;     ///< J, the last minimum
-  double Swing = 0.0;   ///< J, the last one
+  double Swing = 0.0;   ///< J, the last swing
 
   struct Cycle
   {
@@ -157,7 +158,7 @@ private:
   };
   std::array<Cycle, Cycles> Row{}; ///< a ring
   std::size_t Count = 0;
-  double Largest = 0.0; ///< J, of the row
+  double Largest = 0.0; ///< J, the largest in the row
 };
 
 } // namespace VolumeHaptics

@@ -123,8 +123,8 @@ void ForceGate::NoteSilence() noexcept
 {
   if (this->IsOpen() && !this->Held)
   {
-    // An owner that returns during the fade does not stop it: the hand has to learn of the fault
-    // before it is held again.
+    // An owner that returns during the fade does not stop it: the hand has to feel the fault before
+    // force returns.
     this->EndInFault(GateReason::Unattended);
   }
 }
@@ -222,7 +222,7 @@ void ForceGate::EndFade() noexcept
 void ForceGate::NoteCommand(bool flows) noexcept
 {
   this->Flows = flows;
-  // The slew limit may delay a command behind its share: a fade ends with the command.
+  // The slew limit may delay a command behind its share: a fade ends when the command does.
   if (!flows && this->Ending != End::None && this->Opening == 0.0)
   {
     this->EndFade();

@@ -11,9 +11,9 @@
  * States
  * ------
  *
- *   Disarmed    no force, from the tick on in which it is entered
- *   Fault       the same; the reason names the fault, and stays until Arm
- *   Fading      the share falls to 0 within FadeTime, after FadeOut, because the owner is silent or
+ * Disarmed    no force, from the tick on in which it is entered Fault       no force; the reason
+ * names the fault, and stays until Arm Fading      the share falls to 0 within FadeTime, after
+ * FadeOut, because the owner is silent or
  *               because the loop is unstable
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows
@@ -106,7 +106,7 @@ enum class GateReason : std::uint8_t
   None,       ///< the whole force passes
   NotFinite,  ///< a fault: a force or a tip that is not a finite number
   OverSpeed,  ///< a fault: a tip that is faster than SafetyLimits::MaximumSpeed
-  DeviceLost, ///< a fault
+  DeviceLost, ///< a fault: the device is lost
   Unattended, ///< a fault after the fade: the owner was silent for SafetyLimits::AttentionTime
   Ordered,    ///< not armed yet, disarmed, or fading out after FadeOut
   NotReady,   ///< the device was not ready; Arm is needed when it is
@@ -119,7 +119,7 @@ enum class GateReason : std::uint8_t
   WrongSign,  ///< a fault: the device moves against the force
   Active,     ///< a fault: the device runs away against its force (PortObserver.h), or swings by
               ///< itself (EnergyObserver.h)
-  Clutched    ///< the hand moves without the tip; the force returns by itself
+  Clutched    ///< the hand moves without the tip (clutch); the force returns by itself
 };
 
 constexpr bool IsFault(GateReason reason) noexcept
@@ -138,13 +138,13 @@ constexpr GateReason FindFault(GateState state, GateReason reason) noexcept
 class ForceGate
 {
 public:
-  /** The opening changes by 1 in this time at the most (s). */
+  /** The shortest time (s) in which the opening changes by 1. */
   static constexpr double FadeTime = 0.05;
 
   ///@{
   /**
-   * Orders, before a tick. Arm returns true unless it changes nothing: what was felt before then no
-   * longer matters. `isSole` is false if other orders came at the same time, one of which may have
+   * Orders, before a tick. Arm returns true if it changes anything: the contact before then no
+   * longer counts. `isSole` is false if other orders came at the same time, one of which may have
    * been Disarm.
    */
   bool Arm(bool isSole = true) noexcept;
@@ -153,27 +153,30 @@ public:
   void SetHeld(bool held) noexcept;
   /** Whether the device's signs have yet to be confirmed. */
   void SetUnconfirmed(bool unconfirmed) noexcept;
-  /** True if it armed, as Arm tells. */
+  /** Returns true if it armed the gate, as Arm does. */
   bool SetClutched(bool clutched) noexcept;
   ///@}
 
   ///@{
-  /** The owner was silent for longer than SafetyLimits::AttentionTime; the device is not ready. */
+  /**
+   * NoteSilence: the owner was silent for longer than SafetyLimits::AttentionTime. NoteNotReady:
+   * the device is not ready.
+   */
   void NoteSilence() noexcept;
   void NoteNotReady() noexcept;
   ///@}
 
   /** A new model would let the force leap. */
   void NoteJump() noexcept;
-  /** The share of the data for this tick of a period (s): 1, or the residency. */
+  /** Sets the share of the data for this tick of a period (s): 1, or the residency. */
   void NoteData(double residency, double period) noexcept;
 
   ///@{
   /**
-   * Called by SafetyStage, in this order: a fault, or a loop that swings although it is damped, so
-   * that the force fades with a fault; a gap, that is, missing samples; then one of
-   * Pass (which returns the share, of the pushes if there are some, and raises the ramp by a step),
-   * NoteRetreat and Cut; and last whether force flows to the device.
+   * SafetyStage calls these in this order: a fault, or a loop that swings although it is damped, so
+   * that the force fades with a fault; a gap, that is, missing samples; then one of Pass (which
+   * returns the share, of the pushes if there are some, and raises the ramp by a step), NoteRetreat
+   * and Cut; and last whether force flows to the device.
    */
   void NoteFault(GateReason fault) noexcept;
   void NoteUnstable() noexcept;
@@ -193,9 +196,9 @@ public:
   }
   /** The share of the last tick: 0 to 1. */
   double GetShare() const noexcept { return this->Share; }
-  /** The share that fades, holds and missing data leave, without the ramp: 0 to 1. */
+  /** The share that remains after fades, holds and missing data, without the ramp: 0 to 1. */
   double GetOpening() const noexcept { return this->Opening; }
-  /** Whether an order moves the opening to 0, whatever the data. */
+  /** Whether an order moves the opening to 0, independent of the data. */
   bool IsClosing() const noexcept { return this->Held || this->Ending != End::None; }
   /**
    * Whether the last force falls to zero by itself, or has done so, because samples are missing.
@@ -205,11 +208,11 @@ public:
   /** Whether the gate is held and no force flows. */
   bool IsAtRest() const noexcept { return this->Rests; }
 
-  /** True once after an event after which the proxy has to begin at the tip. */
+  /** Returns true once after an event that makes the proxy begin at the tip. */
   bool TakeRestart() noexcept;
 
 private:
-  /** The end of a fade. */
+  /** How a fade ends. */
   enum class End : std::uint8_t
   {
     None,
@@ -219,7 +222,7 @@ private:
   void Shut(GateReason why) noexcept;
   void EndFade() noexcept;
   void EndInFault(GateReason fault) noexcept;
-  /** Finds the open state by its causes. */
+  /** Sets the open state by its causes. */
   void Settle() noexcept;
 
   GateState State = GateState::Disarmed;
@@ -229,10 +232,10 @@ private:
   bool Held = false;
   bool Unconfirmed = false;
   bool Clutched = false;
-  bool Returns = false; ///< after the clutch
+  bool Returns = false; ///< the force returns after the clutch
   bool Rests = false;
   bool Retreats = false;
-  bool Retreated = false; ///< Retreats at the end of the last tick
+  bool Retreated = false; ///< retreated at the end of the last tick
   bool Flows = false;     ///< the last command had force
   bool Restarts = false;
   double Data = 1.0; ///< the share of the data

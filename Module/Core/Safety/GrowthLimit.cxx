@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The smallest Paid / Work that (2) uses: from zero the force could not come back. */
+/** The smallest Paid / Work that (2) uses: with zero the force could never return. */
 constexpr double LeastPaid = 1.0 / 64.0;
 
 } // namespace
@@ -61,7 +61,7 @@ void GrowthLimit::Account(const Vector3& source, const Vector3& tip, double reco
     }
     if (!(this->Work > 0.0))
     {
-      // The hand has got back all that it could put in: any further work is the wanted force's own.
+      // The hand has got back all that it put in: further work comes from the wanted force itself.
       this->Work = 0.0;
       this->Unpaid = 0.0;
     }

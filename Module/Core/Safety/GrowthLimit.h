@@ -60,15 +60,15 @@
 namespace VolumeHaptics
 {
 
-/** A wanted force, and what the limit needs to know of it. */
+/** A wanted force, with the values that the limit needs. */
 struct GrowthInput
 {
   Vector3 Wanted;          ///< N
-  Vector3 Drag;            ///< N, the part of it that only takes energy, if that is known
+  Vector3 Drag;            ///< N, the purely dissipative part of Wanted, if known
   Vector3 Tip;             ///< m
-  bool IsMeasured = false; ///< the tip was measured since the last Apply: it may rest, but is known
-  double Share = 1.0;      ///< of Wanted, that may be sent: 0 to 1
-  double Growth = 0.0;     ///< N, that the force may be above the last one
+  bool IsMeasured = false; ///< the tip was measured since the last Apply, even if it rests
+  double Share = 1.0;      ///< the share of Wanted that may be sent: 0 to 1
+  double Growth = 0.0;     ///< N, the largest growth above the last force
   /** The most energy (J) that the hand can get back from Wanted; negative if it is not known. */
   double Recoverable = -1.0;
 };
@@ -86,8 +86,8 @@ public:
   Vector3 Apply(const GrowthInput& input) noexcept;
 
   /**
-   * A smaller force along the last one was sent. The contact goes on: it is not known where the tip
-   * is until the next Apply.
+   * Records that a smaller force along the last one was sent. The contact goes on, without a known
+   * tip until the next Apply.
    */
   void Lower(const Vector3& force) noexcept;
 

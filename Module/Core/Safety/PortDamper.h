@@ -38,23 +38,23 @@ public:
   static constexpr double LightMass = 0.05; ///< kg
   static constexpr double MostGiven = 1e-4; ///< J
 
-  /** Forgets all, and does not damp. */
+  /** Clears everything, and does not damp. */
   void Reset() noexcept;
 
   ///@{
-  /** From now on it damps; until the wall has not pushed for RestTime (s). */
+  /** Starts the damping, which ends when the wall has not pushed for RestTime (s). */
   static constexpr double RestTime = 0.5;
   void Engage() noexcept { this->Engaged = true; }
   bool IsEngaged() const noexcept { return this->Engaged; }
   ///@}
 
-  /** For every measurement of the tip (m), with the time (s) since the one before. */
+  /** Processes a measurement of the tip (m), with the time (s) since the one before. */
   void Observe(const Vector3& tip, double time) noexcept;
 
   /**
-   * In every tick of a period (s): the force of the wall (N) with the damping. Its norm is at most
-   * `most` (N), or that of the wall alone. `cap`: the largest B (N s/m) that the device holds; 0 if
-   * it is not limited.
+   * Adds the damping to the force of the wall (N), in every tick of a period (s). The norm of the
+   * result is at most `most` (N), or that of the wall's force. `cap`: the largest B (N s/m) that
+   * the device holds; 0 if it is not limited.
    */
   Vector3 Apply(const Vector3& wall, double most, double cap, double period) noexcept;
 
@@ -69,11 +69,11 @@ private:
   bool Engaged = false;
   std::array<Measurement, Kept> Measurements{}; ///< a ring
   std::size_t Count = 0;
-  double Time = 0.0;    ///< s, of the last measurement
-  double Free = 0.0;    ///< s, since the wall pushed
+  double Time = 0.0;    ///< s, at the last measurement
+  double Free = 0.0;    ///< s, since the wall last pushed
   double Taken = 0.0;   ///< J
-  double Between = 0.0; ///< s, from the measurement before to the last one
-  double Span = 0.0;    ///< s, over which the velocity is taken
+  double Between = 0.0; ///< s, between the last two measurements
+  double Span = 0.0;    ///< s, over which the velocity is averaged
   Vector3 Velocity;     ///< m/s
   Vector3 DampedSum;    ///< N, the damping of all ticks since the last measurement
   double DampedCount = 0.0;

@@ -12,13 +12,15 @@ namespace
 
 /** The velocity is a mean over at least this time (s): an encoder's step of 0.06 mm is 15 mm/s. */
 constexpr double VelocityTime = 4e-3;
-/** A tip that has not moved for this long (s) rests; before, its device may not have reported. */
+/**
+ * A tip that has not moved for this long (s) rests; sooner, its device may just not have reported.
+ */
 constexpr double RestTime = 10e-3;
 /** A tip that was not measured for this long (s) has moved unseen. */
 constexpr double GapTime = 30e-3;
 /** A tip that is faster (m/s) was not moved by a hand: it leaps. */
 constexpr double LeapSpeed = 5.0;
-/** A hand withstands a force for this long (s) after it has fallen. */
+/** A hand withstands a force for this long (s) after the force has fallen. */
 constexpr double HandTime = 0.3;
 /** A force rises if it is above its mean of this time (s). */
 constexpr double RiseTime = 2e-3;
@@ -102,7 +104,7 @@ void PortObserver::Account(const Vector3& force, const Vector3& motion, double t
   const bool rises = norm > 1.02 * this->EarlierForce + 0.005;
   this->EarlierForce += (1.0 - std::exp(-time / RiseTime)) * (norm - this->EarlierForce);
   const Vector3 into = norm >= LeastForce ? (-1.0 / norm) * force : Vector3{};
-  // Along the force of now: one that turns around speeds nothing up.
+  // Along the present force: a force that turns around speeds nothing up.
   const double before = std::max(0.0, Dot(this->Velocity, into));
   this->Velocity = this->FindVelocity();
   const double speed = std::max(0.0, Dot(this->Velocity, into));

@@ -6,8 +6,8 @@
  *
  * The observer compares what is sent with what is measured: the force F, held until the next one,
  * and the motion dx of the tip (the idea of Hannaford and Ryu, "Time-domain passivity control of
- * haptic interfaces", 2002). It needs to know nothing of the wall. Tell it every force that was
- * sent, and ask it at every measurement.
+ * haptic interfaces", 2002). It does not depend on the wall. Pass it every force that was sent, and
+ * ask it at every measurement.
  *
  * Run-away
  * --------
@@ -60,20 +60,20 @@ public:
   static constexpr double RisingBound = 1.2e-3;    ///< J
   static constexpr double ContactBound = 2.5e-3;   ///< J
 
-  /** Forgets all: nothing is known of the force and of the tip. */
+  /** Clears everything: force and tip are unknown. */
   void Reset() noexcept;
 
   /**
-   * For every measurement of the tip (m), with the time (s) since the one before. Returns true if
+   * Processes a measurement of the tip (m), with the time (s) since the one before. Returns true if
    * the device moves against the force.
    */
   bool Observe(const Vector3& tip, double time) noexcept;
 
-  /** In every tick: the force (N) on the device until the next one. */
+  /** Records, in every tick, the force (N) on the device until the next one. */
   void NoteSent(const Vector3& force) noexcept;
 
   ///@{
-  /** Energies (J) in the contact now; see above. */
+  /** Energies (J) in the present contact; see above. */
   double GetRisingRunAway() const noexcept;
   double GetRunAway() const noexcept;
   ///@}
@@ -100,7 +100,7 @@ private:
   double Time = 0.0; ///< s
   Vector3 SentSum;   ///< N, of all ticks since the last measurement
   double SentCount = 0.0;
-  double LargestForce = 0.0; ///< N, of late
+  double LargestForce = 0.0; ///< N, the largest of late
   double EarlierForce = 0.0; ///< N, smoothed over RiseTime
   Vector3 Velocity;          ///< m/s
   bool IsContact = false;

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A force without samples goes to zero within this time (s). */
+/** Without samples, a force goes to zero within this time (s). */
 constexpr double RetreatTime = 0.02;
 
 /**
@@ -67,7 +67,7 @@ Vector3 SafetyStage::Retreat(
   const double most = std::max(0.0, Norm(last) - rate * input.Period);
   if (input.Fresh || input.Alive)
   {
-    // The position of the hand is known again: it gets no push that is not wanted there.
+    // The position of the hand is known again: push it only where a push is wanted.
     GrowthInput growth = this->FindGrowth(input, limits);
     growth.Share = gate.GetOpening();
     last = this->Growth.Apply(growth);
@@ -99,7 +99,7 @@ bool SafetyStage::FollowSamples(
   bool isActive = false;
   bool givesEnergy = false;
   this->Stale = this->Silence > limits.WatchdogTime;
-  // A gap counts even if a fresh sample ends it: the hand was not watched meanwhile.
+  // A gap counts even if a fresh sample ends it: the hand was not observed meanwhile.
   const bool gap = this->Stale;
   if (input.Fresh && finite)
   {

@@ -6,27 +6,26 @@
  *
  * In the order in which a force passes:
  * 1. A force, a torque or a tip that is not finite gives zero and a fault.
- * 2. A tip that is faster than the limit gives zero and a fault. Its speed is that between two
- *    measurements, by their own times.
- *    So does a device that runs away against its force (PortObserver.h).
+ * 2. A tip that is faster than the limit gives zero and a fault. The speed is taken between two
+ *    measurements, by their own times. A device that runs away against its force (PortObserver.h)
+ *    gives zero and a fault, too.
  * 3. The norm is clamped to the smaller of the device's and the user's maximum.
- * 4. The share that the gate lets through is taken (ForceGate.h), and the growth of the force is
+ * 4. The force is multiplied by the gate's share (ForceGate.h), and the growth of the force is
  *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
  *    work that the hand was spared on the way in is not given to it on the way out.
  * 5. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
- *    end it, the force fades, with a fault.
- * The torque has a stage of its own, with this one's gate: TorqueStage.h.
- * Stiffness and damping are capped in the computation of the force: see HapticModel::Caps. Joint
- * commands are scaled down together, by the back end: SaturateTogether.
+ *    end it, the force fades, with a fault. The torque has its own stage with the same gate:
+ *    TorqueStage.h. Stiffness and damping are capped in the computation of the force: see
+ *    HapticModel::Caps. Joint commands are scaled down together, by the back end: SaturateTogether.
  *
  * No rule adds energy, and nothing grows faster than the slew limit allows. A fault and disarming
  * cut the force at once.
  *
- * Without news, and without a sign that the device is alive, for WatchdogTime the force retreats:
- * the last force falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A
- * retreat goes on to zero even if samples come back. It then follows the wanted force, by the same
- * account, so that it never pushes a hand that has moved on. After the loop itself stood still for
- * WatchdogTime, the force starts from zero.
+ * If no sample and no sign of the device comes for WatchdogTime, the force retreats: the last force
+ * falls to zero at MaximumForceRate, or faster, so that it is gone after 20 ms. A retreat goes on
+ * to zero even if samples come back. It then follows the wanted force, by the same account, so that
+ * it never pushes a hand that has moved on. After the loop itself stood still for WatchdogTime, the
+ * force starts from zero.
  */
 #ifndef SafetyStage_h
 #define SafetyStage_h
@@ -43,9 +42,9 @@ namespace VolumeHaptics
 
 struct SafetyLimits
 {
-  double MaximumForce = 0.0;       ///< N; 0 lets nothing through
-  double MaximumForceRate = 500.0; ///< N/s, of growth
-  double MaximumSpeed = 0.0;       ///< m/s; 0 does not limit
+  double MaximumForce = 0.0;       ///< N; 0 lets no force through
+  double MaximumForceRate = 500.0; ///< N/s, the fastest growth
+  double MaximumSpeed = 0.0;       ///< m/s; 0: no limit
   double RampTime = 0.5;           ///< s
   double WatchdogTime = 0.03;      ///< s
   /**
@@ -54,9 +53,9 @@ struct SafetyLimits
    */
   double AttentionTime = 0.0;
   bool MovesTip = false;           ///< forces move the tip: see DeviceLimits
-  double MaximumDamping = 0.0;     ///< N s/m, that the device holds; 0 if it does not limit it
-  double MaximumTorque = 0.0;      ///< N m; 0 lets none through: see TorqueStage.h
-  double MaximumTorqueRate = 20.0; ///< N m/s, of growth
+  double MaximumDamping = 0.0;     ///< N s/m, the largest that the device holds; 0: no limit
+  double MaximumTorque = 0.0;      ///< N m; 0 lets no torque through: see TorqueStage.h
+  double MaximumTorqueRate = 20.0; ///< N m/s, the fastest growth
 };
 
 /** The input of the stage in a tick. */
@@ -64,30 +63,30 @@ struct SafetyInput
 {
   Vector3 Force;          ///< N, as computed
   double Stiffness = 0.0; ///< N/m, of the spring that pulls with the force; 0 if there is none
-  double Stretch = 0.0;   ///< m, of that spring; its pull may have been clamped already
-  Vector3 Drag;           ///< N, the part of the force that only takes energy, if known
-  /** J, at the whole force: of a surface that moves, on the spring that pulls the hand. */
+  double Stretch = 0.0;   ///< m, of the spring; its pull may have been clamped already
+  Vector3 Drag;           ///< N, the purely dissipative part of the force, if known
+  /** J, at the whole force: the work of a moving surface on the spring that pulls the hand. */
   double WallWork = 0.0;
   bool IsNew = false;   ///< the force changed for another reason than the motion of the tip
   Vector3 Tip;          ///< m
   double Period = 1e-3; ///< s, nominal, for the slew limit and the ramp
   double Elapsed = 0.0; ///< s since the last tick, measured
   bool Fresh = false;   ///< the tip was measured for this tick
-  bool Alive = false;   ///< the tip is known to be where it was: see DeviceSample
+  bool Alive = false;   ///< the tip has not moved: see DeviceSample
   /**
-   * s, in which a fresh tip has come here, by the device's own times; 0 if these are not known.
-   * Without them it is the time since the last fresh one.
+   * The time (s) that a fresh tip took to get here, by the device's own clock; 0 if it is not
+   * known. Then it is the time since the last fresh tip.
    */
   double MotionTime = 0.0;
   double RoundTrip = 0.0; ///< s, measured; 0 if it is not known
   bool Lost = false;      ///< the device is gone
-  Vector3 Torque;         ///< N m, as computed: only whether it is finite counts here
+  Vector3 Torque;         ///< N m, as computed: only checked for finite numbers here
 };
 
 class SafetyStage
 {
 public:
-  /** The force to send. Tells the gate its findings, and takes the gate's share of the force. */
+  /** The force to send. Reports its findings to the gate, and applies the gate's share. */
   Vector3 Apply(const SafetyInput& input, const SafetyLimits& limits, ForceGate& gate) noexcept;
 
   /**
@@ -122,17 +121,17 @@ private:
   EnergyObserver Energy;
   PortDamper Damper;
   Vector3 LastCommand;    ///< N
-  double LastShare = 0.0; ///< of the gate
+  double LastShare = 0.0; ///< the gate's last share
   Vector3 LastTip;
-  double SampleAge = 0.0; ///< s, of the last fresh one
+  double SampleAge = 0.0; ///< s, age of the last fresh sample
   double Silence = 0.0;   ///< s, without a sign of the device
   bool HasTip = false;
   bool Stale = false;
 };
 
 /**
- * Scales commands down together until the largest is within the limit: the direction is kept. All
- * are zero if one is not finite.
+ * Scales commands down together until the largest is within the limit, so that the direction stays.
+ * All become zero if one is not finite.
  */
 void SaturateTogether(double* commands, int count, double limit) noexcept;
 

@@ -10,31 +10,39 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A push rises for so long (s), and ends after the second time. */
+/** The time (s) in which a push rises, and the time after which it ends. */
 constexpr double RiseTime = 0.15;
 constexpr double PushTime = 0.2;
-/** Levels of force; the first one is a share of the last one, and so many newtons at the most. */
+/**
+ * The number of force levels; the lowest level as a fraction of the highest, and its limit in
+ * newtons.
+ */
 constexpr int Levels = 4;
 constexpr double FirstShare = 0.125;
 constexpr double FirstForce = 0.1;
-/** How fast (m/s) and how unevenly (m) a hand may move that is at rest. */
+/** The largest speed (m/s) and unevenness (m) of a hand at rest. */
 constexpr double RestSpeed = 0.02;
 constexpr double RestSpread = 0.25e-3;
 constexpr double RestSurprise = 0.35e-3;
-/** The tip has turned back once it is so far from the farthest place (m). */
+/** The tip has turned back once it is this far (m) from its farthest place. */
 constexpr double TurnedBack = 0.1e-3;
 /** A return ends at this distance (m): a free mass turns back before. */
 constexpr double MostDistance = 3.5e-3;
 /** How long (s) the check waits for rest. */
 constexpr double Patience = 8.0;
-/** A vote is clear of the noise from this distance (m) on, or from so many times the spread on. */
+/**
+ * A vote is clear of the noise from this distance (m) on, or from this multiple of the spread on.
+ */
 constexpr double ClearDistance = 0.4e-3;
 constexpr double ClearSpread = 4.0;
-/** Votes that an axis needs, in each direction and more than the other side has three times. */
+/**
+ * Votes that an axis needs in each direction; and the lead over three times the votes of the other
+ * side.
+ */
 constexpr int VotesEachWay = 2;
 constexpr int VotesAhead = 4;
 constexpr int MostTrials = 20;
-/** Trials at the highest level without a vote, after which an axis does not move. */
+/** Trials at the highest level without a vote, after which an axis counts as not moving. */
 constexpr int MostUnclear = 6;
 
 double Get(const Vector3& v, int axis) noexcept
@@ -62,7 +70,7 @@ void SignCheck::Begin(unsigned axes, double force) noexcept
   this->Most = std::min(MostShare * force, MostForce);
   if (this->Axes == 0 || !(this->Most > 0.0))
   {
-    this->Verdict.Result = SignResult::Confirmed; // there is nothing that could push
+    this->Verdict.Result = SignResult::Confirmed; // no axis can push
     return;
   }
   while ((this->Axes >> this->Axis & 1u) == 0)
@@ -90,7 +98,7 @@ void SignCheck::Interrupt() noexcept
 
 double SignCheck::GetDirection() const noexcept
 {
-  // Thue and Morse: the parity of the bits.
+  // Thue-Morse sequence: the parity of the bits.
   int parity = 0;
   for (int bits = this->Tally[this->Axis].Trials; bits != 0; bits >>= 1)
   {
@@ -99,7 +107,7 @@ double SignCheck::GetDirection() const noexcept
   return parity == 0 ? 1.0 : -1.0;
 }
 
-/** Of the push, at a time since its beginning. */
+/** The force of the push, at a time since its beginning. */
 double SignCheck::GetForce(double time) const noexcept
 {
   const double first = std::min(FirstShare * this->Most, FirstForce);
@@ -130,7 +138,7 @@ void SignCheck::Rest() noexcept
   }
 }
 
-/** By the distance of a measured tip from the line, along the push (m). */
+/** Pushes; `distance` is that of a measured tip from the line, along the push (m). */
 void SignCheck::Push(double distance) noexcept
 {
   const double time = this->Time - this->Start;
@@ -147,7 +155,7 @@ void SignCheck::Push(double distance) noexcept
 void SignCheck::Return(double distance) noexcept
 {
   const double way = this->Farthest < 0.0 ? -1.0 : 1.0;
-  // A tip that the push has not moved has nothing to be braked.
+  // A tip that the push has not moved needs no braking.
   if (way * (this->Farthest - distance) >= TurnedBack || std::abs(this->Farthest) < TurnedBack ||
     std::abs(distance) > MostDistance)
   {
@@ -159,7 +167,7 @@ void SignCheck::Return(double distance) noexcept
   }
 }
 
-/** A vote, by the distance along the push (m). */
+/** Counts a vote, by the distance along the push (m). */
 void SignCheck::Count(double distance) noexcept
 {
   Votes& votes = this->Tally[this->Axis];
@@ -177,7 +185,7 @@ void SignCheck::Count(double distance) noexcept
   this->MustPushHarder = std::abs(distance) < this->Clear || (with > 0 && against > 0);
 }
 
-/** At the end of a trial: goes on with the next axis, unless there is a verdict. */
+/** Ends a trial: goes on with the next axis, unless there is a verdict. */
 void SignCheck::Judge() noexcept
 {
   Votes& votes = this->Tally[this->Axis];
@@ -231,7 +239,7 @@ Vector3 SignCheck::Step(const Vector3& tip, bool isFresh, double elapsed) noexce
   }
   else if (this->Now == Phase::Push && phase > 2.0 * PushTime)
   {
-    this->Interrupt(); // a push without measured tips is in vain
+    this->Interrupt(); // a push without measured tips is no trial
   }
   else if (this->Now == Phase::Return && phase >= this->Duration)
   {

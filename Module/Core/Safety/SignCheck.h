@@ -5,8 +5,8 @@
  * Finds out whether a device pushes the hand along the force that it is given, or against it.
  *
  * A device whose motor is wired the other way round turns every spring into one that drives the
- * hand away, and nothing that is computed shows it. So before such a device is trusted, it gives
- * the hand a few small pushes along each of its axes, and the motion has to follow them.
+ * hand away, and no computed value shows it. So before such a device is trusted, it gives the hand
+ * a few small pushes along each of its axes, and the motion has to follow them.
  *
  *   check.Begin(axes, most);
  *   every tick:  force = check.Step(tip, isFresh, elapsed);  until  check.GetVerdict() is one
@@ -20,13 +20,13 @@
  * 2. Push. A force along one axis rises to a level and stays there for a moment. It ends as soon as
  *    the tip is StopDistance away from the line. The distance at its end, if it is clear of the
  *    hand's own restlessness, is a vote: *with* the force, or *against* it.
- * 3. Return. The same force with the opposite sign, played backwards in time, until the tip turns
- *    back. A free mass is then at rest again, whichever sign the device has: at no hand does motion
- *    build up.
+ * 3. Return. The force of the push with the opposite sign, played backwards in time, until the tip
+ *    turns back. A free mass is then at rest again, whichever sign the device has, so that motion
+ *    does not build up.
  *
  * A passive hand that begins at rest first moves with the force, whether it is a mass, a damper or
- * a spring, so that the vote tells the sign of the device. It says nothing that a constant force
- * could fake (gravity, a spring that is bent already), as it is taken from the line.
+ * a spring, so that the vote tells the sign of the device. A constant force (gravity, a spring that
+ * is bent already) can't fake a vote, since the distance is measured from the line.
  *
  * The verdict
  * -----------
@@ -51,15 +51,15 @@ enum class SignResult : std::uint8_t
 {
   Pending,   ///< not begun, or under way
   Confirmed, ///< the tip moves with the force along every axis
-  Wrong,     ///< it moves against the force along an axis
-  NoMotion,  ///< it does not move along an axis: it is held too firmly, or at a stop
-  Restless   ///< it moves by itself, or now with the force, now against it
+  Wrong,     ///< the tip moves against the force along an axis
+  NoMotion,  ///< the tip does not move along an axis: it is held too firmly, or is at a stop
+  Restless   ///< the tip moves by itself, or both with and against the force
 };
 
 struct SignVerdict
 {
   SignResult Result = SignResult::Pending;
-  int Axis = 0; ///< 0 to 2: the one that Wrong, NoMotion and Restless are about
+  int Axis = 0; ///< 0 to 2: the axis of Wrong, NoMotion and Restless
 };
 
 class SignCheck
@@ -67,25 +67,25 @@ class SignCheck
 public:
   /** Distance (m) at which a push ends. */
   static constexpr double StopDistance = 0.8e-3;
-  /** The share of the device's force that no push exceeds, and the most newtons. */
+  /** The largest push: as a fraction of the device's force, and in newtons. */
   static constexpr double MostShare = 0.1;
   static constexpr double MostForce = 4.0;
 
   /**
-   * From the beginning. Bit i of `axes` is set if the device can push along axis i; `force` (N) is
-   * the largest force of the device.
+   * Starts from the beginning. Bit i of `axes` is set if the device can push along axis i; `force`
+   * (N) is the largest force of the device.
    */
   void Begin(unsigned axes, double force) noexcept;
   /**
-   * The force to send in this tick (N), in which the tip (m) was measured if it is fresh, `elapsed`
-   * (s) after the last one. Zero once there is a verdict.
+   * The force to send in this tick (N). `tip` (m) was measured in this tick if it is fresh,
+   * `elapsed` (s) after the last one. Zero once there is a verdict.
    */
   Vector3 Step(const Vector3& tip, bool isFresh, double elapsed) noexcept;
-  /** Something else held the force back, or the tip leapt: the trial that is under way is void. */
+  /** Discards the present trial, because something else held the force back, or the tip leapt. */
   void Interrupt() noexcept;
 
   const SignVerdict& GetVerdict() const noexcept { return this->Verdict; }
-  /** The axis of the trial that is under way. */
+  /** The axis of the present trial. */
   int GetAxis() const noexcept { return this->Axis; }
 
 private:
@@ -98,7 +98,7 @@ private:
   struct Votes
   {
     int With[2] = {};
-    int Against[2] = {}; ///< each by the direction of the push
+    int Against[2] = {}; ///< votes, by the direction of the push
     int Unclear = 0;     ///< trials at the highest level without a clear vote
     int Trials = 0;
     int Level = 0;
@@ -122,7 +122,7 @@ private:
   int Axis = 0;
   Phase Now = Phase::Rest;
   double Time = 0.0;           ///< s since Begin
-  double Start = 0.0;          ///< s, of the phase
+  double Start = 0.0;          ///< s, in the phase
   double Duration = 0.0;       ///< s, of the push
   double Clear = 0.0;          ///< m: a smaller distance is no vote
   double Farthest = 0.0;       ///< m, of the trial, with the sign of the motion

@@ -32,9 +32,9 @@ struct SafetyLimits;
 struct TorqueInput
 {
   Vector3 Torque;          ///< N m, as computed
-  double Stiffness = 0.0;  ///< N m/rad, of the spring that turns with it; 0 if there is none
+  double Stiffness = 0.0;  ///< N m/rad, of the torque's spring; 0 if there is none
   Quaternion Orientation;  ///< of the stylus, a unit quaternion
-  bool IsMeasured = false; ///< it was measured for this tick
+  bool IsMeasured = false; ///< measured for this tick
   double Period = 1e-3;    ///< s, for the limit of growth
 };
 
@@ -50,7 +50,7 @@ private:
 
   GrowthLimit Growth;
   Vector3 Turned;  ///< rad, the sum of all small turns
-  Quaternion Last; ///< orientation
+  Quaternion Last; ///< the last orientation
 };
 
 } // namespace VolumeHaptics

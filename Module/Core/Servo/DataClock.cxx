@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A tick passes no more ends of the series and of intervals than this; the rest is lost. */
+/** A tick passes at most this many ends of the series and of intervals; the rest is dropped. */
 constexpr int MostTurns = 8;
 
 } // namespace
@@ -33,7 +33,7 @@ DataClock::Leap DataClock::Follow(const BakedVolume& volume, const DataClockOrde
   Leap leap = Leap::None;
   if (!this->HasTime || !window.Has(time))
   {
-    // Another volume, or the frames at another place.
+    // Another volume, or time steps at another place.
     const double first = window.Series.First;
     time = !this->HasTime && window.Has(first) ? first : window.Front;
     leap = Leap::Away;
@@ -110,7 +110,7 @@ void DataClock::Advance(
     }
     else
     {
-      // The other end, after the interval between the last frame and the first one.
+      // Go on at the other end, after the interval between the last and the first time step.
       time = isBetween ? (isBackward ? series.Last : series.First) : end;
     }
     if (step == there || !window.Has(time))

@@ -8,23 +8,22 @@
  *
  *   Rate * period,
  *
- * and holds otherwise. Orders change how fast and in which direction it goes on, never where it is:
- * the volume does not step. Only Place moves it to another time, which the volume takes as it takes
- * a new model.
+ * and holds otherwise. Orders change its speed and direction but not its present value: the volume
+ * does not step. Only Place sets another time; the volume then changes as with a new model.
  *
  * At the end of the series
  * - Once holds;
- * - Loop goes on to the first frame, through the interval in which the last one is blended into it;
+ * - Loop goes on to the first frame, through an interval that blends the last frame into it;
  * - PingPong turns around.
  *
  * A time between the last frame and the first one stays there if the mode is no longer Loop, and
  * goes on to the frame that is next.
  *
- * A model may have a window of the series only (FrameSeries.h). If the next frame has not come when
- * it is needed, time holds at the end of the window and goes on from there: it never jumps. So does
- * it if the frames at another Place have not come, and, in ServoLoop, while what is in memory of a
- * region is too little for a tick. On the way there, the model may have one frame
- * only, where time holds, too. Nothing is carried from the old place to that frame, nor from there
+ * A model may have a part of the series only (FrameSeries.h). If the next frame has not come when
+ * it is needed, time holds at the end of that part and goes on from there: it never jumps. Time
+ * also holds while the frames at another Place have not come and, in ServoLoop, while too little of
+ * a region is in memory for a tick. On the way to another Place, the model may have one frame only,
+ * where time holds, too. No state is carried from the old place to that frame, or from that frame
  * to Place.
  */
 #ifndef DataClock_h
@@ -50,19 +49,19 @@ struct DataClockOrders
 {
   Playback Mode = Playback::Once;
   bool Plays = false;
-  double Rate = 1.0;        ///< data time in a second
-  double Place = 0.0;       ///< a data time to go to; beyond the series, the nearest one of it
-  std::uint32_t Places = 0; ///< changes whenever Place was set
+  double Rate = 1.0;        ///< data seconds per second
+  double Place = 0.0;       ///< a data time to go to; beyond the series, its nearest end
+  std::uint32_t Places = 0; ///< changes whenever Place is set
 };
 
 /** The report of the clock after a tick. */
 struct DataClockReport
 {
-  bool IsMoving = false;    ///< there is a volume that moves
+  bool IsMoving = false;    ///< the volume moves
   bool IsWaiting = false;   ///< frames have not come: time holds
   bool IsBackward = false;  ///< time runs backward, or would
   double Wanted = 0.0;      ///< the data time whose frames are wanted, if it waits for them
-  std::uint32_t Places = 0; ///< of the orders that it follows; then it is at their Place or waits
+  std::uint32_t Places = 0; ///< Places of the orders in use; then time is at their Place, or waits
 };
 
 class DataClock
@@ -72,7 +71,7 @@ public:
   {
     None,
     Within, ///< to another time of the model: the force may leap
-    Away    ///< from a time that the model does not have, or by way of one frame
+    Away    ///< from a time that the model does not have, or through a single frame
   };
   /**
    * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at
@@ -96,9 +95,9 @@ private:
 
   DataClockReport Report;
   std::uint64_t Number = 0; ///< BakedVolume::Number of the last tick
-  std::uint32_t Places = 0; ///< of the Place where it has been
+  std::uint32_t Places = 0; ///< Places of the orders that were reached
   bool HasTime = false;
-  bool IsReturning = false; ///< PingPong, on the way back
+  bool IsReturning = false; ///< PingPong: on the way back
   bool WasInstant = false;  ///< the last tick's model had one frame only
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a tool is held whose device measures no orientation: turned by the program, such as by a
- * mouse.
+ * How a tool is held if the device measures no orientation: turned by the program, for example with
+ * a mouse.
  */
 #ifndef HandTurn_h
 #define HandTurn_h
@@ -16,7 +16,7 @@ namespace VolumeHaptics
 
 /**
  * The orientation follows the orders no faster than a hand turns, so that a tool in contact is not
- * torn through what holds it. After a device has measured one, it begins there.
+ * torn through the tissue. It begins at the last orientation that a device measured.
  */
 class HandTurn
 {
@@ -24,14 +24,17 @@ public:
   static constexpr double FastestTurn = 4.0; ///< rad/s
 
   ///@{
-  /** By the owner: a unit quaternion in the device's space; without one until then. */
+  /**
+   * Called by the owner: a unit quaternion in the device's space; no orientation before the first
+   * call.
+   */
   void Order(const Quaternion& orientation) noexcept { this->Orders.Write({ orientation, true }); }
   void Forget() noexcept { this->Orders.Write({}); }
   ///@}
 
   /**
-   * By the servo, once a tick of a period (s): completes the orientation that a device measured, if
-   * it did. True if there is one.
+   * Called by the servo, once a tick of a period (s): sets the orientation, unless the device
+   * measured it. Returns true if there is one.
    */
   bool Follow(double period, Quaternion& orientation, bool isMeasured) noexcept;
 

@@ -12,7 +12,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest wait between two looks at the requests (ns). */
+/** The longest wait between two polls of the requests (ns). */
 constexpr std::int64_t IdlePeriod = 10000000;
 
 } // namespace
@@ -64,7 +64,7 @@ void LocalSurfaceFitter::Send(const HapticModel& model, const LocalState& local)
 {
   if (model.Baked->Settings.Method == HapticMethod::LocalSurface)
   {
-    // In every tick until there is a result: the fitter may have taken an earlier request for
+    // In every tick until there is a result: the fitter may have used an earlier request for
     // another model.
     this->Requests.Write({ local.Request, local.Number });
   }

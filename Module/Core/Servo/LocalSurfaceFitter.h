@@ -5,8 +5,8 @@
  * The slow loop of HapticMethod::LocalSurface, on a thread of its own: it fits a surface for the
  * servo's latest request HapticSettings::LocalSurfaceRate times a second.
  *
- * Requests and results go through triple buffers: neither side waits for the other. A result is
- * valid for the request with its number, on the volume and settings that the servo uses.
+ * Requests and results go through triple buffers: neither side waits. A result is valid for the
+ * request with its number, on the volume and settings that the servo uses.
  */
 #ifndef LocalSurfaceFitter_h
 #define LocalSurfaceFitter_h

@@ -11,9 +11,12 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A longer round trip (ns) is a gap, which the watchdog sees. */
+/** A longer round trip (ns) is a gap, which the watchdog handles. */
 constexpr std::int64_t LongestRoundTrip = 100000000;
-/** Steps: who moves by fewer in a report may have been at rest for most of the time before it. */
+/**
+ * Steps: a tip that moves by fewer between two reports may have rested for most of the time
+ * between.
+ */
 constexpr double StepsOfMotion = 3.0;
 
 double ToSeconds(std::int64_t nanoseconds)
@@ -55,7 +58,7 @@ double LoopTiming::NoteSample(const DeviceSample& sample, std::int64_t now) noex
     const std::int64_t interval = sample.Time - before.Time;
     if (interval <= 0)
     {
-      return 0.0; // a clock that stands still, or runs backwards, tells nothing
+      return 0.0; // a clock that stands still, or runs backwards, gives no duration
     }
     next.TellsPeriod = interval <= LongestPeriod &&
       (this->LeastMotion == 0.0 || Norm(sample.Tip - this->Tip) >= StepsOfMotion * LeastMotion);
@@ -63,7 +66,8 @@ double LoopTiming::NoteSample(const DeviceSample& sample, std::int64_t now) noex
     {
       this->Reports.Add(interval);
     }
-    // A place that was known to be the present one may have been left a period before.
+    // The last "no motion" report may be up to one report period old, so the motion may have begun
+    // that much earlier.
     const std::int64_t known = this->AliveAt - this->Reports.GetUpper();
     if (this->Reports.GetUpper() > 0 && this->AliveAt > before.Time)
     {

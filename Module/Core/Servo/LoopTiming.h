@@ -5,9 +5,9 @@
  * The time that positions and forces take through the servo loop, as it is measured.
  *
  * Let a device measure its tip at the times m, and let it take the force that answers such a
- * measurement at a(m). From then until it takes the force of the next one, at a(m'), it pushes by a
- * place that the tip has left: a spring of stiffness k pulls by k times the way since m, along the
- * motion. On the average over that time the place is
+ * measurement at a(m). From then until it takes the next force, at a(m'), it pushes by a place that
+ * the tip has left: a spring of stiffness k pulls by k times the way since m, along the motion. On
+ * the average over that time the place is
  *
  *   ((a(m) - m) + (a(m') - m)) / 2 = T / 2
  *
@@ -16,9 +16,9 @@
  * k <= 2 b / T. A device that takes its force in no time has T = m' - m, its period. A force that
  * takes d on its way makes it m' - m + 2 d: a delay counts twice.
  *
- * A device that is silent at rest is at its last place all the time, so that its place does not get
- * old (DeviceSample::Alive). Nor do its rests tell anything about its period: only two reports
- * between which it moved by several times its smallest step do.
+ * A device that is silent at rest stays at its last place, so that its place does not get old
+ * (DeviceSample::Alive). Its period is only measured between two reports with a motion of several
+ * times its smallest step.
  */
 #ifndef LoopTiming_h
 #define LoopTiming_h
@@ -43,18 +43,18 @@ public:
 
   ///@{
   /**
-   * The servo's side, once a tick: the sample, with a Time, at a time `now` (ns). The result is the
-   * time (s) in which the tip has come here from the last place, by the device's own clock: no less
-   * than a typical report period, if the thread was held up that takes the reports. 0 if the sample
-   * brings no news, or the first.
+   * Called by the servo once a tick: the sample, with a Time, at a time `now` (ns). Returns the
+   * time (s) that the tip took from its last place, by the device's own clock: at least a typical
+   * report period, if the thread that takes the reports was held up. 0 if the sample is not new, or
+   * the first.
    */
   double NoteSample(const DeviceSample& sample, std::int64_t now) noexcept;
-  /** A force that the device has taken; the same one again, or an older one, changes nothing. */
+  /** Records a force that the device has taken; a repeated or older one changes nothing. */
   void NoteTaken(const TakenForce& taken) noexcept;
   ///@}
 
   ///@{
-  /** Any thread: upper figures (s) of the last second or so; 0 as long as they are not known. */
+  /** Any thread: upper figures (s) of about the last second; 0 as long as they are not known. */
   double GetReportPeriod() const noexcept;
   double GetRoundTrip() const noexcept;
   ///@}
@@ -63,7 +63,7 @@ private:
   struct Measurement
   {
     std::int64_t Time = 0;  ///< ns
-    std::int64_t Until = 0; ///< ns: the tip was there until then
+    std::int64_t Until = 0; ///< ns: the tip stayed there until then
     bool TellsPeriod = false;
   };
   static constexpr std::size_t Kept = 32;
@@ -72,9 +72,9 @@ private:
   const double LeastMotion;
   std::array<Measurement, Kept> Last{}; ///< a ring
   std::uint64_t Count = 0;
-  Vector3 Tip;              ///< of the last one
-  std::int64_t AliveAt = 0; ///< ns: the device said there was nothing new
-  bool Continues = false;   ///< the next one comes from the place of the last one
+  Vector3 Tip;              ///< at the last measurement
+  std::int64_t AliveAt = 0; ///< ns: the device reported no motion
+  bool Continues = false;   ///< the next tip moved there from the last one
   TakenForce Acting;
   RecentDurations Reports;
   RecentDurations RoundTrips;

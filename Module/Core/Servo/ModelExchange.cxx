@@ -51,7 +51,7 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
 void ModelExchange::Collect()
 {
   const std::uint64_t inUse = this->GetAcknowledged();
-  // After Next was written: a thread that already holds an older model is seen here, and one that
+  // After Next was written: this sees a thread that already holds an older model; a thread that
   // does not yet hold a model will see Next.
   const PublishedModel* held[Holders];
   std::copy(std::begin(this->Held), std::end(this->Held), held);

@@ -5,11 +5,12 @@
  * Models from the thread that publishes them to the servo and to the threads beside it.
  *
  * A model is published by swapping a pointer. The servo acknowledges the generation that it uses
- * from then on; the fitter of local surfaces, and the keeper of the samples around the tip, note
- * the model that they hold. Only the publishing thread frees models, once none of them uses them.
+ * from then on; the fitter of local surfaces, and the keeper of the samples around the tip,
+ * register the model that they hold. Only the publishing thread frees models, once no thread uses
+ * them.
  *
- * With a model comes the memory of its tool (ToolMemory.h). It is one and the same for models with
- * the same tool, and the servo alone writes it.
+ * A model comes with the memory of its tool (ToolMemory.h). Models with the same tool share one
+ * memory, which only the servo writes.
  */
 #ifndef ModelExchange_h
 #define ModelExchange_h
@@ -26,13 +27,13 @@ namespace VolumeHaptics
 class HapticModel;
 class ToolMemory;
 
-/** The target of the pointer that is swapped. */
+/** The object that the swapped pointer points to. */
 struct PublishedModel
 {
   std::shared_ptr<const HapticModel> Model;
   std::shared_ptr<ToolMemory> Tool; ///< for the servo; null if the model's tool needs none
   std::uint64_t Generation = 0;
-  MemoryLock Lock; ///< on the tables of both
+  MemoryLock Lock; ///< locks the tables of both
 };
 
 class ModelExchange
@@ -46,7 +47,7 @@ public:
   ///@{
   /** Called by the publishing thread. */
   std::uint64_t Publish(std::shared_ptr<const HapticModel> model);
-  /** The memory of the tool of the model that was published last; null if it needs none. */
+  /** The tool memory of the model that was published last; null if it needs none. */
   const std::shared_ptr<ToolMemory>& GetTool() const noexcept { return this->Kept.back()->Tool; }
   /** Frees the models that no other thread uses. */
   void Collect();
@@ -72,12 +73,14 @@ public:
   ///@}
 
   ///@{
-  /** Called by the thread of that name: the latest model, which stays until it lets go. */
+  /**
+   * Called by the thread of that name: the latest model, which stays until the thread releases it.
+   */
   enum Holder : std::uint8_t
   {
     Fitter,
     SampleKeeper,
-    Holders ///< their number
+    Holders ///< the number of holders
   };
   const HapticModel* Hold(Holder holder) noexcept;
   void LetGo(Holder holder) noexcept { this->Held[holder].store(nullptr); }
@@ -90,7 +93,8 @@ private:
   std::atomic<bool> LockRefused{ false };
   std::vector<std::unique_ptr<const PublishedModel>> Kept; // used by the publisher, oldest first
   std::uint64_t Generation = 0;                            // used by the publisher
-  std::shared_ptr<ToolMemory> LastTool; // used by the publisher: the last one that was needed
+  std::shared_ptr<ToolMemory> LastTool; // used by the publisher: the last tool memory that a model
+                                        // needed
 };
 
 } // namespace VolumeHaptics

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * An upper and a typical figure of the latest durations of a kind: written by one thread, read by
- * any, without waiting.
+ * An upper and a typical figure of recent durations: written by one thread, read by any, without
+ * waiting.
  *
- * Of the last Capacity durations, and of those no more than make a second together: their 95th
- * percentile, which a few late wake-ups of a busy machine do not move, and their median. Both are
- * found anew with every Stride-th duration.
+ * They are the 95th percentile, which a few late wake-ups of a busy machine do not move, and the
+ * median of the last Capacity durations, limited to those that sum to one second. Both are computed
+ * with every Stride-th duration.
  */
 #ifndef RecentDurations_h
 #define RecentDurations_h
@@ -24,16 +24,16 @@ class RecentDurations
 public:
   static constexpr std::size_t Capacity = 256;
   static constexpr std::size_t Stride = 16;
-  static constexpr std::int64_t Window = 1000000000; ///< ns, that they make together at most
+  static constexpr std::int64_t Window = 1000000000; ///< ns, the largest sum of the durations used
 
   ///@{
-  /** The one writer's side. The first figures come with the Stride-th duration (ns). */
+  /** Called by the one writer. The first figures come with the Stride-th duration (ns). */
   void Add(std::int64_t nanoseconds) noexcept;
   void Reset() noexcept;
   ///@}
 
   ///@{
-  /** In ns; 0 as long as it is not known. */
+  /** In ns; 0 until the first figures are known. */
   std::int64_t GetUpper() const noexcept { return this->Upper.load(std::memory_order_relaxed); }
   std::int64_t GetTypical() const noexcept { return this->Typical.load(std::memory_order_relaxed); }
   ///@}
@@ -43,7 +43,7 @@ private:
 
   std::array<std::int64_t, Capacity> Last{}; ///< a ring
   std::array<std::int64_t, Capacity> Sorted{};
-  std::uint64_t Count = 0; ///< of all so far
+  std::uint64_t Count = 0; ///< durations so far
   std::atomic<std::int64_t> Upper{ 0 };
   std::atomic<std::int64_t> Typical{ 0 };
 };

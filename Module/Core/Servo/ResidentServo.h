@@ -20,20 +20,20 @@ struct ServoState;
 struct TickRecord;
 
 /**
- * The ticks of a servo that may work on a region. They set the gate's opening (ForceGate.h) by the
- * residency.
+ * Runs the ticks of a servo that may work on a region, and sets the gate's opening (ForceGate.h) by
+ * the residency.
  *
- * The opening follows the residency by 1 in ForceGate::FadeTime at most, up and down. If the data
+ * The opening follows the residency, by 1 in ForceGate::FadeTime at most, up and down. If the data
  * of a tick are missing, the tick is not computed: the last force moves along with the tip and
- * fades. Then the proxy stays on the tip. When the data have come, a new force begins from there,
- * at zero. For models of whole volumes all this is Tick() with an opening of 1.
+ * fades. Then the proxy stays on the tip. When the data have come, a new force begins there, at
+ * zero. For models of whole volumes this is Tick() with an opening of 1.
  */
 class ResidentServo
 {
 public:
   /**
    * One tick of a period (s). Computes the whole force, of which the gate's share is felt. `record`
-   * has to be that of the tick before; `tool` is as for VolumeHaptics::Tick.
+   * is the record of the tick before; `tool` is as for VolumeHaptics::Tick.
    */
   void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, double period,
     TickRecord& record, const LocalSurfaceResult& result, ForceGate& gate,
@@ -43,14 +43,14 @@ public:
 
   /** Whether missing data reduced the last tick's force. */
   bool IsAwaiting() const noexcept { return this->Awaits; }
-  /** Whether they were so few that the last tick was not computed. */
+  /** Whether so many were missing that the last tick was not computed. */
   bool LacksData() const noexcept { return this->Lacks; }
 
 private:
   bool Awaits = false;
   bool Lacks = false;
   bool IsOut = false; ///< the old force has to end before a new one begins
-  Vector3 Force;      ///< while IsOut: the last one
+  Vector3 Force;      ///< while IsOut: the last force
   Vector3 Lag;        ///< while IsOut: proxy minus tip
   TickMemory Taps;    ///< of the last tick
 };

@@ -17,14 +17,17 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Between two looks at the tip (ns). */
+/** Between two polls of the tip (ns). */
 constexpr std::int64_t TipPeriod = 5 * ServoClock::Millisecond;
-/** Index steps along the axis of the smallest spacing; the first with few enough pages is taken. */
+/**
+ * Index steps along the axis of the smallest spacing; the first margin with few enough pages is
+ * used.
+ */
 constexpr int Margins[] = { 32, 24, 16, 12, 8, 6, 4, 3, 2, 1, 0 };
-/** Of the reach, for what is kept around the proxy if not even the reach has few enough pages. */
+/** Fractions of the reach, for the box around the proxy if even the reach has too many pages. */
 constexpr double Shares[] = { 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.0 };
 
-/** The most index steps along each axis of a vector of length 1. */
+/** The largest number of index steps along each axis for a vector of length 1. */
 Vector3 StepsOf(const Affine3& toIndex) noexcept
 {
   const Matrix3& m = toIndex.Linear;
@@ -112,7 +115,7 @@ bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t p
 
 void SampleKeeper::Lock(const std::vector<SamplePages>& pages, Kept& kept)
 {
-  // All at once. A fault alone lets the kernel read a lot around it that nothing needs.
+  // All at once: a single page fault lets the kernel read many unneeded pages around it.
   for (const SamplePages& range : pages)
   {
     RequestPages(reinterpret_cast<const void*>(range.Begin), range.End - range.Begin);

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Keeps the samples around the tip in memory, on a thread of its own.
+ * Keeps the samples around the tip in memory, on its own thread.
  *
- * An array may be mapped from a file that is larger than memory: a tick that reads a page that is
- * not there waits for the disk. This thread follows the tip. It brings the pages of a box around
- * tip and proxy into memory before the tip gets there, and locks them as far as the limit of the
- * user allows (RLIMIT_MEMLOCK). Nothing else of the volume is read.
+ * An array may be mapped from a file that is larger than memory: a tick that reads a missing page
+ * waits for the disk. This thread polls the tip, brings the pages of a box around tip and proxy
+ * into memory before the tip gets there, and locks them as far as the limit of the user allows
+ * (RLIMIT_MEMLOCK). It reads no other part of the volume.
  *
- * The box holds what a tick reads (FindReadReach), also where the tip will be at the next look if
- * it goes on as it did, and a margin of up to 32 voxels, as far as all this has no more than
- * SampleKeeper::MostBytes in whole pages. It is renewed when the tip has used up half the margin.
- * The labels have a box of their own.
+ * The box holds what a tick reads (FindReadReach) here and at the extrapolated tip of the next
+ * poll, with a margin of up to 32 voxels, limited to SampleKeeper::MostBytes in whole pages. It is
+ * renewed when the tip has used up half the margin. The labels have a separate box.
  */
 #ifndef SampleKeeper_h
 #define SampleKeeper_h
@@ -32,14 +31,14 @@ namespace VolumeHaptics
 class ModelExchange;
 struct VolumeView;
 
-/** A box of samples: the indices of its first and its last one, as the view counts them. */
+/** A box of samples: its first and last indices, as the view counts them. */
 struct SampleBox
 {
   std::int64_t First[3] = { 0, 0, 0 };
   std::int64_t Last[3] = { -1, -1, -1 };
 };
 
-/** Some bytes from the first to the last page that they lie in. */
+/** A range of bytes, from the first to the last page. */
 struct SamplePages
 {
   std::uintptr_t Begin = 0; ///< an address
@@ -47,8 +46,8 @@ struct SamplePages
 };
 
 /**
- * The whole pages that hold a box of samples, in the order of their addresses and apart from each
- * other. Ends, with false, where they have more than `most` bytes.
+ * The whole pages that hold a box of samples, ascending and disjoint. Stops, and returns false, if
+ * they have more than `most` bytes.
  */
 bool FindSamplePages(const VolumeView& view, const SampleBox& box, std::size_t pageSize,
   std::size_t most, std::vector<SamplePages>& pages);
@@ -61,11 +60,11 @@ public:
   {
   }
 
-  /** Of the pages of each of the two boxes. */
+  /** The limit for the pages of each of the two boxes. */
   static constexpr std::size_t MostBytes = std::size_t{ 1 } << 22;
 
   ///@{
-  /** Runs on the thread until it is stopped; then nothing is locked any more. */
+  /** Runs on the thread until it is stopped; then all pages are unlocked. */
   void Run() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }
   ///@}
@@ -78,8 +77,8 @@ public:
 
   ///@{
   /**
-   * From any thread: the number of looks that had samples to keep, and whether after the last one
-   * some were not locked.
+   * From any thread: the number of polls that had samples to keep, and whether some samples were
+   * not locked after the last poll.
    */
   std::uint64_t GetLooks() const noexcept { return this->Looks.load(std::memory_order_acquire); }
   bool IsLockRefused() const noexcept { return this->Refused.load(std::memory_order_relaxed); }
@@ -91,11 +90,11 @@ private:
     Vector3 Tip;
     Vector3 Proxy;
   };
-  /** The samples of one array that are kept. */
+  /** The samples of one array that stay in memory. */
   struct Kept
   {
     const void* Of = nullptr; ///< the array's first sample
-    SampleBox Enough;         ///< as long as the ticks read within this, the box stays
+    SampleBox Enough;         ///< the box stays as long as ticks read within this
     bool IsLocked = false;
     std::unique_ptr<MemoryLock> Lock;
   };
@@ -115,10 +114,10 @@ private:
   // Used by the thread only.
   bool HasPlace = false;
   Vector3 LastTip;
-  Vector3 NextTip; ///< where the tip will be at the next look
+  Vector3 NextTip; ///< where the tip will be at the next poll
   Kept Scalars;
   Kept Labels;
-  Kept LabelShares; ///< of FineLabels
+  Kept LabelShares; ///< for FineLabels
 };
 
 } // namespace VolumeHaptics

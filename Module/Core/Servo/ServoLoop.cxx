@@ -14,19 +14,19 @@ namespace
 {
 
 /**
- * The ring of ticks has room for this time (s), and for so many ticks at least; its collector looks
- * every 5 ms. It has no more, since every start clears its memory and locks it, for which a user
- * has 8 MiB by default.
+ * The ring of ticks has room for this time (s), and for at least so many ticks; its collector polls
+ * every 5 ms. It is no larger, since every start clears and locks its memory, for which a user has
+ * 8 MiB by default.
  */
 constexpr double LongestWait = 0.4;
 constexpr double LeastTicks = 1024.0;
 /** More stack (bytes) than any method needs; the rest of the stack is not locked. */
 constexpr std::size_t StackSize = 1 << 18;
-/** A new model carries the proxy no farther than this (m): beyond, it begins at the tip. */
+/** A new model carries the proxy by at most this (m); beyond, the proxy begins at the tip. */
 constexpr double FarthestCarry = 3e-3;
 /**
- * A new model may change the force by this share of its maximum, and by no more than the slew limit
- * allows in this time (s). Beyond, the force begins again at zero.
+ * A new model may change the force by this fraction of its maximum, and by at most what the slew
+ * limit allows in this time (s). Beyond, the force begins again at zero.
  */
 constexpr double LargestJump = 0.25;
 constexpr double JumpTime = 0.05;
@@ -48,7 +48,7 @@ ServoLoop::~ServoLoop() = default;
 
 void ServoLoop::LockMemory(MemoryLock& lock) noexcept
 {
-  // The largest last: a user's limit often allows only the others.
+  // The largest part comes last: a user's limit often allows only the others.
   const bool own = lock.Add(this, sizeof(*this));
   const bool stack = lock.AddStack(StackSize);
   const bool trace = lock.Add(this->Trace.GetMemory(), this->Trace.GetMemorySize());
@@ -86,7 +86,7 @@ void ServoLoop::SetClutched(bool clutched) noexcept
     {
       return;
     }
-    // The changes are counted below the orders, and begin anew after the last that fits.
+    // The changes are counted below the orders, and wrap around.
     const std::uint64_t changes = (last + ClutchStep) % OrderStep & ~(ClutchStep - 1);
     next = OrdersOf(last) * OrderStep | changes | (clutched ? ClutchBit : 0) |
       static_cast<std::uint64_t>(OrderOf(last));
@@ -114,8 +114,8 @@ void ServoLoop::FollowOrders(std::uint64_t command) noexcept
         break;
     }
   }
-  // After the orders: Arm while clutched is remembered, and a clutch that came and went meanwhile
-  // still takes the force away.
+  // After the orders: Arm while clutched is stored, and a clutch that came and went meanwhile still
+  // removes the force.
   if (ClutchesOf(command) != ClutchesOf(seen))
   {
     this->Gate.SetClutched(true);
@@ -129,10 +129,10 @@ void ServoLoop::FollowOrders(std::uint64_t command) noexcept
 
 void ServoLoop::FollowCommands() noexcept
 {
-  // First: the orders that came before a release are then seen with it.
+  // First: so the orders that came before a release are seen with it.
   this->Gate.SetHeld(this->HoldWanted.load(std::memory_order_acquire));
   this->FollowOrders(this->ArmCommand.load(std::memory_order_acquire));
-  // After the orders: it was required before Arm.
+  // After the orders: the confirmation was required before Arm.
   if (const unsigned axes = this->ConfirmAxes.exchange(0, std::memory_order_acq_rel))
   {
     this->SignAxes = axes;
@@ -211,7 +211,7 @@ void ServoLoop::FollowDataClock(double period) noexcept
   if (model && model->Baked->IsMoving())
   {
     DataClockOrders orders = this->ClockOrders.Read();
-    // A surface must not go past a hand that can't feel it.
+    // A surface must not pass a hand that can't feel it.
     orders.Plays = orders.Plays && !this->Servo.LacksData();
     const DataClock::Leap leap = this->Clock.Follow(*model->Baked, orders, period, this->State);
     this->IsModelNew = this->IsModelNew || leap != DataClock::Leap::None;
@@ -226,12 +226,12 @@ void ServoLoop::FollowDataClock(double period) noexcept
 
 void ServoLoop::PlaceProxy(const DeviceSample& sample, double elapsed) noexcept
 {
-  // Begins at the tip, without force, on these four causes. Tick() does so after a tip that is not
-  // finite, ResidentServo after missing data.
+  // The proxy begins at the tip, without force, for these four reasons. Tick() does so after a tip
+  // that is not finite, ResidentServo after missing data.
   const bool isContactNew = std::exchange(this->IsContactNew, false);
   // The loop stood still, but the hand did not.
   const bool stood = elapsed > this->Limits.Read().WatchdogTime;
-  // Taken up here, so the proxy must not come from a tip that no hand has held.
+  // The stylus was taken up here, so the proxy must not start at a tip that no hand has held.
   const bool isTakenUp = sample.Begins || (sample.Fresh && !this->HasSample);
   // The hand moved on while the gate let nothing through: see the table of ForceGate.h.
   const bool isGateNew = this->Gate.TakeRestart();
@@ -280,7 +280,7 @@ bool ServoLoop::KeepForRecording() noexcept
   {
     this->Current->Tool->Keep();
   }
-  // At last: from now on the snapshot is another thread's.
+  // Last: from now on the snapshot belongs to another thread.
   this->KeepWanted.store(false, std::memory_order_release);
   return isKept;
 }
@@ -289,7 +289,7 @@ void ServoLoop::Touch(const DeviceSample& sample, double period) noexcept
 {
   ServoSnapshot& s = this->Snapshot;
   const Vector3 before = s.Record.Force;
-  // After a request was carried out, the hand feels another volume.
+  // The tick carried out a request: the hand now feels another volume.
   this->IsModelNew = this->IsModelNew || s.Record.IsServed;
   if (const HapticModel* const model = this->Current->Model.get())
   {
@@ -342,7 +342,7 @@ Vector3 ServoLoop::Confirm(const DeviceSample& sample, double elapsed) noexcept
   }
   if (this->Signs.GetVerdict().Result != SignResult::Pending)
   {
-    // Armed again after a verdict that was not the one wanted.
+    // Armed again after any verdict but Confirmed.
     this->Signs.Begin(this->SignAxes, this->ConfirmForce.load(std::memory_order_relaxed));
   }
   const Vector3 push = this->Signs.Step(sample.Tip, sample.Fresh || sample.Alive, elapsed);
@@ -408,7 +408,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   {
     this->Timing.NoteTaken({ sample.Time, ServoClock::Now() });
   }
-  // Only after the device has got it.
+  // Only after the device has received it.
   this->AtRest.store(this->Gate.IsAtRest(), std::memory_order_release);
   if (this->WriteLost)
   {
@@ -481,7 +481,7 @@ void ServoLoop::Run() noexcept
     planned += this->Period;
     if (done > planned)
     {
-      // Too late for the next tick: go on in step with the clock instead of catching up in a burst.
+      // Too late for the next tick: stay in step with the clock instead of catching up in a burst.
       const std::int64_t missed = (done - planned) / this->Period + 1;
       this->MissedTicks.store(
         this->MissedTicks.load(std::memory_order_relaxed) + static_cast<std::uint64_t>(missed),

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The servo loop: one tick after the other at a fixed rate, on a thread of its own.
+ * The servo loop: one tick after the other at a fixed rate, on its own thread.
  *
  * The loop never waits for its inputs and outputs:
  * - a model is published by swapping a pointer (ModelExchange.h);
- * - local surfaces come from a slow thread of their own (LocalSurfaceFitter.h);
- * - another one brings the samples around the tip into memory (SampleKeeper.h);
+ * - a slow thread fits the local surfaces (LocalSurfaceFitter.h);
+ * - a second slow thread brings the samples around the tip into memory (SampleKeeper.h);
  * - the latest state leaves through a triple buffer, every state through a ring while recording;
- * - orders to the clock of a volume that moves come through a triple buffer (DataClock.h);
+ * - orders to the clock of a moving volume come through a triple buffer (DataClock.h);
  * - commands (arm, disarm, fade out, stop), limits and the time of the owner's last call are single
  *   atomics.
  *
@@ -52,18 +52,18 @@ struct ServoSnapshot
 {
   TickRecord Record;            ///< computed by the tick, before the safety stage
   ServoState Before;            ///< the state before the tick; if not enabled, f = 0
-  bool IsKept = false;          ///< the memory of the tool has a copy that belongs to Before
-  ModeForces Modes{};           ///< N, of the modes of PRIMITIVES, before the safety stage
+  bool IsKept = false;          ///< the tool's memory has a copy that belongs to Before
+  ModeForces Modes{};           ///< N, per mode of PRIMITIVES, before the safety stage
   Vector3 Command;              ///< N, sent to the device
   Vector3 Torque;               ///< N m, sent to the device
   double Time = 0.0;            ///< s since the loop started
   std::uint64_t Tick = 0;       ///< counts from 0, executed ticks only
-  std::uint64_t Generation = 0; ///< of the model that was used; 0 without a model
+  std::uint64_t Generation = 0; ///< of the model in use; 0 without a model
   std::uint32_t Buttons = 0;
   Vector3 Turn;                ///< rad/s, see DeviceSample
-  Quaternion Orientation;      ///< of the stylus, see DeviceSample; tools turn with it
+  Quaternion Orientation;      ///< the stylus's, see DeviceSample; tools turn with it
   bool HasOrientation = false; ///< Orientation is valid; it is a unit quaternion in any case
-  bool IsOrdered = false;      ///< Orientation is that of ServoLoop::TurnHand
+  bool IsOrdered = false;      ///< Orientation comes from ServoLoop::TurnHand
   GateState Gate = GateState::Disarmed;
   GateReason Reason = GateReason::Ordered; ///< why Share is not 1
   bool Stale = false;                      ///< the tip is older than the watchdog allows
@@ -71,10 +71,10 @@ struct ServoSnapshot
   bool Awaiting = false;                   ///< missing data held force back
   double Share = 0.0;                      ///< the share of Record.Force that the gate let through
   double Residency = 1.0;                  ///< the gate's opening: Share without the ramp
-  std::uint32_t Orders = 0;                ///< that the tick has seen: see ServoLoop::GetOrders
+  std::uint32_t Orders = 0;                ///< orders seen by the tick: see ServoLoop::GetOrders
   DeviceState Device = DeviceState::Running;
-  SignVerdict Signs;     ///< of the check since RequireConfirmation
-  DataClockReport Clock; ///< of a volume that moves
+  SignVerdict Signs;     ///< the check's, since RequireConfirmation
+  DataClockReport Clock; ///< for a volume that moves
 
   bool IsArmed() const noexcept { return this->Gate != GateState::Disarmed; }
   GateReason GetFault() const noexcept { return FindFault(this->Gate, this->Reason); }
@@ -89,22 +89,24 @@ public:
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /** The worker: returns after RequestStop, with zero force sent. */
+  /** Runs the loop: returns after RequestStop, with zero force sent. */
   void Run() noexcept;
   /**
-   * The slow worker, without which LOCAL_SURFACE finds no surface. It also returns after
+   * Runs the slow worker; without it LOCAL_SURFACE has no surface. It also returns after
    * RequestStop.
    */
   void RunFitter() noexcept { this->Fitter.Run(); }
-  /** Wakes Run up on another processor if its own does not in time. Until RequestStop. */
+  /**
+   * Wakes Run up on another processor if its own does not do so in time. Returns after RequestStop.
+   */
   void WatchSleep() noexcept { this->Sleep.Watch(); }
   /** See WatchedSleep::GetRescues. */
   std::uint64_t GetRescues() const noexcept { return this->Sleep.GetRescues(); }
-  /** Seeks a real-time class for Run if the kernel refuses it: see ServoPriority. */
+  /** Requests a real-time class for Run if the kernel refuses it: see ServoPriority. */
   void AskRealtimeKit() noexcept { this->Priority.AskRealtimeKit(); }
   /**
-   * Keeps the samples around the tip in memory, without which a tick may wait for the disk if the
-   * volume is mapped from a file. It also returns after RequestStop, and then locks none.
+   * Keeps the samples around the tip in memory; without it a tick may wait for the disk if the
+   * volume is mapped from a file. It also returns after RequestStop, after unlocking them.
    */
   void RunSampleKeeper() noexcept { this->Samples.Run(); }
   void RequestStop() noexcept
@@ -121,26 +123,26 @@ public:
   {
     return this->Models.Publish(std::move(model));
   }
-  /** See ModelExchange::GetTool. By the owner. */
+  /** See ModelExchange::GetTool. Called by the owner. */
   std::shared_ptr<const ToolMemory> GetTool() const { return this->Models.GetTool(); }
   /** Frees the models that the loop no longer uses. */
   void Collect() { this->Models.Collect(); }
   /** The generation that the loop has seen. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** The generation such that no state that is yet to be read or drained is older. */
+  /** The lowest generation of the states that are yet to be read or drained. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);
   }
 
-  /** Force may flow, after a ramp; clears a fault. Changes nothing if force flows already. */
+  /** Lets force flow, after a ramp; clears a fault. Changes nothing if force flows already. */
   void Arm() noexcept
   {
     this->Attend();
     this->Command(ArmOrder::Arm);
   }
-  /** No force from the next tick on. */
+  /** Stops the force from the next tick on. */
   void Disarm() noexcept { this->Command(ArmOrder::Disarm); }
   /**
    * Whether the last of these orders was Arm, even if the loop has not seen it yet, and no clutch
@@ -151,23 +153,23 @@ public:
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
     return OrderOf(command) == ArmOrder::Arm && !IsClutched(command);
   }
-  /** How many of these orders there were, modulo 2^32: to find out which ones a tick has seen. */
+  /** The number of these orders, modulo 2^32: it shows which ones a tick has seen. */
   std::uint32_t GetOrders() const noexcept
   {
     return static_cast<std::uint32_t>(OrdersOf(this->ArmCommand.load(std::memory_order_relaxed)));
   }
   /**
-   * The force goes to zero within ForceGate::FadeTime; then as Disarm. Changes nothing if the last
+   * Brings the force to zero within ForceGate::FadeTime; then disarms. Changes nothing if the last
    * order was Disarm, even one of another thread at the same time.
    */
   void FadeOut() noexcept { this->Command(ArmOrder::FadeOut); }
 
   ///@{
   /**
-   * While held, no force is sent, whatever other orders say. It falls to zero as with FadeOut, but
-   * the loop stays armed, and AttentionTime does not count. After Release and the end of the fade,
-   * if the loop is armed and has no fault, the force rises as after Arm, with the proxy on the tip.
-   * Called by the owner.
+   * While held, no force is sent, whatever other orders say. The force falls to zero as with
+   * FadeOut, but the loop stays armed, and AttentionTime does not count. After Release and the end
+   * of the fade, if the loop is armed and has no fault, the force rises as after Arm, with the
+   * proxy on the tip. Called by the owner.
    */
   void Hold() noexcept { this->HoldWanted.store(true, std::memory_order_release); }
   void Release() noexcept
@@ -181,15 +183,16 @@ public:
 
   ///@{
   /**
-   * While clutched, no force leaves, from the next tick on. After it, force rises as after Arm if
-   * the loop was armed before it or the last order was Arm: see the table of ForceGate.h.
+   * While clutched, no force is sent, from the next tick on. Afterwards, force rises as after Arm
+   * if the loop was armed before the clutch or the last order was Arm: see the table of
+   * ForceGate.h.
    */
   void SetClutched(bool clutched) noexcept;
   bool IsClutched() const noexcept
   {
     return IsClutched(this->ArmCommand.load(std::memory_order_relaxed));
   }
-  /** Whether force returns after it, as far as orders tell. */
+  /** Whether force returns after the clutch, according to the orders. */
   bool ReturnsAfterClutch() const noexcept
   {
     const std::uint64_t command = this->ArmCommand.load(std::memory_order_relaxed);
@@ -198,15 +201,15 @@ public:
   ///@}
 
   /**
-   * The owner is present. If SafetyLimits::AttentionTime is set, the loop is armed, and neither
-   * this nor Arm is called for that long, the force fades out as with FadeOut. The fault Unattended
-   * then holds until Arm.
+   * Reports that the owner is present. If SafetyLimits::AttentionTime is set, the loop is armed,
+   * and neither this nor Arm is called for that long, the force fades out as with FadeOut. The
+   * fault Unattended then holds until Arm.
    */
   void Attend() noexcept;
 
   /**
-   * From the next tick on the volume is not felt until the loop, once it is armed, has found out
-   * that the device moves with the force (SignCheck.h). By the owner, before Arm; `axes` and
+   * From the next tick on the volume is not felt until the loop, once it is armed, has confirmed
+   * that the device moves with the force (SignCheck.h). Called by the owner, before Arm; `axes` and
    * `force` (N) are those of DeviceLimits.
    */
   void RequireConfirmation(unsigned axes, double force) noexcept
@@ -225,8 +228,8 @@ public:
   ///@}
 
   /**
-   * A burr spins, whether its button is pressed or not, as long as force flows: not while the loop
-   * is disarmed, held or confirming, and not after a fault.
+   * Spins a burr, with or without its button, as long as force flows: not while the loop is
+   * disarmed, held or confirming, and not after a fault.
    */
   void Spin(bool on) noexcept { this->SpinOrdered.store(on, std::memory_order_relaxed); }
 
@@ -237,14 +240,14 @@ public:
   const ServoSnapshot& GetState() const noexcept { return this->Latest.Read(); }
 
   /**
-   * The memory of the tool is kept (ToolMemory::Keep), and the snapshot of a removal completed, in
-   * the next tick that has a model and can do so: a recording begins with that tick. Not before the
-   * last one that was kept has been read.
+   * Copies the tool's memory (ToolMemory::Keep), and completes the snapshot of a removal, in the
+   * next tick that has a model and can do so: a recording begins with that tick. Call it only after
+   * the last copy has been read.
    */
   void KeepTool() noexcept { this->KeepWanted.store(true, std::memory_order_release); }
-  /** Whether that is still to be done. If not, the loop has let go of the snapshot. */
+  /** Whether the copy is still to be made. If not, the loop has released the snapshot. */
   bool IsKeepWanted() const noexcept { return this->KeepWanted.load(std::memory_order_acquire); }
-  /** Takes the order back; holds from the tick on that begins next. */
+  /** Withdraws the order; takes effect with the next tick that begins. */
   void KeepNothing() noexcept { this->KeepWanted.store(false, std::memory_order_release); }
   void SetRecording(bool on) noexcept { this->Recording.store(on, std::memory_order_release); }
   bool Drain(ServoSnapshot& snapshot) noexcept { return this->Trace.Pop(snapshot); }
@@ -274,7 +277,10 @@ public:
   {
     return this->MissedTicks.load(std::memory_order_relaxed);
   }
-  /** How old positions are in the forces: how the device is read and written, not the ticks. */
+  /**
+   * How old the positions behind the forces are: depends on how the device is read and written, not
+   * on the ticks.
+   */
   const LoopTiming& GetTiming() const noexcept { return this->Timing; }
   double GetTickRate() const noexcept { return this->TickRate.load(std::memory_order_relaxed); }
   void ResetStatistics() noexcept { this->ResetRequested.store(true, std::memory_order_release); }
@@ -289,15 +295,18 @@ public:
   RealTimeGrant GetRealTimePriority() const noexcept { return this->Priority.GetGrant(); }
   /**
    * Whether the loop's own memory stays in memory while it runs: this object with its buffers, the
-   * loop's stack, and the tables of the models. Never locked are the program's code, meshes, and
-   * the memory of a back end and its driver.
+   * loop's stack, and the tables of the models. The program's code, meshes, and the memory of a
+   * back end and its driver are never locked.
    */
   Privilege GetLockedMemory() const noexcept
   {
     const Privilege own = this->LockedMemory.load();
     return own == Privilege::Granted && this->Models.IsLockRefused() ? Privilege::Refused : own;
   }
-  /** The same of the samples around the tip; Unknown if there are none, or without their thread. */
+  /**
+   * Whether the samples around the tip stay in memory; Unknown if there are none, or without their
+   * thread.
+   */
   Privilege GetLockedSamples() const noexcept
   {
     return this->Samples.GetLooks() == 0 ? Privilege::Unknown
@@ -316,9 +325,9 @@ private:
   };
   ///@{
   /**
-   * The parts of ArmCommand: the last order in two bits, whether it is clutched, how often that
-   * changed, and in the upper half how many orders came. One word, so that a tick sees all of them
-   * as they were at one time.
+   * The parts of ArmCommand: the last order in two bits, whether the loop is clutched, how often
+   * that changed, and in the upper half the number of orders. One word, so that a tick sees all of
+   * them as they were at one time.
    */
   static constexpr std::uint64_t ClutchBit = 4;
   static constexpr std::uint64_t ClutchStep = 8;
@@ -343,7 +352,7 @@ private:
     {
       if (order == ArmOrder::FadeOut && OrderOf(last) == ArmOrder::Disarm)
       {
-        return; // nothing is left to fade
+        return; // no force is left to fade
       }
       next = ((last & ~std::uint64_t(3)) | static_cast<std::uint64_t>(order)) + OrderStep;
     } while (!this->ArmCommand.compare_exchange_weak(last, next, std::memory_order_release));
@@ -389,7 +398,8 @@ private:
   std::atomic<std::uint64_t> ArmCommand{ 0 }; // see OrderOf
   std::atomic<std::int64_t> AttendedAt{ 0 };  // ns, of ServoClock
   LoopTiming Timing;                          // written by the servo
-  std::atomic<unsigned> ConfirmAxes{ 0 };     // of RequireConfirmation, until the loop has seen it
+  std::atomic<unsigned> ConfirmAxes{ 0 };     // from RequireConfirmation, until the loop has seen
+                                              // it
   std::atomic<double> ConfirmForce{ 0.0 };
   TripleBuffer<SafetyLimits> Limits;
   TripleBuffer<DataClockOrders> ClockOrders;
@@ -400,13 +410,13 @@ private:
   const PublishedModel* Current = nullptr;
   ServoState State;
   bool IsModelNew = false;   ///< since the last tick
-  bool IsForceNew = false;   ///< in this tick, for another reason than the motion of the tip
+  bool IsForceNew = false;   ///< in this tick, and not by the motion of the tip
   bool IsContactNew = false; ///< the proxy has to begin at the tip, since the model is new
   DataClock Clock;
   ResidentServo Servo;
   HandTurn Hand; ///< ordered by the owner
   ///@{
-  /** Of the device, in the last tick. */
+  /** The device's, in the last tick. */
   Quaternion MeasuredOrientation;
   bool HasMeasured = false;
   ///@}
@@ -416,7 +426,7 @@ private:
   TorqueStage Torques;
   double MotionTime = 0.0; ///< s: SafetyInput::MotionTime
   SignCheck Signs;
-  unsigned SignAxes = 0; ///< to be confirmed
+  unsigned SignAxes = 0; ///< axes to be confirmed
   ServoSnapshot Snapshot;
   std::uint64_t ArmCommandSeen = 0;
   bool WriteLost = false;

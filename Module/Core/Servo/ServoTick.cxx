@@ -17,7 +17,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A tick of the method: what a point feels. */
+/** One tick of the method: what a point feels. */
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
@@ -48,7 +48,7 @@ inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& 
   }
 }
 
-/** A tick with a tool in the hand. */
+/** One tick with a tool in the hand. */
 void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory, ToolMemory* tool) noexcept
 {
@@ -82,7 +82,7 @@ void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& recor
   }
 }
 
-/** Nothing is felt: tissue may come back where the hand is. */
+/** No force: tissue may come back where the hand is. */
 void Rest(
   const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record) noexcept
 {
@@ -146,7 +146,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   state.SurfaceStrength = record.SurfaceStrength;
   if (!state.Enabled || state.Needle.IsInserted)
   {
-    state.Release = ReleaseState{}; // a needle in the tissue has a law of its own
+    state.Release = ReleaseState{}; // a needle in the tissue has its own law
   }
   else
   {
@@ -185,7 +185,7 @@ Vector3 FindDrag(
   {
     return {};
   }
-  // The hand's motion alone: where the material moves, it may give energy.
+  // Only the hand's motion: where the material moves, it may give energy.
   const Vector3 drag = FindFieldDamping(model, before.PreviousTip, record);
   const Vector3 material = FindFieldDamping(model, FindFieldPlace(model, before), record);
   const double whole = Norm(FindFieldPush(model, record) + material);
@@ -210,8 +210,8 @@ void CarryState(
   const bool wasInserted = state.Needle.IsInserted;
   CarryNeedle(from, to, state.Needle);
   CarryShellTool(from, to, state, tool);
-  // A coarse image that stands in, and what it stands for, have surfaces at different places: the
-  // proxy must not come to the other side.
+  // A coarse image that stands in and the data that it replaces have surfaces at different places:
+  // the proxy must not change sides.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
     was.Method == HapticMethod::SurfaceProxy && is.Method == HapticMethod::SurfaceProxy &&
     IsOutsideSurface(from, state.Proxy, state.DataTime);
@@ -239,7 +239,7 @@ void CarryState(
   }
   if (isOther || from.Baked->Number != to.Baked->Number)
   {
-    // Of other primitives.
+    // They belong to other primitives.
     state.Primitives = PrimitiveMemory{};
   }
   // The level means nothing in another volume.

@@ -24,23 +24,24 @@ namespace VolumeHaptics
  *
  * The first tick after enabling sets the proxy on the tip with zero force. A tip that is not
  * finite, or a million kilometres away, gives zero force and disables the state. `result` is for
- * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it. So may
- * only one the memory of the model's tool, without which a tool that needs one is felt as a point.
+ * LOCAL_SURFACE only. A memory of the last tick saves time; only one thread may use it. The memory
+ * of the model's tool belongs to one thread, too; without it, a tool that needs a memory is felt as
+ * a point.
  */
 void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickRecord& record,
   const LocalSurfaceResult& result = LocalSurfaceResult::Simulated(), TickMemory* memory = nullptr,
   ToolMemory* tool = nullptr) noexcept;
 
 /**
- * The same by the one thread that owns the model's removal, if it has one: if requests to it wait,
- * a piece of them is carried out instead, and nothing is felt.
+ * As Tick, for the one thread that owns the model's removal, if it has one: if requests to it wait,
+ * it carries out a piece of them instead, and nothing is felt.
  */
 void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& tip,
   TickRecord& record, const LocalSurfaceResult& result, TickMemory* memory,
   ToolMemory* tool) noexcept;
 
 /**
- * The drag in a tick's force (N) against the hand's motion, which only takes energy: that of
+ * The purely dissipative drag in a tick's force (N), against the hand's motion: that of
  * FORCE_FIELD; zero for the methods that pull with a spring.
  * @param before the state before the tick, at its data time
  */
@@ -48,10 +49,10 @@ Vector3 FindDrag(
   const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept;
 
 /**
- * Takes the state from one placement of the device to another. The proxy rests on the volume: if
- * the volume moves under the hand, the proxy moves along. From one region of a volume to another,
- * and from one part of a series of frames to another, the state stays as it is. `tool` is the
- * memory of the new model's tool.
+ * Moves the state from one placement of the device to another. The proxy rests on the volume: if
+ * the volume moves under the hand, the proxy moves along. Between regions of a volume, and between
+ * parts of a series of frames, the state stays as it is. `tool` is the memory of the new model's
+ * tool.
  */
 void CarryState(const HapticModel& from, const HapticModel& to, ServoState& state,
   ToolMemory* tool = nullptr) noexcept;

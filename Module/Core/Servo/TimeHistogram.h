@@ -27,7 +27,7 @@ public:
   }
 
   /**
-   * The duration in ns below which a share (0 to 1) of the durations lie: the upper edge of its
+   * The duration in ns below which a fraction (0 to 1) of the durations lie: the upper edge of its
    * bucket. 0 if nothing was counted.
    */
   double GetPercentile(double share) const noexcept;

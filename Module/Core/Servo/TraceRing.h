@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Every value from one thread to another, in order, without waiting: a single-producer,
- * single-consumer ring. A value that finds the ring full is counted, not queued.
+ * Passes every value from one thread to another, in order, without waiting: a single-producer,
+ * single-consumer ring. If the ring is full, a value is counted as lost.
  */
 #ifndef TraceRing_h
 #define TraceRing_h

@@ -12,7 +12,7 @@ namespace
 {
 
 /**
- * Levels and gradients whose relative difference is less than this are the same material's:
+ * Levels and gradients with a smaller relative difference belong to the same material:
  * displacements in single precision are no more precise.
  */
 constexpr double SameMaterial = 1e-6;
@@ -26,13 +26,13 @@ struct Change
   bool IsNone = false;
 };
 
-/** PRECISE holds its proxy on levels of the estimator's own value, PAPER reads V. */
+/** PRECISE holds its proxy on levels of the estimator's own value; PAPER reads V. */
 bool HasOwnLevels(const HapticModel& model) noexcept
 {
   return model.Baked->Settings.Solver == HapticSolver::Precise;
 }
 
-/** Whether a sample is that of the same material after a motion, but for rounding. */
+/** Whether a sample belongs to the same material after a motion, apart from rounding. */
 bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double levelB) noexcept
 {
   const double slope = std::abs(a.Gradient.X) + std::abs(a.Gradient.Y) + std::abs(a.Gradient.Z);
@@ -41,7 +41,7 @@ bool IsSame(const FieldSample& a, const FieldSample& b, double levelA, double le
     std::abs(levelB - levelA) <= SameMaterial * (slope + std::abs(levelA));
 }
 
-/** @param from, index of the proxy, before and after it went along with the material */
+/** @param from, index of the proxy, before and after its motion with the material */
 Change FindChange(const HapticModel& model, const FieldAtTime& before, const FieldAtTime& now,
   const Vector3& from, const Vector3& index) noexcept
 {
@@ -50,7 +50,7 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
   FieldSample old;
   if (HasOwnLevels(model))
   {
-    old = before.Gradient(from); // first: it is of the older of both blends
+    old = before.Gradient(from); // first: it belongs to the older of both blends
     change.Now = now.Gradient(index);
     change.LevelBefore = old.Value;
     change.LevelNow = change.Now.Value;
@@ -74,13 +74,13 @@ Change FindChange(const HapticModel& model, const FieldAtTime& before, const Fie
   return change;
 }
 
-/** Whether a surface of the scalars holds the proxy or could, as far as the last tick tells. */
+/** Whether a surface of the scalars holds the proxy, or could, judging by the last tick. */
 bool IsSurfaceThere(const ServoState& state, const Surface& surface) noexcept
 {
   return !surface.IsWall && Carrying::IsSurfaceThere(state, surface.Fade);
 }
 
-/** The surface through an index at which the estimator reads this sample. */
+/** The surface through an index, given the estimator's sample there. */
 Surface FindThere(const HapticModel& model, ServoState& state, const FieldAtTime& now,
   const Vector3& index, const FieldSample& sample) noexcept
 {
@@ -89,8 +89,8 @@ Surface FindThere(const HapticModel& model, ServoState& state, const FieldAtTime
 }
 
 /**
- * Carries state.Proxy to a level of the estimator; the surface there is read again after each step.
- * @return how far (m) it is from where the surface was read
+ * Carries state.Proxy to a level of the estimator; reads the surface there again after each step.
+ * @return the distance (m) from where the surface was read
  */
 double CarryToOwnLevel(const HapticModel& model, ServoState& state, const FieldAtTime& now,
   const Change& change, Surface& there) noexcept

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The steps by which a proxy is carried to a level: what CarriedProxy.cxx and the shorter way of
- * PAPER share.
+ * The steps that carry a proxy to a level: shared by CarriedProxy.cxx and PAPER's shorter way.
  */
 #ifndef ProxyCarry_h
 #define ProxyCarry_h
@@ -17,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** Where a proxy was carried. */
+/** The result of carrying a proxy. */
 struct ProxyCarry
 {
   Vector3 Proxy;     ///< m
@@ -30,19 +29,19 @@ constexpr int MostSteps = 3;
 /** Voxels. */
 constexpr double LongestStep = 0.25;
 /**
- * After a step s as short as this (voxels), the level is reached: what is left is s^2 / (2 sigma)
- * at most, of an edge of width sigma. A level that holds the proxy is the same in all ticks, so
- * that the next one corrects that; where none holds it, what is left adds up.
+ * After a step s as short as this (voxels), the level is reached: the remaining error is at most
+ * s^2 / (2 sigma), for an edge of width sigma. A level that holds the proxy is the same in all
+ * ticks, so that the next tick corrects the error; without such a level, errors add up.
  */
 constexpr double ShortStep = 0.01;
 constexpr double ShortStepToLevel = 0.06;
 /**
- * After a carry of up to so many voxels, the surface is not read again: its normal and gradient
+ * After a carry of at most this many voxels, the surface is not read again: its normal and gradient
  * hardly change within it.
  */
 constexpr double SameSurface = 0.06;
 
-/** Whether a surface that fades holds the proxy or could, as far as the last tick tells. */
+/** Whether a surface that fades holds the proxy, or could, judging by the last tick. */
 inline bool IsSurfaceThere(const ServoState& state, double fade) noexcept
 {
   return fade > 0.0 && state.SurfaceStrength > 0.0 &&
@@ -54,7 +53,7 @@ inline bool IsSameSurface(const HapticModel& model, double away) noexcept
   return std::abs(away) * model.MostVoxelsPerMeter <= SameSurface;
 }
 
-/** J, that a motion of the proxy from `start` adds to the spring. */
+/** J that a motion of the proxy from `start` adds to the spring. */
 inline double FindWork(const ServoState& state, const Vector3& start, const Vector3& proxy) noexcept
 {
   const Vector3 motion = proxy - start;
@@ -62,14 +61,14 @@ inline double FindWork(const ServoState& state, const Vector3& start, const Vect
   return 0.5 * state.Stiffness * (Dot(motion, motion) - 2.0 * Dot(lag, motion));
 }
 
-/** How much the estimator's level rises per metre along the gradient. */
+/** The rise of the estimator's level per metre along the gradient. */
 inline double FindSlope(const HapticModel& model, double gradientMagnitude) noexcept
 {
   return gradientMagnitude * model.WorldUnitsPerMeter;
 }
 
 /**
- * The step (m) along the gradient by which the level rises by `rise`, if it does so by `slope` per
+ * The step (m) along the gradient over which the level rises by `rise`, given its `slope` per
  * metre; not inward past the tip.
  */
 inline double FindStep(const HapticModel& model, const Vector3& normal, double rise, double slope,
@@ -81,7 +80,7 @@ inline double FindStep(const HapticModel& model, const Vector3& normal, double r
   const bool isTwoSided = model.Baked->Settings.Side == SurfaceSide::Both;
   if (isTwoSided && !isHeld)
   {
-    return step; // the side that comes is the structure
+    return step; // the structure is on the approaching side
   }
   const double push = Dot(lag, normal);
   return Law::IsDescending(model, lag, normal) ? std::max(step, std::min(push, 0.0))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The state of a burr from tick to tick, beside that of its head, which is a ShellState: see
+ * The state of a burr from tick to tick, in addition to its head's ShellState: see
  * Core/Tools/Burr/BurrTool.h.
  */
 #ifndef BurrState_h
@@ -17,27 +17,30 @@ namespace VolumeHaptics
 
 struct BurrState
 {
-  bool IsCarving = false; ///< whether Carved is a place to go on from
+  bool IsCarving = false; ///< whether carving goes on from Carved
   bool IsRemoved = false; ///< whether the sphere at Carved was removed
-  Vector3 Carved;         ///< m, the centre of the sphere that is removed
+  Vector3 Carved;         ///< m, the centre of the removed sphere
   double Unspent = 0.0;   ///< J
   ///@{
-  /** J and m, of the last steps: what a step costs. */
+  /** J and m, in the last steps: the cost of a step. */
   double LastCost = 0.0;
   double LastWay = 0.0;
   ///@}
-  double Idle = 0.0;  ///< s, since the burr last removed something
-  double Phase = 0.0; ///< of the vibration, 0 to 1
-  double Lost = 0.0;  ///< J, that the hand has lost, and the vibration may give back
-  Vector3 Vibration;  ///< N, of the last tick
+  double Idle = 0.0;  ///< s, since the burr last removed tissue
+  double Phase = 0.0; ///< 0 to 1, of the vibration
+  double Lost = 0.0;  ///< J that the hand has lost, and the vibration may give back
+  Vector3 Vibration;  ///< N, in the last tick
   ///@{
-  /** A sphere that takes more than a tick: where it is (m), and which part is next; 0: none. */
+  /** A sphere that takes more than a tick: its centre (m), and its next part; 0: none. */
   Vector3 Next;
   std::uint32_t Part = 0;
   ///@}
-  /** m: the next step is no longer, since a later part of one met what nothing removes; 0: any. */
+  /**
+   * m: the longest next step, after a later part of a step met tissue that can't be removed; 0: no
+   * limit.
+   */
   double Shorter = 0.0;
-  /** m: how much larger the sphere at Carved is, since the tissue around still held the head. */
+  /** m: how much larger the sphere at Carved is, because tissue still held the head. */
   double Room = 0.0;
 };
 

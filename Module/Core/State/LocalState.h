@@ -24,9 +24,9 @@ struct LocalSurface
 /** The next search of the slow loop, see LocalSurfaceFit.h. */
 struct LocalSurfaceRequest
 {
-  Vector3 Position; ///< of the proxy
-  Vector3 Ahead;    ///< the farthest motion of the tip until the result is replaced
-  Vector3 Normal;   ///< of the surface that is known there, into the structure; 0 if there is none
+  Vector3 Position;      ///< the proxy's
+  Vector3 Ahead;         ///< the farthest motion of the tip until the result is replaced
+  Vector3 Normal;        ///< the known surface's, into the structure; 0 if there is none
   double DataTime = 0.0; ///< if the volume moves
 };
 
@@ -34,13 +34,13 @@ struct LocalSurfaceRequest
 struct LocalState
 {
   LocalSurface Surface;
-  Vector3 Position;         ///< of the proxy on the surface
+  Vector3 Position;         ///< the proxy's, on the surface
   bool IsHeld = false;      ///< whether the surface holds the proxy, and Position is valid
   Vector3 Tip;              ///< after the last tick
   Vector3 Fading;           ///< added to Position - Tip to give the felt lag; fades to 0
   double Fall = 0.0;        ///< decrease of the length of Fading in a tick
   std::uint32_t Age = 0;    ///< ticks since the request
-  std::uint32_t Number = 0; ///< of the request
+  std::uint32_t Number = 0; ///< the request's
   LocalSurfaceRequest Request;
 };
 

@@ -13,7 +13,7 @@ namespace
 
 /** Friction that differs by less than this share goes on in the same stretch. */
 constexpr double SameShaft = 0.005;
-/** Beyond newtons per metre that any tissue has. */
+/** N per metre, beyond that of any tissue. */
 constexpr float MostShaft = 1e12F;
 /** m; no needle is longer. */
 constexpr float MostLength = 1e9F;
@@ -47,7 +47,7 @@ void NeedleTrack::Append(double depth, double shaft, std::int64_t label) noexcep
 
 void NeedleTrack::MergeTwo(double end) noexcept
 {
-  // The last one stays: it is that of the tissue that was just left.
+  // The last stretch stays: it is the tissue that the needle has just left.
   int least = 0;
   double leastCost = std::numeric_limits<double>::infinity();
   for (int i = 0; i + 1 < this->Size; ++i)
@@ -56,7 +56,7 @@ void NeedleTrack::MergeTwo(double end) noexcept
     const NeedleStretch& second = (*this)[i + 1];
     const double until = i + 2 < this->Size ? (*this)[i + 2].Begin : end;
     const double length = std::min<double>(second.Begin - first.Begin, until - second.Begin);
-    // Tissues of one label first, whatever their friction.
+    // Merge tissues of one label first, whatever their friction.
     const double labels = first.Label == second.Label ? 0.0 : 1e6;
     const double cost = length * (labels + std::abs(second.Shaft - first.Shaft));
     if (cost < leastCost)

@@ -16,7 +16,7 @@
 namespace VolumeHaptics
 {
 
-/** A stretch of the track of the same tissue. It ends where the next one begins. */
+/** A stretch of the track in one tissue. It ends where the next one begins. */
 struct NeedleStretch
 {
   float Begin = 0.0F; ///< m, from the entry along the needle
@@ -25,8 +25,8 @@ struct NeedleStretch
 };
 
 /**
- * The tissue along the inserted shaft, from entry to tip. Its size is fixed: if more tissues
- * follow one another, the two neighbours that differ least become one with the same friction.
+ * The tissue along the inserted shaft, from entry to tip. Its size is fixed: if more tissues follow
+ * one another, the two neighbours that differ least are merged without a change of the friction.
  */
 class NeedleTrack
 {
@@ -40,13 +40,16 @@ public:
   }
   NeedleStretch& operator[](int i) noexcept { return this->Stretches[static_cast<std::size_t>(i)]; }
 
-  /** The tissue from this depth (m) on, deeper than all before; ignored if it goes on. */
+  /**
+   * Adds the tissue from this depth (m) on, deeper than all before; ignored if the last stretch
+   * goes on.
+   */
   void Append(double depth, double shaft, std::int64_t label) noexcept;
   /** The integral (N) of the friction from the entry to a depth in the last stretch. */
   double Sum(double depth) const noexcept;
-  /** Of the last stretch. */
+  /** The last stretch. */
   const NeedleStretch& Last() const noexcept { return (*this)[this->Size - 1]; }
-  /** Of a file: whether depths ascend and friction is possible. */
+  /** Whether depths ascend and friction is possible, for states from files. */
   bool IsPossible() const noexcept;
   void SetSize(int size) noexcept { this->Size = size < 0 ? 0 : (size > Most ? Most : size); }
 
@@ -61,20 +64,20 @@ private:
 struct NeedleState
 {
   bool IsInserted = false;
-  bool IsOutside = false;   ///< a free needle has been where nothing resists, and may be inserted
-  Vector3 Axis;             ///< unit, from the handle to the tip; frozen if nothing measures it
+  bool IsOutside = false;   ///< a free needle has met no resistance, and may be inserted
+  Vector3 Axis;             ///< unit, from the handle to the tip; frozen if it is not measured
   Vector3 Normal;           ///< unit, into the tissue, at the entry; 0 if there was no surface
   Vector3 Entry;            ///< where the insertion began
-  double Depth = 0.0;       ///< m, of the tip along the way that it was pushed
+  double Depth = 0.0;       ///< m, of the tip along its insertion
   double Deepest = 0.0;     ///< m
-  double Stiffness = 0.0;   ///< N/m, of the spring, from the puncture to the end of the insertion
-  double Puncture = 0.0;    ///< N; more than 0: a boundary in front of the tip holds with it
+  double Stiffness = 0.0;   ///< N/m, the spring's, from the puncture to the end of the insertion
+  double Puncture = 0.0;    ///< N; if more than 0, a boundary in front of the tip holds with it
   double PuncturedAt = 0.0; ///< m; the depth of the last puncture
-  std::int64_t PuncturedLabel = NoLabel; ///< and what was punctured
-  Vector3 Motion;      ///< m, of the hand while the needle is free; older motions count less
-  double Pushed = 0.0; ///< m, that the free needle was pushed through a surface that still holds
+  std::int64_t PuncturedLabel = NoLabel; ///< the punctured label
+  Vector3 Motion;            ///< m, the hand's while the needle is free; older motions count less
+  double Pushed = 0.0;       ///< m, the free needle's way through a surface that still holds
   std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
-  bool IsTouching = false;   ///< one stops it
+  bool IsTouching = false;   ///< a forbidden label stops it now
   NeedleTrack Track;
 };
 

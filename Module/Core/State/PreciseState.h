@@ -15,14 +15,14 @@
 namespace VolumeHaptics
 {
 
-/** The values that a walk along the normal has found (FarSide.h). */
+/** The values at the ends of a walk along the normal (FarSide.h). */
 struct FarValues
 {
   double Ahead = 0.0;
   double Behind = 0.0;
   /**
-   * 1 where V rises evenly over the whole walk, so that there is no edge; 0 where a plateau or
-   * another edge ends it on one side.
+   * 1 if V rises evenly over the whole walk, so that there is no edge; 0 if a plateau or another
+   * edge ends the walk on one side.
    */
   double Evenness = 0.0;
 };
@@ -30,10 +30,10 @@ struct FarValues
 /** A material point with the estimator's own value and its slope. */
 struct PrecisePoint : MaterialPoint
 {
-  double Value = 0.0; ///< the estimator's own
-  double Slope = 0.0; ///< of Value along the normal, per metre; 0 without a gradient
-  FarValues Far;      ///< of the last walk
-  /** Voxels of the proxy's path for which Far stands; 0 where the values do not follow it. */
+  double Value = 0.0; ///< the estimator's own value
+  double Slope = 0.0; ///< derivative of Value along the normal, per metre; 0 without a gradient
+  FarValues Far;      ///< from the last walk
+  /** Voxels of the proxy's path for which Far stays valid; 0 if the values do not follow it. */
   double FarLasts = 0.0;
 };
 
@@ -42,11 +42,11 @@ struct PreciseState
 {
   static constexpr double Unknown = std::numeric_limits<double>::max();
 
-  Vector3 ReachedTip;  ///< the tip; if the solver's budget was spent, the tip that it has reached
+  Vector3 ReachedTip;  ///< the tip; if the budget was spent, the tip that was reached
   double Level = 0.0;  ///< the estimator's value on the surface that holds the proxy
   bool IsHeld = false; ///< whether a surface holds the proxy, and Level is valid
   PassiveSpring Spring;
-  /** By how much the first step of a tick is lengthened; learned from the last ticks (1: not). */
+  /** The factor on the first step of a tick, learned from the last ticks; 1 changes nothing. */
   double StepPrediction = 1.0;
   PrecisePoint Here; ///< the last sampled material point
   /** An upper bound of the proxy's distance (voxels) from Here. */

@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** In a tick. */
+/** The most primitives in a tick. */
 constexpr int MostPrimitives = 8;
 
 /** The force (N) of each primitive on the hand. */
@@ -23,9 +23,9 @@ using PrimitiveForces = std::array<Vector3, MostPrimitives>;
 /** The state that a tick passes to the next one. */
 struct PrimitiveMemory
 {
-  PrimitiveForces Forces{}; ///< of each primitive, in the order in which the field adds them
+  PrimitiveForces Forces{}; ///< per primitive, in the order in which the field adds them
   double Rate = 1.0;        ///< r of the steps
-  /** In which direction the proxy went at last, of any length; 0 if it has not moved. */
+  /** The direction of the proxy's last motion, of any length; 0 if it has not moved. */
   Vector3 Towards;
 };
 

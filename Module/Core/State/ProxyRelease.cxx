@@ -12,7 +12,7 @@ namespace
 /** N: a smaller remainder ends at once. */
 constexpr double LeastRemainder = 1e-3;
 
-/** A remainder after a tick. */
+/** The remainder after a tick. */
 Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 {
   const double length = Norm(force);
@@ -23,8 +23,8 @@ Vector3 Fade(const HapticSettings& settings, const Vector3& force) noexcept
 }
 
 /**
- * The largest share s of a way from the force `held` on that is paid for: a s^2 + b s <= 2 k Saved,
- * which is true for s = 0.
+ * The largest part s of the way from the force `held` that the saved energy pays for: a s^2 + b s
+ * <= 2 k Saved, which is true for s = 0.
  */
 double FindPaidShare(
   const ReleaseState& release, const Vector3& way, const Vector3& twiceMean) noexcept
@@ -37,7 +37,7 @@ double FindPaidShare(
     return 1.0;
   }
   const double share = (std::sqrt(b * b + 4.0 * a * saved) - b) / (2.0 * a);
-  return share > 0.0 ? std::min(share, 1.0) : 0.0; // NaN is no share
+  return share > 0.0 ? std::min(share, 1.0) : 0.0; // NaN gives 0
 }
 
 } // namespace

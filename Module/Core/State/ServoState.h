@@ -23,7 +23,7 @@
 namespace VolumeHaptics
 {
 
-/** No hand is farther away (m); squares of smaller distances do not overflow. */
+/** The farthest tip (m) of any hand; squares of smaller distances do not overflow. */
 constexpr double FarthestTip = 1e9;
 
 /** The state from which the next tick goes on. */
@@ -33,23 +33,26 @@ struct ServoState
   Vector3 PreviousTip;
   bool Enabled = false; ///< if false, the next tick puts the proxy on the tip with no force
   PreciseState Precise;
-  ReleaseState Release; ///< what the hand feels beside the law, whose proxy the state has
+  ReleaseState Release; ///< felt in addition to the law, which determines the proxy
   LocalState Local;
   PrimitiveMemory Primitives;
-  LabelMemory Labels; ///< only saves time
+  LabelMemory Labels; ///< for speed only
   /** The data time of the tick: the caller advances it, if the volume moves. */
   double DataTime = 0.0;
   ///@{
-  /** Of the stylus in this tick, for tools; the caller sets it. A unit quaternion if valid. */
+  /**
+   * The stylus's orientation in this tick, for tools: a unit quaternion if valid. The caller sets
+   * it.
+   */
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
-  bool IsSpinning = false; ///< of a burr, in this tick; the caller sets it
+  bool IsSpinning = false; ///< the burr spins in this tick; the caller sets it
   NeedleState Needle;
   ShellState Shell; ///< together with ToolMemory
   BurrState Burr;
   ///@{
-  /** Of the last tick, for CarriedProxy.h. */
+  /** From the last tick, for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time
   double Stiffness = 0.0;       ///< N/m
   double SurfaceStrength = 0.0; ///< T_N W_d, N

@@ -71,7 +71,7 @@ void VisitLocal(State& local, Function&& visit)
   VisitVector(local.Request.Normal, visit);
 }
 
-/** False if a number can't be of that type; the value is then harmless. */
+/** Returns false if the type can't hold the number; the value is then harmless. */
 bool Read(double number, double& value)
 {
   value = number;
@@ -98,7 +98,7 @@ bool Read(double number, float& value)
   return std::isfinite(value);
 }
 
-/** Labels are whole numbers that a double holds, or NoLabel, which it does, too. */
+/** Labels are whole numbers that a double holds exactly, or NoLabel, which it holds, too. */
 bool Read(double number, std::int64_t& value)
 {
   constexpr double most = 9007199254740992.0; // 2^53
@@ -133,7 +133,7 @@ void VisitNeedle(Needle& needle, Function&& visit)
   visit(needle.Pushed);
   visit(needle.Touches);
   visit(needle.IsTouching);
-  // A read size is set on the visited copy.
+  // Sets the size that was read on the visited copy.
   int size = needle.Track.GetSize();
   visit(size);
   if constexpr (!std::is_const_v<Needle>)
@@ -199,7 +199,9 @@ void VisitBurr(Burr& burr, Function&& visit)
   visit(burr.Shorter);
 }
 
-/** Every number of a state. Those that were added later come last: older files lack them. */
+/**
+ * Visits every number of a state. Numbers that were added later come last: older files lack them.
+ */
 template <typename State, typename Function>
 void VisitState(State& state, Function&& visit)
 {
@@ -208,7 +210,7 @@ void VisitState(State& state, Function&& visit)
   visit(state.Enabled);
   VisitPrecise(state.Precise, visit);
   VisitLocal(state.Local, visit);
-  // Behind those of before.
+  // After the older numbers.
   auto& here = state.Precise.Here;
   visit(here.Far.Ahead);
   visit(here.Far.Behind);
@@ -237,20 +239,22 @@ void VisitState(State& state, Function&& visit)
   visit(state.Burr.Room);
 }
 
-/** World units: beyond FarthestTip even if they are micrometres. */
+/** World units: beyond FarthestTip even in micrometres. */
 constexpr double FarthestPlace = 1e15;
-/** Of a length, for rounding. */
+/** Tolerance of a unit length, for rounding. */
 constexpr double DirectionTolerance = 1e-6;
-/** Of newtons, newtons per metre and joules: products of two of them are far below overflow. */
+/**
+ * In newtons, newtons per metre and joules: products of two such numbers are far below overflow.
+ */
 constexpr double MostOfMaterial = 1e100;
-/** N: a primitive's force is at most half of it. */
+/** N: a primitive's force is at most half of this. */
 constexpr double MostOfForce = 2e6;
-/** Of a sum of unit vectors. */
+/** The longest sum of unit vectors. */
 constexpr double MostOfDirection = 10.0;
-/** The prediction that a solver learns stays within half of 1. */
+/** A learned prediction stays within half of 1. */
 constexpr double MostStatePrediction = 2.0;
 
-/** Whether a vector is of unit length; or 0, for an unknown direction. */
+/** Whether a vector is of unit length, or 0 for an unknown direction. */
 bool IsDirection(const Vector3& v)
 {
   const double square = Dot(v, v);
@@ -306,7 +310,7 @@ bool IsPossible(const NeedleState& needle)
     isLength(needle.Pushed) && needle.Track.IsPossible();
 }
 
-/** Whether an orientation is one, if it is valid. */
+/** Whether an orientation that claims to be valid is a unit quaternion. */
 bool IsPossible(Quaternion orientation, bool isValid)
 {
   return !isValid || MakeUnit(orientation);
@@ -318,7 +322,7 @@ bool IsPossible(const ShellState& shell)
   { return IsNear(pose.Position, FarthestTip) && IsPossible(pose.Orientation, true); };
   const auto isNumber = [](double number) { return std::abs(number) <= MostOfMaterial; };
   const ShellSum& sum = shell.Sum;
-  // A file from before shells has zeros, and a state that is not enabled does not matter.
+  // Files older than shells have zeros, and a state that is not enabled does not matter.
   return !shell.Enabled ||
     (isPose(shell.Tool) && isPose(shell.Hand) && IsAmount(shell.Budget) && IsAmount(sum.Energy) &&
       std::all_of(std::begin(sum.Gradient), std::end(sum.Gradient), isNumber) &&

@@ -16,17 +16,17 @@ namespace VolumeHaptics
 
 constexpr int ServoStateSize = 299;
 /**
- * In recordings from before MaterialPlacement, before volumes that move, before primitives, before
- * their directions, before tools, before those with a shape, before burrs, before theirs that take
- * more than a tick, before releases, and before the room of burrs; the other numbers are 0 then.
+ * Sizes in recordings from before, in this order: MaterialPlacement, volumes that move, primitives,
+ * their directions, tools, tools with a shape, burrs, burr steps that take more than a tick,
+ * releases, and the room of burrs. The missing numbers are 0.
  */
 constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
   298 };
 
-/** A state for a file: every number of it. */
+/** All numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;
 ServoState FromNumbers(const std::array<double, ServoStateSize>& numbers) noexcept;
-/** False for numbers that no tick produces, but a file may contain. */
+/** Returns false for numbers that a file may contain, but no tick produces. */
 bool AreOfAState(const std::array<double, ServoStateSize>& numbers) noexcept;
 
 } // namespace VolumeHaptics

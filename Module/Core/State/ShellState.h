@@ -15,30 +15,33 @@
 namespace VolumeHaptics
 {
 
-/** Where a tool is: its frame in that of the device. */
+/** The pose of a tool: its frame in the device's space. */
 struct ShellPose
 {
-  Vector3 Position;       ///< m, of the frame's origin
+  Vector3 Position;       ///< m, the frame's origin
   Quaternion Orientation; ///< a unit quaternion
 };
 
-/** Of all contacts, at a pose. The six directions: along the device's axes, then about them. */
+/**
+ * The sum over all contacts at a pose. The six directions: along the device's axes, then about
+ * them.
+ */
 struct ShellSum
 {
   double Energy = 0.0;       ///< J
-  double Gradient[6] = {};   ///< of the energy, N and N m
-  double Curvature[21] = {}; ///< of the energy: the lower triangle, by rows
+  double Gradient[6] = {};   ///< of the energy; N and N m
+  double Curvature[21] = {}; ///< of the energy: the lower triangle, row by row
   std::uint32_t Contacts = 0;
-  std::uint32_t Yielding = 0; ///< contacts that press with all that their material takes
+  std::uint32_t Yielding = 0; ///< contacts that press with all the force that their material takes
 };
 
 /** The state from which the next tick goes on, together with ShellMemory. */
 struct ShellState
 {
   bool Enabled = false;   ///< if false, the next tick puts the tool into the hand with no force
-  bool IsCarried = false; ///< the model is another one since then: Sum is not that at Tool
+  bool IsCarried = false; ///< the model has changed since: Sum is not the one at Tool
   ShellPose Tool;
-  ShellPose Hand;      ///< of the last tick
+  ShellPose Hand;      ///< in the last tick
   double Budget = 0.0; ///< S, J
   ShellSum Sum;        ///< at Tool
 };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A burr in the servo: see Burr/BurrTool.h for what it does.
+ * A burr in the servo: see Burr/BurrTool.h.
  *
- * Its centre is at the device's tip. Its head has its size in the world, as a tool with a shape has
- * (ShellTool.h); forces, energies and volumes are those of the hand's space.
+ * Its centre is at the device's tip. Its head has its size in the world, like a tool with a shape
+ * (ShellTool.h); forces, energies and volumes are in the hand's space.
  */
 #ifndef BurrInServo_h
 #define BurrInServo_h
@@ -18,8 +18,8 @@ namespace VolumeHaptics
 class ToolMemory;
 
 /**
- * A tick of the burr of a model that has one, a HapticSettings::TickPeriod long. The proxy is the
- * centre of the head. Writes to BakedVolume::Removal.
+ * One tick, HapticSettings::TickPeriod long, of a model's burr. The proxy is the centre of the
+ * head. Writes to BakedVolume::Removal.
  */
 void StepBurr(
   const HapticModel& model, ServoState& state, ToolMemory& tool, TickRecord& record) noexcept;

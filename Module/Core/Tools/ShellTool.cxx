@@ -35,7 +35,7 @@ void StepShell(
 void WriteShellRecord(
   const HapticModel& model, ServoState& state, const ShellRecord& felt, TickRecord& record) noexcept
 {
-  // Of the method, which does not tick: where it would go on, and what it would read.
+  // The method does not tick: set where it would go on, and what it would read.
   state.Precise.ReachedTip = record.Tip;
   const double norm = Norm(felt.Force);
   record.Proxy = felt.Tool.Position;
@@ -58,7 +58,7 @@ void CarryShellTool(
   const bool wasShell = from.Baked->HasShape();
   const bool isShell = to.Baked->HasShape();
   CarryShell(from, to, state.Shell, tool ? tool->GetShell() : nullptr);
-  // A burr finds anew where it removes.
+  // A burr starts removal anew.
   state.Burr = BurrState{};
   if ((wasShell || isShell) && !state.Shell.Enabled)
   {

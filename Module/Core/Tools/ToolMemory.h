@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a tool passes from tick to tick beside ServoState.
+ * Data that a tool passes from tick to tick in addition to ServoState.
  *
- * The state of a servo has a fixed size, and is copied with each snapshot. What grows with the tool
- * lives here: allocated away from the servo, together with the model that has the tool, and used by
- * one thread that ticks. A model with the same tool goes on with the same memory.
+ * The state of a servo has a fixed size, and is copied with each snapshot. Data that grow with the
+ * tool are here: allocated outside the servo, together with the model that has the tool, and used
+ * by one thread that ticks. A model with the same tool continues with the same memory.
  */
 #ifndef ToolMemory_h
 #define ToolMemory_h
@@ -26,7 +26,10 @@ class ToolMemory
 public:
   explicit ToolMemory(std::shared_ptr<const BakedTool> tool);
 
-  /** For a model: the last one if that has the same tool; null if it needs none. Allocates. */
+  /**
+   * The memory for a model: `last` if it belongs to the same tool; null if the tool needs none.
+   * Allocates.
+   */
   static std::shared_ptr<ToolMemory> Provide(
     const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last);
 
@@ -38,8 +41,8 @@ public:
 
   ///@{
   /**
-   * The thread that ticks keeps a copy of what belongs to the state before its next tick, once for
-   * each recording; another one reads it then.
+   * Copies, on the thread that ticks, the part that belongs to the state before its next tick, once
+   * for each recording; another thread reads the copy then.
    */
   void Keep() noexcept;
   const ShellContacts* GetKept() const noexcept
@@ -47,7 +50,7 @@ public:
     return this->Shell ? &this->Shell->GetKept() : nullptr;
   }
   ///@}
-  /** Goes on with what was kept. False, and it is left as it is, if it is of another tool. */
+  /** Continues with a copy. If it belongs to another tool, returns false and changes nothing. */
   bool Restore(const BakedVolume& baked, const std::vector<ShellContact>& contacts, double share);
 
   /** The memory that a tick writes. */

@@ -11,23 +11,25 @@ namespace VolumeHaptics
 namespace
 {
 /**
- * There are a background and something solid if this share of the variance of all values is between
+ * There are a background and a solid part if this fraction of the variance of all values is between
  * the two. The halves of a normal distribution have 0.637.
  */
 constexpr double ApartShare = 0.65;
-/** The values of a block that is even differ by this share of the rise from one to the other. */
+/** The values of an even block differ by at most this fraction of the rise between the two. */
 constexpr double EvenShare = 0.15;
 ///@{
-/** A darker material stands out if so much of the variance of even places is between the two. */
+/**
+ * A darker material stands out if this fraction of the variance of even places is between the two.
+ */
 constexpr double DarkShare = 0.88;
-/** Its rise, of that of the brighter one, and its share of the even places. */
+/** Its least rise, as a fraction of the brighter one's, and its least share of the even places. */
 constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
 /** The share of even background means that may be brighter than Quiet. */
 constexpr double Rare = 0.005;
-/** From the threshold to Full, of the way to the solid's median. */
+/** From the threshold to Full, as a fraction of the way to the solid's median. */
 constexpr double FullShare = 0.15;
 constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
 
@@ -76,7 +78,7 @@ public:
     level.IsThere = true;
     level.Threshold = 0.5 * (this->All[split.Below - 1] + this->All[split.Below]);
     const double rise = solid - background;
-    // Values between the two may be those of an edge: only even blocks show a darker material.
+    // Values between the two may belong to an edge: only even blocks show a darker material.
     std::vector<double> even;
     for (const BlockMeans& block : this->Blocks)
     {
@@ -110,7 +112,7 @@ public:
   }
 
 private:
-  /** The number of ascending values below a threshold, and the share of the variance between. */
+  /** The number of ascending values below a threshold, and the fraction of the variance between. */
   struct Split
   {
     std::size_t Below = 0;

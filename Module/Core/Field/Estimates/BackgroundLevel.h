@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The value at which the background of a volume ends and what is solid begins.
+ * The value at which the background of a volume ends and the solid part begins.
  */
 #ifndef BackgroundLevel_h
 #define BackgroundLevel_h
@@ -13,25 +13,25 @@ namespace VolumeHaptics
 {
 
 /**
- * The darkest two materials of a volume that are apart; nothing if they are not. Values are means
- * over 3^3 samples within the noise blocks, so that neither few levels nor values that are clipped
- * at 0 matter.
+ * The darkest two separate materials of a volume; nothing if there are none. Values are means over
+ * 3^3 samples within the noise blocks, so that neither few levels nor values that are clipped at 0
+ * matter.
  */
 struct BackgroundLevel
 {
   bool IsThere = false;
   double Threshold = 0.0; ///< between the two
-  double Full = 0.0;      ///< a little above: what is at least as bright is solid
+  double Full = 0.0;      ///< a little above: values from here on are solid
   /** Nearly all values of the background are at most this, noise included. */
   double Quiet = 0.0;
 
   /**
    * Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless the
-   * values are one heap. While a darker material stands out of the background by itself, in places
-   * where values are even, the threshold is the one between these.
+   * values are one heap. If a darker material stands out of the background in places where values
+   * are even, the threshold is the one between these.
    */
   static BackgroundLevel Find(const NoiseSamples& samples);
-  /** The same, to the bit, of a volume that is no piece. */
+  /** As above, to the bit, for a volume that is not a piece. */
   static BackgroundLevel Find(const SampleReader& read, const std::int64_t dimensions[3]);
 };
 

@@ -17,17 +17,22 @@ using LatticePlace = std::array<std::int64_t, 3>;
 
 constexpr double MostPlaces = 8000.0;
 constexpr std::size_t MostEdges = 256;
-/** Samples to either side. */
+/** Samples on either side. */
 constexpr std::int64_t EdgeReach = 64;
-/** An edge rises by these shares of the values' range at least: in a sample, and on the whole. */
+/**
+ * An edge rises at least by these fractions of the values' range: within a sample, and as a whole.
+ */
 constexpr double LeastEdgeSlope = 0.03;
 constexpr double LeastEdgeRise = 0.1;
 /** And by these multiples of the noise. */
 constexpr double SlopeOverNoise = 4.0;
 constexpr double RiseOverNoise = 10.0;
-/** A plateau begins where the rest of the rise is less than this share of the range. */
+/** A plateau begins where the rest of the rise is less than this fraction of the range. */
 constexpr double EdgeTail = 1e-3;
-/** The same plateau, in another frame (of the rise), and its distance from the middle (widths). */
+/**
+ * Tolerance of a plateau in another frame (fraction of the rise), and its distance from the middle
+ * (widths).
+ */
 constexpr double SamePlateau = 0.3;
 constexpr double PlateauDistance = 3.0;
 constexpr double SqrtTwoPi = 2.50662827463100050242;
@@ -92,7 +97,7 @@ private:
 /** An edge on a line. */
 struct FoundEdge
 {
-  double Low;    ///< V1, where the index is lower if it rises
+  double Low;    ///< V1, on the lower side of the index if the edge rises
   double High;   ///< V2
   double Middle; ///< an index
   double Width;  ///< samples
@@ -103,12 +108,12 @@ struct FoundEdge
 struct SteepPlace
 {
   LatticePlace At;
-  std::size_t Axis; ///< along which it is steepest
+  std::size_t Axis; ///< the axis of the steepest slope
   double Rising;    ///< 1 or -1
   double Cosine;    ///< of the angle between axis and gradient
 };
 
-/** From a steep place to where a plateau begins; false if there is none within reach. */
+/** Walks from a steep place to the beginning of a plateau; false if there is none within reach. */
 bool WalkToPlateau(const SampleLine& line, std::int64_t direction, double upward, double tolerance,
   std::int64_t& at, double& steepest)
 {
@@ -221,7 +226,7 @@ double Median(std::vector<double>& values)
   return *middle;
 }
 
-/** Where a lattice over the samples meets steep gradients. */
+/** The places where a lattice over the samples meets steep gradients. */
 std::vector<SteepPlace> FindSteepPlaces(
   const EdgeSamples& samples, const Vector3& spacing, double noise, double& range)
 {

@@ -4,14 +4,14 @@
  * @file
  * How far edges move from one frame to the next, against their widths.
  *
- * A blend of two frames is an edge on its way as long as the edge moves by no more than two of its
+ * A blend of two frames is an edge on its way as long as the edge moves by at most two of its
  * widths; beyond, it is a cross-fade (FieldAtTime.h). An edge between the plateaus V1 and V2 is
  *
  *   width  = (V2 - V1) / (g sqrt(2 pi)),
  *
  * wide, with g its steepest slope: the standard deviation of the Gaussian that blurs it. Its motion
- * is that of the place where V is (V1 + V2)/2, along the axis on which the gradient is steepest,
- * times the cosine between the two; motion along an edge does not show.
+ * is the motion of the place where V is (V1 + V2)/2, along the axis on which the gradient is
+ * steepest, times the cosine between axis and gradient; motion along an edge does not show.
  */
 #ifndef EdgeMotion_h
 #define EdgeMotion_h
@@ -25,23 +25,23 @@ namespace VolumeHaptics
 /** The motion of a volume's edges. */
 struct EdgeMotion
 {
-  int Edges = 0; ///< that are in both frames
-  int Fast = 0;  ///< that move by more than two widths
+  int Edges = 0; ///< edges that are in both frames
+  int Fast = 0;  ///< edges that move by more than two widths
   ///@{
-  /** Medians of the fast ones, world units. */
+  /** Medians over the fast edges, world units. */
   double Motion = 0.0;
   double Width = 0.0;
   ///@}
 
-  /** Whether enough edges are fast not to be a few that were mistaken for others. */
+  /** Whether the fast edges are too many to be a few mismatches. */
   bool IsFast() const noexcept { return this->Fast >= 4 && this->Fast * 20 >= this->Edges; }
 };
 
 /**
- * Looks at up to 256 edges that lie on a lattice of some 8000 places, within 64 samples of each: a
- * few milliseconds. For two frames of the same geometry.
+ * Measures up to 256 edges on a lattice of some 8000 places, within 64 samples of each: a few
+ * milliseconds. For two frames of the same geometry.
  * @param indexToWorld the linear part of the map
- * @param blur by which a kernel widens edges before they are felt (samples)
+ * @param blur of the kernel that widens edges before they are felt (samples)
  * @param noise of the samples, their standard deviation
  */
 EdgeMotion FindEdgeMotion(const VolumeView& first, const VolumeView& second,

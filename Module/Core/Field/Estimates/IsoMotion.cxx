@@ -13,11 +13,14 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The blends that a point is followed through, and the steps to its level in each. */
+/** The number of blends through which a point is followed, and of steps to its level in each. */
 constexpr int Blends = 8;
 constexpr int MostSteps = 4;
 ///@{
-/** Voxels: the longest step, one after which the level is found, and one after which it is lost. */
+/**
+ * Voxels: the longest step, the step after which the level is reached, and the step after which it
+ * is lost.
+ */
 constexpr double LongestStep = 0.5;
 constexpr double ShortStep = 1e-4;
 constexpr double LostStep = 0.1;
@@ -30,7 +33,7 @@ Vector3 FindStep(const FieldAtTime& field, double value, const Vector3& index)
   return ((value - field.Value(index)) / Dot(slope, slope)) * slope;
 }
 
-/** Moves an index to a level; not at all if there is no way to it. */
+/** Moves an index to a level; not at all if the level can't be reached. */
 Vector3 GoToLevel(
   const FieldSampler& inside, const FieldAtTime& field, double value, const Vector3& start)
 {
@@ -74,7 +77,7 @@ std::vector<Vector3> FindIsoMotions(
   {
     const Vector3 begin = worldToIndex(point);
     Vector3 end = material ? material->Find(begin, 0.0).Second : begin;
-    // A level that is near needs no blends in between.
+    // A nearby level needs no blends in between.
     const bool isNear =
       material || Norm(FindStep(FieldAtTime(second), value, first.Nearest(begin))) < LongestStep;
     for (int blend = isNear ? Blends : 1; blend <= Blends; ++blend)

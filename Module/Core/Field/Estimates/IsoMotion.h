@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the points of an isosurface get from one frame of a volume that moves to the next one.
+ * Moves the points of an isosurface from one frame of a moving volume to the next.
  *
  * A point follows its level through the blends of the frames (FieldAtTime.h), along the gradient,
- * by Newton's method; where displacements are known, it goes along with its material first, and the
- * level in the next frame only corrects that. If the level vanishes on the way, as that of a
- * structure which is no longer there, the point stays where it lost it.
+ * by Newton's method; where displacements are known, it moves with its material first, and the
+ * level in the next frame only corrects that. If the level vanishes on the way, because its
+ * structure disappears, the point stays where it lost the level.
  */
 #ifndef IsoMotion_h
 #define IsoMotion_h
@@ -26,7 +26,7 @@ struct IsoFrames
 {
   VolumeView First;
   VolumeView Second;
-  /** On the points of First, to Second; no Data: the motion is not known. */
+  /** On the points of First, to Second; without Data, the motion is not known. */
   DisplacementView Displacements;
   Affine3 IndexToWorld;
 };

@@ -19,9 +19,11 @@ constexpr int MostBlocksAlongAnAxis = 16;
 constexpr int MostBlocksAlongAnAxisIfLarge = 8;
 /** The share of the blocks, in ascending order of their remainders, that counts as flat. */
 constexpr double Flattest = 0.1;
-/** A tenth of the estimates from 115 degrees of freedom lies below this share of the true value. */
+/**
+ * A tenth of the estimates from 115 degrees of freedom lies below this fraction of the true value.
+ */
 constexpr double ShareAtFlattest = 0.916;
-/** Noise below this share of the largest value is rounding. */
+/** Noise below this fraction of the largest value is rounding. */
 constexpr double NoiseRounding = 1e-9;
 constexpr double NoiseThreshold = 3.4;
 
@@ -29,7 +31,7 @@ constexpr double NoiseThreshold = 3.4;
 constexpr double Basis[3][BlockSide] = { { 1, 1, 1, 1, 1 }, { -2, -1, 0, 1, 2 },
   { 2, -1, -2, -1, 2 } };
 constexpr double Squares[3] = { 5, 10, 14 };
-/** The products of degree 2 at most. */
+/** The products of degree at most 2. */
 constexpr int Terms[Quadratic][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 2 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 } };
 
@@ -108,7 +110,7 @@ double Remainder(const double* block)
   return std::max(0.0, left);
 }
 
-/** The Remainder() of each block of a volume, and the values of the blocks that are flat. */
+/** The Remainder() of each block of a volume, and the values of flat blocks. */
 class Remainders
 {
 public:
@@ -154,10 +156,10 @@ public:
 
 private:
   std::vector<double> Left; // of blocks that are not flat
-  std::vector<double> Flat; // values of those that are
+  std::vector<double> Flat; // values of flat blocks
 };
 
-/** Standard deviation of an estimated gradient component per voxel, of noise of one unit. */
+/** Standard deviation of an estimated gradient component per voxel, for noise of one unit. */
 double NoiseGain(const GradientKernel& kernel)
 {
   // White noise through a kernel: the root of the sum of the squared weights, averaged over
@@ -189,7 +191,7 @@ double NoiseGain(const GradientKernel& kernel)
     }
     else
     {
-      // At the middle of an interval of the table, at which its polynomials are read at 1/2.
+      // At the middle of an interval of the table: its polynomials are read at 1/2.
       const int count = 2 * kernel.Taps;
       const double* const c =
         &kernel.Table[static_cast<std::size_t>(p) * GradientKernel::Coefficients * count];
@@ -272,7 +274,7 @@ void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples)
 {
   std::int64_t n[3];    // of the piece
-  std::int64_t from[3]; // of its first sample, in the whole
+  std::int64_t from[3]; // the piece's first sample, in the whole
   struct Wanted
   {
     std::int64_t Index; // in the piece
@@ -363,7 +365,7 @@ void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit)
   {
     alongX.push_back(axes[0].Find(i));
   }
-  // The row along x of the last sample: the next one is mostly in the same one.
+  // The row along x of the last sample: the next sample is mostly in the same row.
   std::array<std::int64_t, 3> at{};
   std::int64_t row = -samples.Dimensions[0];
   std::int64_t y = BlockAxis::None;
@@ -429,7 +431,7 @@ double EstimateNoise(const NoiseSamples& samples)
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2])
 {
   const std::int64_t* const n = dimensions;
-  NoiseSamples seen; // no more than their range
+  NoiseSamples seen; // their range only
   Remainders remainders;
   VisitNoiseBlocks(read, n,
     [&](const double* block)

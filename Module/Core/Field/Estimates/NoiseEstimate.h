@@ -20,31 +20,31 @@ namespace VolumeHaptics
 {
 
 /**
- * The largest number of samples of a volume that is not large: 128 MiB of 16 bits. Looking at all
- * of them takes some ten milliseconds; of a large volume only spread samples are looked at, so that
- * the time does not grow with the volume, nor the memory if it is mapped from a file.
+ * The largest number of samples of a volume that is not large: 128 MiB of 16 bits. Reading all of
+ * them takes some ten milliseconds; in a large volume only spread samples are read, so that the
+ * time does not grow with the volume, nor the memory if it is mapped from a file.
  */
 constexpr std::int64_t MostSamplesRead = std::int64_t{ 1 } << 26;
 
 /** Whether a volume is large: it has more than MostSamplesRead samples. */
 bool IsLargeVolume(const std::int64_t dimensions[3]);
 
-/** The same of an extent. */
+/** As above, for an extent. */
 bool IsLargeVolume(const int extent[6]);
 
 /**
- * The largest number of samples of a volume whose range is that of all samples: 16 MiB of 16 bits,
- * which take 10 ms if they are mapped from a file. The range of a larger one is that of its noise
+ * The largest number of samples of a volume whose range covers all samples: 16 MiB of 16 bits,
+ * which take 10 ms if they are mapped from a file. The range of a larger volume covers its noise
  * samples.
  */
 constexpr std::int64_t MostSamplesRanged = std::int64_t{ 1 } << 23;
 
-/** Whether the range of a volume is that of all samples. */
+/** Whether the range of a volume covers all samples. */
 bool HasRangeOfAll(const std::int64_t dimensions[3]);
 
 /**
- * Boxes (extents) of a large volume that together hold all noise samples: one for each block, and
- * one for each corner.
+ * Boxes (extents) of a large volume that together contain all noise samples: one for each block,
+ * and one for each corner.
  */
 std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6]);
 
@@ -52,29 +52,31 @@ std::vector<std::array<int, 6>> FindNoiseBoxes(const int whole[6]);
 using SampleReader = std::function<double(std::int64_t)>;
 
 /**
- * Adds the samples of noise blocks and corners that one piece of a volume holds. The piece has a
- * sample for every index of `extent`; the indices count as those of `whole`. Unless the whole has
- * the range of all samples (HasRangeOfAll), which is the caller's to merge, that of these is merged
- * (NoiseSamples::MergeRange).
+ * Adds the samples of noise blocks and corners in one piece of a volume. The piece has a sample for
+ * every index of `extent`; the indices count as those of `whole`. Merges the range of these samples
+ * (NoiseSamples::MergeRange), unless the whole has the range of all samples (HasRangeOfAll), which
+ * the caller merges.
  */
 void CollectNoiseSamples(
   const SampleReader& read, const int extent[6], const int whole[6], NoiseSamples& samples);
 
-/** Is called with a block of NoiseBlockSide^3 samples, of which the first index runs fastest. */
+/** Called with a block of NoiseBlockSide^3 samples; the first index runs fastest. */
 using BlockVisitor = std::function<void(const double*)>;
 constexpr int NoiseBlockSide = 5;
 
 ///@{
 /**
- * Visits the noise blocks of a volume: up to 4096 (512 of a large volume), which are spread evenly.
- * Samples that are missing are infinite.
+ * Visits the noise blocks of a volume: up to 4096 (512 in a large volume), evenly spread. Missing
+ * samples are infinite.
  */
 void VisitNoiseBlocks(const NoiseSamples& samples, const BlockVisitor& visit);
 void VisitNoiseBlocks(
   const SampleReader& read, const std::int64_t dimensions[3], const BlockVisitor& visit);
 ///@}
 
-/** What a finder finds in the noise blocks of a volume, which are the first arguments above. */
+/**
+ * The result of a finder for the noise blocks of a volume, which the first arguments above give.
+ */
 template <typename Finder, typename... Volume>
 auto FindInNoiseBlocks(const Volume&... volume)
 {
@@ -87,19 +89,20 @@ auto FindInNoiseBlocks(const Volume&... volume)
  * The standard deviation of the noise (scalar units): the remainder of blocks of 5^3 samples after
  * the best quadratic is subtracted, in the flattest tenth of the noise blocks.
  *
- * Blocks that are all the smallest or the largest value (padding, saturation) and blocks that are
- * not complete do not count. 0 without noise, and for volumes of less than 5 samples along an axis.
+ * Blocks that have only the smallest or the largest value (padding, saturation) and incomplete
+ * blocks do not count. 0 without noise, and for volumes of less than 5 samples along an axis.
  */
 double EstimateNoise(const NoiseSamples& samples);
 
 /**
- * The same, to the bit, of a volume that is no piece, block by block: without a copy of its
- * samples, whose pages take longer than the estimate. `range` is that of all samples, or, unless
- * HasRangeOfAll(), becomes that of the noise samples; the first is the larger if there are none.
+ * As above, to the bit, for a volume that is not a piece, block by block: without copying its
+ * samples, whose pages would take longer than the estimate. `range` is the range of all samples or,
+ * unless HasRangeOfAll(), becomes that of the noise samples; the first number is the larger if
+ * there are none.
  */
 double EstimateNoise(const SampleReader& read, const std::int64_t dimensions[3], double range[2]);
 
-/** The first finite value among the corners of a volume that were given; 0 if there is none. */
+/** The first finite value among the given corners of a volume; 0 if there is none. */
 double FindBorderValue(const NoiseSamples& samples);
 
 /**

@@ -14,10 +14,13 @@ namespace
 
 constexpr double MissingNumbers[] = { -9999.0, -99999.0, -32768.0, -32767.0, -2147483648.0,
   -2147483647.0, -33792.0, -31744.0, 63536.0 };
-/** Of either sign: NetCDF's, Ferret's and others', and the largest of both floating-point types. */
+/**
+ * With either sign: the numbers of NetCDF, Ferret and others, and the largest of both
+ * floating-point types.
+ */
 constexpr float EnormousNumbers[] = { 1e20F, 1e30F, 1e34F, 1e35F, 1e36F, 1e37F, 9.96921e36F, 1e38F,
   std::numeric_limits<float>::max() };
-/** Of the range of all others. */
+/** Fraction of the range of all other values. */
 constexpr double LeastGap = 0.1;
 
 bool IsEnormous(double value)
@@ -30,7 +33,10 @@ bool IsEnormous(double value)
         std::end(EnormousNumbers));
 }
 
-/** Smallest and largest value of what stands for no missing value; the first is larger if none. */
+/**
+ * Smallest and largest value of the samples that do not stand for missing values; the first is
+ * larger if there are none.
+ */
 void FindInside(const NoiseSamples& samples, double range[2])
 {
   std::copy_n(samples.Inside, 2, range);
@@ -64,7 +70,7 @@ OutsideSamples FindOutside(const NoiseSamples& samples)
   FindInside(samples, inside);
   if (!(inside[0] <= inside[1]))
   {
-    return outside; // nothing is inside
+    return outside; // no sample is inside
   }
   const bool isOneValue = inside[0] == inside[1];
   std::size_t holes = 0;
@@ -82,7 +88,8 @@ OutsideSamples FindOutside(const NoiseSamples& samples)
     {
       outside.AreNonFinite = true;
     }
-    // The least one of several, in any order of the pieces. Of two values alone, both are measured.
+    // The least of several, in any order of the pieces. If there are only two values, both are
+    // measured.
     else if (!isOneValue && gap > LeastGap * (inside[1] - inside[0]) && !(outside.Missing <= value))
     {
       outside.Missing = value;

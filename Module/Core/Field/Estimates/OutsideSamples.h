@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Samples outside of what was measured: NaN around it, as masked maps of SPM and FSL have it, and
- * numbers that stand for missing values.
+ * Samples outside of the measurement: NaN around it, as in masked maps of SPM and FSL, and numbers
+ * that stand for missing values.
  *
- * A volume has one decision, made from its corners and its range, so that all pieces and regions of
- * it are felt alike.
+ * A volume has one decision, made from its corners and its range, so that all its pieces and
+ * regions are felt alike.
  */
 #ifndef OutsideSamples_h
 #define OutsideSamples_h
@@ -19,16 +19,19 @@
 namespace VolumeHaptics
 {
 
-/** Which samples of a volume are outside, and the value with which they are felt. */
+/** The samples of a volume that are outside, and the value with which they are felt. */
 struct OutsideSamples
 {
-  /** Whether NaN and infinity are: a corner has one. Else they are holes in the data. */
+  /** Whether NaN and infinity are outside: a corner has one. Else they are holes in the data. */
   bool AreNonFinite = false;
   /** The number that stands for missing values; NaN if there is none. */
   double Missing = std::numeric_limits<double>::quiet_NaN();
-  /** The least value inside; below it, and 0 if that is, where all inside have one value. */
+  /**
+   * The least value inside. If all values inside are equal, a value below them: 0 if that is below,
+   * else one less.
+   */
   double Fill = 0.0;
-  /** The share of samples that are no numbers, of those looked at, if these are holes. */
+  /** If NaN and infinity are holes: the share of such samples among those read. */
   double Holes = 0.0;
 
   bool HasAny() const { return this->AreNonFinite || this->Missing == this->Missing; }
@@ -39,19 +42,19 @@ struct OutsideSamples
 };
 
 /**
- * Whether programs write a number for missing values: -9999 and -99999, the least number of 16 or
- * 32 bits and the one above it, that of 16 bits with the offset of a CT, -2000 of a CT without its
- * sign (63536), 1e20 and others as large.
+ * Whether programs write this number for missing values: -9999 and -99999, the least number of 16
+ * or 32 bits and the one above it, the least of 16 bits with a CT's offset, -2000 of a CT without
+ * its sign (63536), 1e20 and numbers as large.
  */
 bool MayBeMissing(double value);
 
 /**
- * Of a whole volume. Numbers that a corner has stand for missing values if they may, and if they
- * lie apart from all other values by a tenth of the range of those, which is not 0.
+ * Decides for a whole volume. Numbers in a corner stand for missing values if MayBeMissing says so,
+ * and if they lie apart from all other values by a tenth of the range of those, which is not 0.
  */
 OutsideSamples FindOutside(const NoiseSamples& samples);
 
-/** Gives the samples outside their value, and corrects the range. */
+/** Sets the samples outside to their value, and corrects the range. */
 void FillOutside(const OutsideSamples& outside, NoiseSamples& samples);
 
 } // namespace VolumeHaptics

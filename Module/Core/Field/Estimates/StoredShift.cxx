@@ -14,28 +14,33 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Values (HU) of air and lung, without padding: of unshifted data, LeastShare have them. */
+/** Values (HU) of air and lung, without padding: in unshifted data, LeastShare have them. */
 constexpr double SurelyAir[2] = { -1200.0, -200.0 };
 constexpr double LeastShare = 0.005;
-/** Values (HU) of air and of soft tissue, and those between them, which lungs and edges have. */
+/** Values (HU) of air and of soft tissue, and values between them, as in lungs and edges. */
 constexpr double AirValues[2] = { -1030.0, -850.0 };
 constexpr double BrightestAir = -940.0; // without lung
 constexpr double BetweenValues[2] = { -700.0, -400.0 };
 constexpr double TissueValues[2] = { -150.0, 150.0 };
-/** A heap is so much larger than what lies between. */
+/** A heap is this much larger than the values in between. */
 constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
-/** Shifted data has hardly a value at or below this, since the shift makes values positive. */
+/** Shifted data has hardly any value at or below this, since the shift makes values positive. */
 constexpr double Negative = -0.5;
 /** Tissue has more than one value: a block of 1000 HU in one of 0 is no body in air. */
 constexpr double LeastSpread = 0.5;
-/** Nothing but padding is so much darker than air, which is so near to its place (HU). */
+/** Only padding is this much darker than air, which is this near to its place (HU). */
 constexpr double DarkerThanAir = -1100.0;
 constexpr double NearAir = 20.0;
-/** The other offset near the first: air that is nearer to it has been stored with that. */
+/**
+ * The second offset near the first one: if air fits this one better, the data was stored with it.
+ */
 constexpr double OtherOffset = 1000.0;
-/** No Hounsfield unit is above it, with metal of an extended scale; and below it there is fat. */
+/**
+ * The largest Hounsfield unit, with metal on an extended scale; and the value below which there is
+ * fat.
+ */
 constexpr double MostUnits = 32767.0;
 constexpr double LeastOfTissue = 200.0;
 /** A CT has more levels than a picture; it may be masked, as a brain is. */
@@ -114,7 +119,7 @@ private:
     return static_cast<double>(std::upper_bound(from, this->All.end(), high) - from);
   }
 
-  /** The values from `low` to `high` but for the most frequent one, which is that of padding. */
+  /** The values from `low` to `high` without the most frequent one, which is padding. */
   std::vector<double> Without(double low, double high) const
   {
     const auto first = std::lower_bound(this->All.begin(), this->All.end(), low);
@@ -137,7 +142,7 @@ private:
   }
 
   /**
-   * The middle of the shortest half of the values from `low` to `high`; but for the most frequent
+   * The middle of the shortest half of the values from `low` to `high`; without the most frequent
    * one, to which values may have been clipped, if others remain.
    */
   double FindAir(double low, double high) const

@@ -6,8 +6,8 @@
  *
  *   V_i = a_i + share (b_i - a_i)
  *
- * Samples that are the same in both frames stay as they are, to the bit. The rules of
- * FieldKernels.h hold here too.
+ * Samples that are equal in both frames stay the same to the bit. The rules of FieldKernels.h hold
+ * here too.
  */
 #ifndef BlendedSum_h
 #define BlendedSum_h
@@ -50,7 +50,10 @@ VOLUME_HAPTICS_INLINE void SubtractRows(const RowPair<N>& of, RowPair<N>& rows)
 }
 
 ///@{
-/** Both rows as those of a FrameTaps, and the same of both frames, blended: as BlendRows does. */
+/**
+ * Both rows in the layout of FrameTaps, and the same rows of both frames, blended as BlendRows
+ * does.
+ */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreLines(const RowPair<N>& rows, double* to)
 {
@@ -90,7 +93,7 @@ VOLUME_HAPTICS_INLINE void LoadBlendedLines(
 }
 ///@}
 
-/** N^3 samples of a frame, one behind another along x. */
+/** N^3 samples of a frame, consecutive along x. */
 template <typename T>
 struct TapBlock
 {
@@ -159,7 +162,7 @@ VOLUME_HAPTICS_OUTLINE double SumBlendOfSamples(
   return SumBlendOfCopies<T, N, WithGradient>(blend, foot, gradient);
 }
 
-/** Whether a memory has a blend's samples behind the first one. */
+/** Whether a memory has a blend's samples from the first one on. */
 VOLUME_HAPTICS_INLINE bool HoldsFrames(
   const FrameTaps& memory, const FrameBlend& blend, const std::int64_t* first)
 {
@@ -167,7 +170,9 @@ VOLUME_HAPTICS_INLINE bool HoldsFrames(
     memory.First[0] == first[0] && memory.First[1] == first[1] && memory.First[2] == first[2];
 }
 
-/** Reads the N^3 taps of both frames behind the first one; false if they are not all there. */
+/**
+ * Reads the N^3 taps of both frames from the first one on; false if some are outside the samples.
+ */
 template <typename T, int N>
 VOLUME_HAPTICS_OUTLINE bool FillFrames(
   const FrameBlend& blend, const std::int64_t* first, FrameTaps& memory)
@@ -207,7 +212,7 @@ VOLUME_HAPTICS_OUTLINE bool FillFrames(
   return true;
 }
 
-/** The memory that is a blend's; null if there is none. */
+/** The memory of a blend; null if there is none. */
 VOLUME_HAPTICS_INLINE const BlendMemory* FindBlend(
   const FrameBlend& blend, const std::int64_t* first, const TickMemory& tick)
 {
@@ -234,7 +239,7 @@ VOLUME_HAPTICS_INLINE BlendMemory& BeginBlend(
   return memory;
 }
 
-/** From the memories: from the blend, or from both frames, whose blend is kept. */
+/** From the memories: from the blend, or from both frames, whose blend is then stored. */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE bool SumRememberedBlend(
   const FrameBlend& blend, const Footprint<N>& foot, TickMemory& tick, FieldSample& sample)

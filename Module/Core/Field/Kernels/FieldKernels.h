@@ -37,7 +37,7 @@ VOLUME_HAPTICS_INLINE double Spline(const FrameBlend& blend, double x, double y,
   return SumBlendOfSamples<T, 4, false>(blend, foot, nullptr);
 }
 
-/** Of a field, or of a blend of two. */
+/** For a field, or for a blend of two. */
 template <typename T, typename Source>
 double SplineValue(const Source& from, double x, double y, double z) noexcept
 {
@@ -109,7 +109,7 @@ bool RememberedSpline(const FieldView& view, double x, double y, double z, FillF
   return SumRemembered<4>(view, foot, fill, memory, sample);
 }
 
-/** Four weights of the Gaussian at a fraction t of an interval; `count` numbers have a power. */
+/** Four weights of the Gaussian at a fraction t of an interval; each power has `count` numbers. */
 VOLUME_HAPTICS_INLINE Double4 FindWeights(const double* coefficients, int count, double t)
 {
   const double t2 = t * t;
@@ -124,7 +124,7 @@ VOLUME_HAPTICS_INLINE Double4 FindWeights(const double* coefficients, int count,
 struct GaussianPlace
 {
   const double* Coefficients;
-  double Fraction; ///< of the interval
+  double Fraction; ///< within the interval
   std::int64_t First;
 };
 
@@ -202,7 +202,7 @@ bool RememberedGaussian(const FieldView& view, double x, double y, double z, Fil
   return SumRemembered<N>(view, foot, fill, memory, sample);
 }
 
-/** The same for any number of taps, in plain loops. */
+/** As above, for any number of taps, in plain loops. */
 template <typename T>
 FieldSample WideGaussianGradient(const FieldView& view, double x, double y, double z) noexcept
 {
@@ -257,7 +257,7 @@ void SetTapFunctions(FieldFunctions& f)
   f.TapPair = TapPair<N>;
 }
 
-/** What the estimator does not name stays null. */
+/** Functions that the estimator does not set stay null. */
 template <typename T>
 FieldFunctions FunctionsFor(GradientEstimator estimator, int taps)
 {

@@ -21,7 +21,7 @@ namespace
 
 constexpr int LabelTaps = LabelBlock::Taps;
 
-/** 8^3 voxels in memory. Their samples are unsigned numbers of their size. */
+/** 8^3 voxels in memory. Their samples are unsigned numbers of the same size. */
 template <typename U>
 struct LabelCorner
 {
@@ -40,7 +40,7 @@ struct LabelsFound
   int Count;
 };
 
-/** Keeps which voxels have a label. */
+/** Stores which voxels have a label. */
 template <typename U>
 VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std::uint64_t* planes)
 {
@@ -56,7 +56,7 @@ VOLUME_HAPTICS_INLINE void MarkPlanes(const LabelCorner<U>& corner, U label, std
   }
 }
 
-/** All labels after the first one, one after the other. */
+/** All labels after the first one, one by one. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void FindFurtherLabels(
   const LabelCorner<U>& corner, LabelBlock& block, LabelsFound<U>& found)
@@ -88,7 +88,7 @@ VOLUME_HAPTICS_OUTLINE void FindFurtherLabels(
 }
 
 /**
- * One look finds out if there are two labels a and b: then the differences x ^ a of all voxels x
+ * One pass shows whether there are two labels a and b: then the differences x ^ a of all voxels x
  * are 0 or a ^ b.
  */
 template <typename U>
@@ -128,7 +128,7 @@ VOLUME_HAPTICS_INLINE void FindIn(
   }
 }
 
-/** The same at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
+/** As above, at the border, beyond which taps repeat the last voxel, or if rows are not dense. */
 template <typename U>
 VOLUME_HAPTICS_OUTLINE void FindInCopy(
   const VolumeView& view, const std::int64_t* first, LabelBlock& block, LabelsFound<U>& found)
@@ -225,7 +225,7 @@ VOLUME_HAPTICS_INLINE void TabulateSums(const double* weights, double (*table)[4
   }
 }
 
-/** What rows and planes are multiplied by; of LabelWeights or StepWeights. */
+/** The factors of rows and planes; of LabelWeights or StepWeights. */
 template <typename Weights>
 VOLUME_HAPTICS_INLINE void WeighRows(const double* table, double y, double z, Weights& weights)
 {
@@ -249,7 +249,7 @@ void WeighLabels(
   WeighRows(view.Table, y, z, weights);
 }
 
-/** The unsigned number of a type's size. */
+/** The unsigned number of the same size as a type. */
 template <typename T>
 using LabelBits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
   std::conditional_t<sizeof(T) == 2, std::uint16_t,
@@ -269,7 +269,7 @@ void FindLabelsOf(const LabelField& view, double x, double y, double z, LabelBlo
   }
 }
 
-/** The sums for a pattern, from 16 times its number. */
+/** The sums for a pattern, given 16 times its number. */
 VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uint8_t pattern)
 {
   constexpr std::size_t bytes = sizeof(*table) / LabelWeights::Patterns;
@@ -277,7 +277,7 @@ VOLUME_HAPTICS_INLINE const double* PatternAt(const double (*table)[4], std::uin
     reinterpret_cast<const char*>(table) + bytes * std::size_t(pattern));
 }
 
-/** The sum over all rows; row(j, k) is that of a row: value, slope, value. */
+/** The sum over all rows; row(j, k) is the sum over one row: value, slope, value. */
 template <typename Weights, typename F>
 VOLUME_HAPTICS_INLINE FieldSample SumRows(const Weights& weights, F&& row)
 {

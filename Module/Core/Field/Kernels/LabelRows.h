@@ -23,7 +23,8 @@ namespace VolumeHaptics
 namespace
 {
 
-// Labels: a vector; LoadVector(): the one with a number in a plane; ToBits(): a bit for each label.
+// Labels: a vector; LoadVector(): the vector with a number in a plane; ToBits(): a bit for each
+// label.
 #if defined(__GNUC__) && defined(__AVX2__)
 
 typedef __m256i Labels;
@@ -64,7 +65,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm256_set1_epi64x(static_cast<long long>(label));
 }
 
-/** All ones in the labels that are equal. */
+/** All ones in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -120,7 +121,7 @@ VOLUME_HAPTICS_INLINE Labels LoadVector(const U* plane, std::int64_t line, int n
   }
   else
   {
-    constexpr int vectors = sizeof(U) / 2; // of a row
+    constexpr int vectors = sizeof(U) / 2; // per row
     return _mm_loadu_si128(row(number / vectors) + number % vectors);
   }
 }
@@ -134,7 +135,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
                         : _mm_set1_epi64x(static_cast<long long>(label));
 }
 
-/** All ones in the labels that are equal. */
+/** All ones in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -192,7 +193,7 @@ VOLUME_HAPTICS_INLINE Labels Repeat(U label)
   return label;
 }
 
-/** All ones in the labels that are equal. */
+/** All ones in lanes whose labels are equal. */
 template <typename U>
 VOLUME_HAPTICS_INLINE Labels Equal(Labels a, Labels b)
 {
@@ -222,13 +223,13 @@ VOLUME_HAPTICS_INLINE Labels XorLabels(Labels a, Labels b)
 
 #endif
 
-/** Labels of a vector, and vectors of a plane. */
+/** The number of labels in a vector, and of vectors in a plane. */
 template <typename U>
 constexpr int LabelsOfVector = sizeof(Labels) > 8 ? int(sizeof(Labels) / sizeof(U)) : 1;
 template <typename U>
 constexpr int VectorsOfPlane = 64 / LabelsOfVector<U>;
 
-/** All labels of a vector, joined by an operation of bits. */
+/** All labels of a vector, combined by a bitwise operation. */
 template <typename U, typename F>
 VOLUME_HAPTICS_INLINE U JoinLabels(Labels labels, F&& join)
 {

@@ -34,7 +34,7 @@ VOLUME_HAPTICS_INLINE Axis Locate(double position, double first, double last)
   return { static_cast<std::int64_t>(inside), inside - Floor(inside) };
 }
 
-/** The same with a sample behind the cell: the last sample is the end of the cell before it. */
+/** As Locate, with a sample behind the cell: the last sample is the end of the cell before it. */
 VOLUME_HAPTICS_INLINE Axis LocateCell(double position, double first, double last)
 {
   const double inside = position > first ? (position < last ? position : last) : first;
@@ -69,7 +69,7 @@ struct CellSamples
   const std::int64_t* Stride;
 };
 
-/** Those of two frames. */
+/** The eight samples of a cell in two frames. */
 template <typename T>
 struct CellBlend
 {
@@ -117,7 +117,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const CellBlend<T>& cell, int plane)
 ///@}
 
 ///@{
-/** A sample by its number, which counts along x, y and z. */
+/** A sample by its number, counted along x, y and z. */
 template <typename T>
 VOLUME_HAPTICS_INLINE double LoadSample(const CellSamples<T>& cell, int i)
 {
@@ -132,7 +132,7 @@ VOLUME_HAPTICS_INLINE double LoadSample(const CellBlend<T>& cell, int i)
 }
 ///@}
 
-/** The four lines of a cell along x, at the height of a position: their ends, line by line. */
+/** The four lines of a cell along x, at a position: their ends, line by line. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& place)
 {
@@ -140,7 +140,7 @@ VOLUME_HAPTICS_INLINE Double4 BlendPlanes(const Cell& cell, const CellPlace& pla
   return near + place.Z.Fraction * (LoadPlane(cell, 1) - near);
 }
 
-/** A sample that is not a number but has no weight does not count. */
+/** A sample that is not a number does not count without a weight. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE double SumNumbers(const Cell& cell, const CellPlace& place)
 {
@@ -180,7 +180,7 @@ VOLUME_HAPTICS_INLINE double BlendCell(const Cell& cell, const CellPlace& place)
   return a + place.X.Fraction * (b - a);
 }
 
-/** Two at once: the same, to the bit. */
+/** Two at once: the same to the bit. */
 template <typename Cell>
 VOLUME_HAPTICS_INLINE ValuePair BlendCells(
   const Cell& ahead, const CellPlace& there, const Cell& behind, const CellPlace& here)
@@ -195,7 +195,7 @@ VOLUME_HAPTICS_INLINE ValuePair BlendCells(
 }
 
 ///@{
-/** Of samples, or of a blend. */
+/** From samples, or from a blend. */
 template <typename T, typename Cell>
 VOLUME_HAPTICS_INLINE double Interpolate(const Cell& cell, const CellPlace& place)
 {
@@ -225,7 +225,7 @@ VOLUME_HAPTICS_INLINE double Trilinear(const FrameBlend& blend, double x, double
 }
 
 ///@{
-/** The view whose cells are those of all. */
+/** The view that gives the cells of all frames. */
 VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FieldView& view)
 {
   return view;
@@ -236,7 +236,7 @@ VOLUME_HAPTICS_INLINE const FieldView& GetGeometry(const FrameBlend& blend)
 }
 ///@}
 
-/** Of a field, or of a blend of two. */
+/** For a field, or for a blend of two. */
 template <typename T, typename Source>
 double TrilinearValue(const Source& from, double x, double y, double z) noexcept
 {

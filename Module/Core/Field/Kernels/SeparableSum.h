@@ -27,7 +27,7 @@ struct Footprint
 };
 
 /**
- * Two rows of N samples, N even: in fours, and one four with the remaining pairs of both. The
+ * Two rows of N samples, N even: in fours, with one more four for the remaining pairs of both. The
  * remainder of a sum of rows holds two partial sums.
  */
 template <int N>
@@ -63,7 +63,7 @@ VOLUME_HAPTICS_INLINE void LoadRows(const T* even, const T* odd, RowPair<N>& row
 }
 
 ///@{
-/** Both rows as numbers to compute with. By fours: the compiler takes a copy as a whole apart. */
+/** Both rows as numbers to compute with. By fours: the compiler splits up a copy of the whole. */
 template <int N>
 VOLUME_HAPTICS_INLINE void StoreRows(const RowPair<N>& rows, double* to)
 {
@@ -128,7 +128,7 @@ VOLUME_HAPTICS_INLINE void AddScaled(const RowSum<N>& other, const double* weigh
   }
 }
 
-/** The products with the weights along x, in four sums: AddLanes adds them up. */
+/** The products with the weights along x, in four sums, which AddLanes adds up. */
 template <int N>
 VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weights)
 {
@@ -146,7 +146,7 @@ VOLUME_HAPTICS_INLINE Double4 WeighRow(const RowSum<N>& sum, const double* weigh
   return products;
 }
 
-/** Value and gradient from the sums over y and z: those of the values, and of their slopes. */
+/** Value and gradient from the sums over y and z: the sums of the values, and of their slopes. */
 template <int N>
 VOLUME_HAPTICS_INLINE double WeighSums(const RowSum<N>& sum, const RowSum<N>& sumY,
   const RowSum<N>& sumZ, const double* weights, Vector3* gradient)
@@ -201,7 +201,7 @@ VOLUME_HAPTICS_INLINE double SumPlanes(
   return AddLanes(WeighRow<N>(sum, foot.Weights[0]));
 }
 
-/** The sum over the N^3 taps behind `corner`. */
+/** The sum over the N^3 taps from `corner` on. */
 template <typename T, int N, bool WithGradient>
 VOLUME_HAPTICS_INLINE double SumBlock(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<N>& foot, Vector3* gradient)
@@ -226,7 +226,7 @@ VOLUME_HAPTICS_INLINE std::int64_t ClampedOffset(const VolumeView& view, int axi
 
 /**
  * A copy of the taps: at the border, beyond which taps replicate the last sample; between other
- * components; and around samples that are not numbers, which count only if they have a weight.
+ * components; and around samples that are not numbers, which only count with a weight.
  */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE void CopyTaps(const VolumeView& view, const Footprint<N>& foot, T* to)
@@ -262,9 +262,7 @@ VOLUME_HAPTICS_OUTLINE double SumCopy(
   return SumBlock<T, N, WithGradient>(block, N, N * N, foot, gradient);
 }
 
-/**
- * Fetches all rows at once: they are more than the processor prefetches by itself in the sum.
- */
+/** Prefetches all rows at once: more than the processor prefetches by itself in the sum. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void PrefetchRows(
   const T* corner, int count, std::int64_t line, std::int64_t plane)
@@ -278,7 +276,7 @@ VOLUME_HAPTICS_INLINE void PrefetchRows(
   }
 }
 
-/** The samples of N^3 taps, if they lie one behind another along x and all within the samples. */
+/** The samples of N^3 taps, if they are consecutive along x and all within the samples. */
 template <typename T, int N>
 VOLUME_HAPTICS_INLINE const T* FindCorner(const VolumeView& view, const std::int64_t* first)
 {
@@ -312,7 +310,7 @@ VOLUME_HAPTICS_INLINE double Separable(
   return SumCopy<T, N, WithGradient>(view, foot, gradient);
 }
 
-/** Writes the N^3 taps behind the first one to a memory; false if they are not all there. */
+/** Writes the N^3 taps from the first one on to a memory; false if some are outside the samples. */
 template <typename T, int N>
 bool FillTaps(const VolumeView& view, const std::int64_t* first, TapMemory& memory) noexcept
 {
@@ -354,7 +352,9 @@ VOLUME_HAPTICS_INLINE void SetPlace(
   }
 }
 
-/** Reads the taps behind the first one, unless the memory has them; false if it can't. */
+/**
+ * Reads the taps from the first one on, unless the memory has them; false if that is not possible.
+ */
 VOLUME_HAPTICS_INLINE bool KeepTaps(
   const FieldView& view, const std::int64_t* first, FillFunction fill, TapMemory& memory)
 {
@@ -377,7 +377,7 @@ struct PlaneWeights
 {
   Double4 Even[N / 2];
   Double4 Odd[N / 2];
-  Double4 Each[N / 2]; ///< of the rest
+  Double4 Each[N / 2]; ///< of the remainder
 };
 
 template <int N>
@@ -420,9 +420,9 @@ VOLUME_HAPTICS_INLINE RowSum<N> SumRows(const LoadFunction& load, const PlaneWei
 }
 
 /**
- * The sum over taps, and the gradient's: as SumPlanes gives them, to the bit. The rows are read
- * twice, so that the weights of all of them stay in registers: `load` gives a pair of rows of a
- * plane, and stores them, if they are not there yet, for the second time.
+ * The sum over taps, and the gradient's, to the bit as by SumPlanes. The rows are read twice, so
+ * that the weights of all of them stay in registers: `load` gives a pair of rows of a plane and, if
+ * the rows are not there yet, stores them for the second pass.
  */
 template <int N, typename LoadFunction>
 VOLUME_HAPTICS_INLINE double SumTwice(

@@ -3,9 +3,9 @@
 /**
  * @file
  * Trilinear values of two frames, blended, from the samples that the last gradient has left in a
- * memory: those around a proxy hardly lie farther away than the gradient's taps. As from the
- * frames, to the bit. NaN where the memory has not got the samples. The rules of FieldKernels.h
- * hold here too.
+ * memory: samples around a proxy are hardly farther away than the gradient's taps. As from the
+ * frames, to the bit. NaN if the memory lacks the samples. The rules of FieldKernels.h hold here
+ * too.
  */
 #ifndef TapValues_h
 #define TapValues_h
@@ -41,7 +41,7 @@ VOLUME_HAPTICS_INLINE Double4 LoadPlane(const TapCell<N>& cell, int plane)
     cell.Share * LoadHalves(cell.Changes + at, cell.Changes + at + line);
 }
 
-/** False if the memory has not got the whole cell. */
+/** False if the memory lacks a part of the cell. */
 template <int N>
 VOLUME_HAPTICS_INLINE bool FindCell(
   const FrameTaps& memory, const CellPlace& place, double share, TapCell<N>& cell)

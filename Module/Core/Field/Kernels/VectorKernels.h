@@ -17,15 +17,15 @@ namespace
 {
 
 /**
- * The sums over the 4^3 taps behind `corner`, of C interleaved components. A row of taps is 4 C
- * numbers one after another. Rows are combined over y and z first, in fours, whatever components
- * those hold; the weights along x, and the components, come last.
+ * The sums over the 4^3 taps from `corner` on, of C interleaved components. A row of taps is 4 C
+ * consecutive numbers. Rows are combined over y and z first, in fours, across components; the
+ * weights along x, and the components, come last.
  */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::int64_t plane,
   const Footprint<4>& foot, VectorSample& sample)
 {
-  constexpr int sums = WithGradient ? 3 : 1; // of the value; and for the slopes along y and z
+  constexpr int sums = WithGradient ? 3 : 1; // for the value; and for the slopes along y and z
   // Unrolled, so that the sums of a vector are in registers.
   Double4 sum[sums][C] = {};
   for (int k = 0; k < 4; ++k)
@@ -86,7 +86,7 @@ VOLUME_HAPTICS_INLINE void SumVectors(const T* corner, std::int64_t line, std::i
   }
 }
 
-/** The same over a copy of the taps, for the reasons of SumCopy. */
+/** As above, over a copy of the taps, for the reasons of SumCopy. */
 template <typename T, int C, bool WithGradient>
 VOLUME_HAPTICS_OUTLINE void SumVectorsCopy(
   const VectorView& view, const Footprint<4>& foot, VectorSample& sample)
@@ -164,7 +164,9 @@ bool SampleVectors(
   return IsOfNumbers<C, WithGradient>(sample);
 }
 
-/** The functions of this translation unit's instruction set; none for other numbers. */
+/**
+ * The functions of this translation unit's instruction set; none for other numbers of components.
+ */
 VectorFunctions SelectVectorFunctions(ScalarType type, int components)
 {
   return WithSampleType(type,

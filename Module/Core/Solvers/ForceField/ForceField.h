@@ -20,13 +20,13 @@ struct TickRecord;
 void StepForceField(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
 
-/** The damping force (N) on a tip that has come from a place within a tick. */
+/** The damping force (N) on a tip that has come from a place within one tick. */
 Vector3 FindFieldDamping(
   const HapticModel& model, const Vector3& from, const TickRecord& record) noexcept;
 
 /**
- * Where the material that was at the last tick's tip is now: damping is against the motion relative
- * to it. The last tip itself if displacements do not tell (CarriedProxy.h).
+ * The present place of the material at the last tick's tip: damping acts against the motion
+ * relative to it. The last tip itself if displacements are not known (CarriedProxy.h).
  */
 Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexcept;
 

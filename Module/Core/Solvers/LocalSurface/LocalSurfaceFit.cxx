@@ -11,10 +11,10 @@ namespace
 
 /** Steps of the search along a ray (voxels). */
 constexpr double RayStep = 0.5;
-/** Feet closer together than this (voxels) are the same; and so are the ends of a crossing. */
+/** Feet closer together than this (voxels) count as one; so do the ends of a crossing. */
 constexpr double SameFoot = 1e-3;
 constexpr double SameCrossing = 1e-7;
-/** The step to either side of a foot that finds the direction in which V rises (voxels). */
+/** The step to either side of a foot that shows in which direction V rises (voxels). */
 constexpr double RiseStep = 0.25;
 constexpr int MostFeet = 6;
 constexpr int MostHalvings = 60;
@@ -66,8 +66,8 @@ public:
     }
     this->FollowFoot(foot, normal);
     const bool isBoth = this->Model.Baked->Settings.Side == SurfaceSide::Both;
-    // By rounding, the proxy may lie on either side of the surface that holds it. And if a
-    // structure is thinner than the kernel, the gradient may be that of the structure behind it.
+    // Because of rounding, the proxy may lie on either side of the surface that holds it. And if a
+    // structure is thinner than the kernel, the gradient may belong to the structure behind it.
     const bool isTurned = this->IsKnown && isBoth ? Dot(normal, this->Request.Normal) < 0.0
                                                   : this->Sign * this->Rise(foot, normal) < 0.0;
     if (isTurned)
@@ -181,7 +181,7 @@ private:
     return nearest < HUGE_VAL;
   }
 
-  /** From a crossing to the point of the surface that is nearest to Position. */
+  /** Moves from a crossing to the point of the surface that is nearest to Position. */
   void FollowFoot(Vector3& foot, Vector3& normal) const noexcept
   {
     const Vector3& start = this->Request.Position;
@@ -221,7 +221,7 @@ private:
     const Vector3 first = (1.0 / Norm(side)) * side;
     const Vector3 axes[2] = { first, Cross(normal, first) };
     Vector3 change[2];
-    double reach[2]; // of the kernel
+    double reach[2]; // the kernel's
     for (int i = 0; i < 2; ++i)
     {
       reach[i] = this->Model.HasLengthByDirection
@@ -259,7 +259,7 @@ private:
   const Matrix3 GradientToWorld;
   const double Voxel; ///< the smallest spacing
   const bool IsKnown;
-  double Sign = 1.0; ///< of the gradient, for it to point into the structure
+  double Sign = 1.0; ///< turns the gradient into the structure
 };
 
 } // namespace

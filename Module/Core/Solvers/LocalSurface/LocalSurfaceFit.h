@@ -12,9 +12,9 @@
  *
  *   depth(x) = N.u + u.S u / 2,   u = x - c,   S N = 0.
  *
- * A surface holds from outside only: a hand that is in the structure, and has come through no
- * surface nearby, finds none. N is the normal of the gradient kernel, turned to the side on which V
- * rises or falls.
+ * A surface holds from outside only: a hand in the structure that has not come through a surface
+ * nearby gets none. N is the normal of the gradient kernel, turned to the side on which V rises or
+ * falls.
  *
  * Everything is in world units, so that surfaces stay in place when the device is placed again.
  */
@@ -29,14 +29,14 @@ class HapticModel;
 
 /** The search's reach around the hand (voxels along each axis). */
 constexpr int LocalReach = 4;
-/** The same to a corner of the cube that is searched: sqrt(3) LocalReach. */
+/** The reach to a corner of the searched cube: sqrt(3) LocalReach. */
 constexpr double LocalCornerReach = 1.7320508075688772 * LocalReach;
-/** Its largest reach ahead of the hand (voxels). */
+/** The search's largest reach ahead of the hand (voxels). */
 constexpr int LocalReachAhead = 64;
 
 /**
- * Takes 10 to 20 microseconds with kernels of 2 voxels, and 200 with 8. The same request gets the
- * same result, however the device is placed.
+ * Takes 10 to 20 microseconds with kernels of 2 voxels, and 200 with 8. Equal requests get equal
+ * results, for any placement of the device.
  */
 LocalSurface FitLocalSurface(const HapticModel& model, const LocalSurfaceRequest& request) noexcept;
 

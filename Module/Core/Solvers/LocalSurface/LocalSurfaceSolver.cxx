@@ -12,7 +12,10 @@ namespace
 
 /** A surface whose slope (1 at its centre) is less than this can't be followed. */
 constexpr double LeastSlope = 0.1;
-/** Share of the depth below which the proxy has arrived; share of friction that counts as all. */
+/**
+ * The fraction of the depth below which the proxy has arrived, and the fraction of friction that
+ * counts as all of it.
+ */
 constexpr double Arrived = 1e-9;
 constexpr double CloseToCone = 1e-9;
 /** Half the distance over which V's slope is measured, and the longest carry (voxels). */
@@ -21,12 +24,12 @@ constexpr double LongestFollow = 1.0;
 constexpr int MostSteps = 12;
 constexpr int MostReturns = 6;
 constexpr int MostSlips = 16;
-/** A step turns the normal by no more than this (radian), and is no longer than 4 Newton steps. */
+/** A step turns the normal by at most this (radian), and is at most 4 Newton steps long. */
 constexpr double MostTurn = 0.5;
 constexpr double LeastStiffening = 0.25;
 /** The largest change of a lag that is no jump, in units of the tip's motion. */
 constexpr double MostFollowing = 2.0;
-/** The share from which on a period counts as whole, because of rounding. */
+/** The fraction from which on a period counts as whole, because of rounding. */
 constexpr double AlmostOne = 1.0 - 1e-9;
 
 /** Moves a point back to the surface, along the slope; false if that is not possible. */
@@ -45,7 +48,7 @@ bool Return(const Quadric& shape, Vector3& x) noexcept
   return true;
 }
 
-/** Moves a point on the surface to the one that is nearest to the tip (Newton's method). */
+/** Moves a point on the surface to the surface point nearest to the tip (Newton's method). */
 bool Approach(const Quadric& shape, const Vector3& tip, Vector3& x) noexcept
 {
   for (int i = 0; i < MostSteps; ++i)
@@ -120,7 +123,8 @@ bool HoldWhole(
   }
   local.Position = goal;
   contact = ContactState::Sliding;
-  // As far from the goal as friction holds it (Illinois); the last point that it holds counts.
+  // As far from the goal as friction holds it (Illinois); the last point that friction holds
+  // counts.
   double low = 0.0;
   double atLow = Slip(shape, tip, goal, friction);
   const double near = -CloseToCone * atLow;
@@ -145,7 +149,7 @@ bool HoldWhole(
   return true;
 }
 
-/** As HoldWhole; what is cut away holds nothing. */
+/** As HoldWhole, but cut-away parts hold nothing. */
 bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -161,12 +165,12 @@ bool Hold(const HapticModel& model, const Vector3& tip, double friction, LocalSt
   return true;
 }
 
-/** Lets a jump of the lag fade in. */
+/** Makes a jump of the lag fade in. */
 void Absorb(const HapticModel& model, const Vector3& jump, LocalState& local) noexcept
 {
   const double period = model.Baked->Settings.TickPeriod;
   local.Fading = local.Fading - jump;
-  // A jump that is fading already must not take longer.
+  // A jump that is already fading must not take longer.
   local.Fall = std::max(
     local.Fall, Norm(local.Fading) * period / std::max(model.Baked->Settings.RecoveryTime, period));
 }
@@ -177,9 +181,8 @@ Vector3 LagOf(const LocalState& local) noexcept
 }
 
 /**
- * The motion (world) of a surface with a volume that moves: its centre goes along with the material
- * if displacements tell where that goes, and then along the normal, by Newton's method, to the
- * level that it had.
+ * The motion (world) of a surface with a moving volume: its centre moves with the material if
+ * displacements are known, and then along the normal, by Newton's method, to its old level.
  */
 Vector3 FindCarry(
   const HapticModel& model, const LocalSurface& surface, double from, double to) noexcept
@@ -207,8 +210,8 @@ Vector3 FindCarry(
 }
 
 /**
- * Carries the surface and the proxy that it holds. Returns how far (world), and writes the work (J)
- * against the spring.
+ * Carries the surface and the proxy that it holds. Returns the distance (world), and writes the
+ * work (J) against the spring.
  */
 double Carry(const HapticModel& model, double from, double to, double stiffness, LocalState& local,
   double& work) noexcept
@@ -230,7 +233,7 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
   return Norm(motion);
 }
 
-/** Moves the tip and the proxy, with the surface as it is; it was carried that far. */
+/** Moves the tip and the proxy over the present surface, which was carried by this distance. */
 void Follow(const HapticModel& model, const Vector3& tip, double carried, double friction,
   LocalState& local, ContactState& contact) noexcept
 {
@@ -259,7 +262,7 @@ void Follow(const HapticModel& model, const Vector3& tip, double carried, double
   }
 }
 
-/** Takes another surface, without any change of the felt force. */
+/** Takes another surface, without a change of the felt force. */
 void Renew(const HapticModel& model, const LocalSurface& found, double friction, LocalState& local,
   ContactState& contact) noexcept
 {
@@ -306,7 +309,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   const Quadric& shape = local.Surface.Shape;
   const Vector3 slope = shape.Slope(local.Request.Position);
   // A proxy near a surface that it has not come through is outside, even if the value there is
-  // inside: some of the structure lies behind a plane that is tangent to a hollow.
+  // inside: a part of the structure lies behind a plane that is tangent to a hollow.
   if (local.Surface.IsThere && std::abs(shape.Depth(local.Request.Position)) < near)
   {
     local.Request.Normal = (1.0 / Norm(slope)) * slope;
@@ -319,7 +322,7 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
 
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
 {
-  // The result of an earlier request does not count for this one.
+  // The result of an earlier request is not valid for this one.
   const std::uint32_t number = local.Number + 1;
   local = LocalState{};
   local.Number = number;

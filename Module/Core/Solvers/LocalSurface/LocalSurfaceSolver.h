@@ -10,14 +10,14 @@
  * at x. With the material at HapticSettings::IsoValue the force is k (x - x_tip). The surface holds
  * without limit, and there is no drag.
  *
- * Every 1 / LocalSurfaceRate a request goes out and the result of the last one comes in: another
- * surface, or none. The lag then changes by a jump, as it does if several points of a tightly bent
- * surface are nearest to the tip. A change of more than twice the tip's motion is such a jump: the
- * hand does not feel it at once but fades into it over RecoveryTime. So a surface that comes up
- * under the hand lifts it gently, none lets go at once, and a jump never pulls the hand in.
+ * Every 1 / LocalSurfaceRate a request goes out and the last request's result comes in: a new
+ * surface, or none. The lag then jumps, as it also does if several points of a tightly bent surface
+ * are nearest to the tip. A change of more than twice the tip's motion is such a jump: the felt
+ * force fades into it over RecoveryTime. So a surface that comes up under the hand lifts it gently,
+ * no surface lets go at once, and a jump never pulls the hand in.
  *
  * If the volume moves, the surface goes along with it in every tick, by the level at its centre,
- * and with the material if displacements tell where that goes; the proxy that it holds goes along.
+ * and with the material if displacements are known; the proxy that it holds goes along.
  *
  * One surface is known at a time. The hand falls through surfaces that it meets before the slow
  * loop has found them. A plane lags behind a curved surface that the hand slides over: it then
@@ -37,18 +37,18 @@ struct TickRecord;
 /** The result of the slow loop for a tick. */
 struct LocalSurfaceResult
 {
-  /** The tick finds the surface itself, as late as a slow loop of LocalSurfaceRate would. */
+  /** The tick computes the surface itself, as late as a slow loop of LocalSurfaceRate would. */
   static LocalSurfaceResult Simulated() noexcept { return { true, nullptr }; }
 
   bool IsSimulated = false;
-  const LocalSurface* Surface = nullptr; ///< for state.Local.Request; null if it has not come yet
+  const LocalSurface* Surface = nullptr; ///< for state.Local.Request; null until it has come
 };
 
 /** One tick from record.Tip; writes all of the record. */
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result) noexcept;
 
-/** Forgets all surfaces, and requests one near a position, for a tip; both in the world. */
+/** Drops all surfaces, and requests one near a position, for a tip; both in the world. */
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept;
 
 } // namespace VolumeHaptics

@@ -28,7 +28,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   const double threshold = lag.Push > 0.0 ? record.SurfaceStrength : 0.0;
   if (threshold == 0.0 && record.Viscosity == 0.0)
   {
-    // Nothing holds the proxy: the law would move it to the tip, up to rounding.
+    // Nothing holds the proxy: the law would move it to the tip, apart from rounding.
     return record.Tip;
   }
   const Balance balance = Law::Weigh(record, k, lag);
@@ -47,7 +47,7 @@ VOLUME_HAPTICS_INLINE Vector3 Advance(
   return proxy;
 }
 
-/** A tick from the proxy on; the surface through it is null if it has to be found. */
+/** A tick from the proxy on; the surface through the proxy is null if it is not known yet. */
 void Step(const HapticModel& model, ServoState& state, TickRecord& record, const FieldAtTime& field,
   const Surface* found) noexcept
 {
@@ -57,7 +57,7 @@ void Step(const HapticModel& model, ServoState& state, TickRecord& record, const
   const Vector3 index = model.DeviceToIndex(position);
   Surface surface = found ? *found : Law::FindSurface(model, field, index, state.Labels);
   Law::Orient(model, lag, surface);
-  // Before the materials, so that the processor has it by the time they are there.
+  // Before the materials, so that the processor has the result by the time they are there.
   const SplitLag split = Law::Split(lag, surface.Normal);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
   record.Proxy = state.Enabled ? Advance<true>(model, position, split, record) : tip;
@@ -111,7 +111,7 @@ void StepPlain(
 
 /**
  * A tick in a plain volume that moves, with an enabled state: as with CarryProxy, to the bit. False
- * if it has to be done so.
+ * if CarryProxy has to do it.
  */
 VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
   const HapticModel& model, ServoState& state, TickRecord& record, TickMemory& memory) noexcept
@@ -172,7 +172,7 @@ void StepPaper(
     }
   }
   const FieldAtTime field = model.Baked->At(state.DataTime, memory);
-  // A CarriedProxy is large: only where the volume moves, a tick makes one.
+  // A CarriedProxy is large: make one only if the volume moves.
   if (!isMoving || !state.Enabled)
   {
     Step(model, state, record, field, nullptr);

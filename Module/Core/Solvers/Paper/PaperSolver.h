@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The solver as published: one gradient and one look at the material law a tick, sections 3.2 to
- * 3.4 of the paper.
+ * The solver as published: one gradient and one evaluation of the material law per tick, sections
+ * 3.2 to 3.4 of the paper.
  */
 #ifndef PaperSolver_h
 #define PaperSolver_h

@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A smaller rise is none: its reciprocal would not be finite. */
+/** A smaller rise counts as zero: its reciprocal would not be finite. */
 constexpr double LeastRise = std::numeric_limits<double>::min();
 
 /** From 0 at `low` to 1 at `high`, without a kink. */
@@ -23,18 +23,18 @@ double SmoothStep(double low, double high, double x) noexcept
 /** The walk to one side. */
 struct Walk
 {
-  double Far;    ///< the value found so far
+  double Far;    ///< the value so far
   double Last;   ///< V at the last sample
-  double Valley; ///< Far where the rise was smallest since the largest one
-  double Rise;   ///< of V along the gradient in this step; before the first one, the gradient's
+  double Valley; ///< Far at the smallest rise since the largest
+  double Rise;   ///< of V along the gradient in this step; before the first step, the gradient's
   double Weight = 1.0;
   double Change = 0.0; ///< of V in this step
   double Largest = 0.0;
-  double LargestBefore = 0.0; ///< without this step
+  double LargestBefore = 0.0; ///< the largest rise, without this step
   double First = 0.0;         ///< the rise of the first step
   int Steps = 0;
-  double Smallest = std::numeric_limits<double>::infinity(); ///< since the largest one
-  double Pair = 0.0; ///< the rise of the pair of steps that is under way
+  double Smallest = std::numeric_limits<double>::infinity(); ///< smallest since the largest
+  double Pair = 0.0; ///< the rise of the current pair of steps
   double LeastPair = std::numeric_limits<double>::infinity();
   double LargestPair = 0.0;
 
@@ -54,7 +54,7 @@ struct Walk
     }
   }
 
-  /** At the border a single step is left. */
+  /** At the border a single step remains. */
   void AddRest() noexcept
   {
     if (this->Steps % 2 != 0)
@@ -76,7 +76,8 @@ struct Walk
     const bool isLargest = this->Rise >= this->Largest;
     const bool isValley = isLargest || this->Rise <= this->Smallest;
     this->Smallest = std::min(this->Smallest, this->Rise);
-    // Between two edges the position has the one on whose flank it is, if it is not on a plateau.
+    // Between two edges the position belongs to the edge on whose flank it is, unless it is on a
+    // plateau.
     const double flank = SmoothStep(FarSide::Flat, FarSide::Steep, this->First * inverseOfMost);
     const double hill =
       std::min(this->Rise, std::max(this->LargestBefore, flank * opposite.Largest));
@@ -96,7 +97,7 @@ double FindEvenness(const Walk& ahead, const Walk& behind, double rise) noexcept
   const double found = std::min(ahead.LeastPair, behind.LeastPair);
   const double least = std::isfinite(found) ? found : rise; // without any step inside the volume
   const double largest = std::max(rise, std::max(ahead.LargestPair, behind.LargestPair));
-  // Not if a rise or a ratio is not a number.
+  // False if a rise or a ratio is not a number.
   return least > 0.0 && largest > LeastRise && least <= largest ? least / largest : 0.0;
 }
 
@@ -139,7 +140,7 @@ FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vect
     }
     const bool isDone =
       (!goesAhead || ahead.Weight == 0.0) && (!goesBehind || behind.Weight == 0.0);
-    // Ripple, too, can take all weight, but a ramp is judged as a whole.
+    // Ripple can take all weight, too, but a ramp is judged as a whole.
     if (isDone && FindEvenness(ahead, behind, 2.0 * part * rise) <= FarSide::EdgeEvenness)
     {
       break;

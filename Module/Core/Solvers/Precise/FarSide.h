@@ -5,8 +5,8 @@
  * The values on either side of a blurred edge: MaterialPlacement::FarSide.
  *
  * A scanner blurs the edge between two tissues to a ramp. A kernel radius inside the proxy the
- * value is somewhere on that ramp, and the material of that value is that of neither tissue; it
- * changes with every wiggle of the edge. The far side is the value that the ramp leads to:
+ * value is somewhere on that ramp, and its material belongs to neither tissue; it changes with
+ * every wiggle of the edge. The far side is the value that the ramp leads to:
  *
  *   const FarValues far = FindFarSide(field, index, reach, radius, rise, isDescending);
  *
@@ -23,23 +23,22 @@
  *
  * u_j rises smoothly from 0, at a_j/m = FarSide::Flat, to 1 at FarSide::Steep: the walk ends where
  * the ramp is flat. v_j falls from 1, at (h_j - l)/m = FarSide::Rise, to 0 at FarSide::NextEdge: if
- * another edge begins, steeper or not, F is the value between the two, so that the skull is not
- * read through the scalp, even if that is too thin for a plateau. On an edge that is blurred by a
- * Gaussian of 0.5 to 2 voxels (with the default radius of 2) F is the plateau's value within 2.5 %
- * of the edge's height. At the border of the volume the walk of a side stops, as if V went on
- * beyond it as before: an even ramp is one up to the border.
+ * another edge begins, steeper or not, F is the value between the two edges, so that the skull is
+ * not read through the scalp, even if the scalp is too thin for a plateau. On an edge that is
+ * blurred by a Gaussian of 0.5 to 2 voxels (with the default radius of 2) F is the plateau's value
+ * within 2.5 % of the edge's height. At the border of the volume the walk of a side stops, as if V
+ * went on in the same way beyond it: a ramp that is even up to the border counts as even.
  *
- * An even ramp leads nowhere: there the values are those of the kernel, a radius to either side of
- * each position, as if MaterialPlacement were Kernel. The walk as a whole tells how even a ramp is:
+ * An even ramp leads nowhere: there the values are the kernel's, a radius to either side of each
+ * position, as if MaterialPlacement were Kernel. The walk as a whole measures how even a ramp is:
  *
  *   E = min(p_i)/max(p_i),   p_i = a_2i-1 + a_2i of both sides.
  *
  * On a blurred edge as above E is less than FarSide::EdgeEvenness. On the distance from a point it
  * is 0.7 or more, up to 2 voxels from the point, though coarse voxels and noise of 5 % let single
  * steps differ by more than FarSide::Rise. Between EdgeEvenness and RampEvenness the values, and
- * the strengths of alignment Edge, are blended from those of the edge to those of the ramp. So a
- * surface within a distance field is felt as with the kernel unless a ridge of the field is in
- * reach.
+ * the strengths of alignment Edge, are blended from the edge's to the ramp's. So a surface within a
+ * distance field is felt as with the kernel unless a ridge of the field is in reach.
  *
  * ## Along a surface
  *
@@ -48,14 +47,14 @@
  *
  *   dV/ds = (F - V)/L,   L = FarSide::PathLength ahead, FarSide::MediumPathLength behind.
  *
- * A walk stands for FarSide::WalkInterval voxels of it. So no material steps along a surface,
- * whatever the walk finds: noise, or an edge that forks. The medium follows more slowly, because
- * its drag is a force by itself: on bone, where a layer of a few millimetres drags, it is often
- * more than the surface takes. It also goes on to follow when the proxy leaves the surface and the
- * drag alone takes a force, so that the drag does not step there.
+ * A walk is valid for FarSide::WalkInterval voxels of the path. So no material steps along a
+ * surface, whatever the walk reads: noise, or an edge that forks. The medium follows more slowly,
+ * because its drag is a force by itself: on bone, where a layer of a few millimetres drags, it is
+ * often more than the surface takes. It also goes on to follow when the proxy leaves the surface
+ * and the drag alone takes a force, so that the drag does not step there.
  *
- * A new contact begins with the values of its own place; and so does a walk that has found another
- * edge, or none, which is what a proxy meets that has gone through a surface.
+ * A new contact begins with the values of its own place; and so does a walk that has met another
+ * edge, or none, as after a proxy has gone through a surface.
  */
 #ifndef FarSide_h
 #define FarSide_h
@@ -75,7 +74,7 @@ constexpr int MostSteps = 12;
 /** The farthest samples of a walk, in kernel radii. */
 constexpr double FarthestRadii = MostSteps / StepsPerRadius;
 ///@{
-/** Shares of the largest rise. */
+/** Fractions of the largest rise. */
 constexpr double Flat = 0.03;
 constexpr double Steep = 0.12;
 constexpr double Rise = 0.05;
@@ -87,14 +86,14 @@ constexpr double PathLength = 2.5;
 constexpr double MediumPathLength = 8.0;
 constexpr double WalkInterval = 0.5;
 ///@}
-/** The least share of its height by which an edge stays the same. */
+/** The least fraction of its height by which an edge stays the same. */
 constexpr double SharedHeight = 0.3;
-/** A ramp that is no more even than this is an edge. */
+/** A ramp that is at most this even is an edge. */
 constexpr double EdgeEvenness = 0.42;
-/** One that is as even as this leads nowhere. */
+/** A ramp that is at least this even leads nowhere. */
 constexpr double RampEvenness = 0.52;
 
-/** From 0 for an edge to 1 for an even ramp, on which there is none. */
+/** From 0 for an edge to 1 for an even ramp, which has no edge. */
 inline double FindEvenShare(const FarValues& far) noexcept
 {
   return std::clamp((far.Evenness - EdgeEvenness) / (RampEvenness - EdgeEvenness), 0.0, 1.0);
@@ -103,15 +102,15 @@ inline double FindEvenShare(const FarValues& far) noexcept
 
 /**
  * The values of the plateaus ahead and behind. `reach` points along the normal (index steps),
- * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; it
- * falls if it is descending.
+ * `radius` is the kernel radius (voxels). By its gradient, V changes by `rise` along `reach`; with
+ * isDescending, it falls.
  */
 FarValues FindFarSide(const FieldAtTime& field, const Vector3& index, const Vector3& reach,
   double radius, double rise, bool isDescending) noexcept;
 
 /**
- * Whether a walk has found the edge of a surface, not the plateau behind it, or the next edge: they
- * share a part of their values.
+ * Whether a walk has met the edge of a touched surface, not the plateau behind it, or the next
+ * edge: the same edge shares a part of its values.
  */
 inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexcept
 {
@@ -120,7 +119,7 @@ inline bool IsSameEdge(const MaterialPoint& touched, const FarValues& far) noexc
   return std::min(high, farHigh) - std::max(low, farLow) >= FarSide::SharedHeight * (high - low);
 }
 
-/** The values of a surface after a path of some voxels, on which a walk has found `far`. */
+/** The values of a surface after a path of some voxels, on which a walk has given `far`. */
 inline ValuePair FollowFarSide(
   const MaterialPoint& touched, const FarValues& far, double voxels) noexcept
 {

@@ -9,35 +9,38 @@ namespace VolumeHaptics
 namespace
 {
 
-/** The longest step of tip and proxy (voxels); or this share of the lag, if that is more. */
+/** The longest step of tip and proxy (voxels); or this fraction of the lag, if that is more. */
 constexpr double LongestStep = 0.25;
 constexpr double SpringShare = 0.02;
-/** The end of a motion as short as this (voxels) is not judged. */
+/** Motions as short as this (voxels) are not judged at their end. */
 constexpr double ShortStep = 1e-3;
-/** Nor that of a motion up to this long (voxels), if the following motions are not longer. */
+/**
+ * Motions up to this length (voxels) are not judged either, if the following motions are not
+ * longer.
+ */
 constexpr double LongestCreep = 0.03;
 constexpr double LongestRest = 2e-3;
 
 /**
  * The cached sample is used until the proxy has moved this far from it (voxels). Every tick counts
- * as at least the second length, so that a sample from another model, with which a recording is
- * played, does not last.
+ * as at least the second length, so that a sample from another model, when a recording is replayed,
+ * does not last.
  */
 constexpr double LongestSampleDistance = 1e-3;
 constexpr double LeastSampleDistance = LongestSampleDistance / 32.0;
-/** The first length for walls between labels, which have bumps of a tenth of a voxel anyhow. */
+/** As the first length, for walls between labels, which have bumps of a tenth of a voxel anyhow. */
 constexpr double LongestWallDistance = 4e-3;
 
 /** Predictions beyond these do not save the sample that judges them. */
 constexpr double LeastPrediction = 0.5;
 constexpr double MostPrediction = 1.5;
-/** The learned share of a tick's prediction: the remainder appears in the next tick. */
+/** The learned part of a tick's prediction: the remainder appears in the next tick. */
 constexpr double LearnedShare = 0.5;
 
 /** N: a smaller change of the force is no leap. */
 constexpr double LeastLeap = 0.02;
 
-/** Of a quotient: rounding on another machine must not add a step. */
+/** Tolerance of a quotient: rounding on another machine must not add a step. */
 constexpr double Rounding = 1e-9;
 /** The most motions at one tip that may lengthen the spring. */
 constexpr int MostSetbacks = 8;
@@ -120,7 +123,7 @@ void PreciseFollower::WriteLeap(
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(this->State.ReachedTip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  // Nor is it a leap if the tissue itself has changed.
+  // A change of the tissue itself is no leap.
   const Vector3 change = record.Force - this->Refreshed.value_or(before.Force);
   const double square = Dot(change, change);
   if (square > most * most)
@@ -159,7 +162,8 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
   const Vector3 before = this->State.ReachedTip;
   if (!Law::IsFelt(this->State.Here))
   {
-    // All slack except for the tip's step: a proxy that follows the tip carries no force along.
+    // Makes the spring all slack except for the tip's step: a proxy that follows the tip carries no
+    // force along.
     this->State.Spring.Tension = 0.0;
   }
   if (this->State.Spring.Tension < 1.0)
@@ -194,7 +198,7 @@ bool PreciseFollower::Settle(const Vector3& tip) noexcept
     }
     const double voxels = this->Field.Voxels(motion.Displacement);
     this->Note(voxels);
-    // Motions at one tip shrink at a rate, which gives the sum of this one and all that follow.
+    // Motions at one tip shrink at a rate, which gives the sum of this motion and all that follow.
     const double rate = lastVoxels > 0.0 ? voxels / lastVoxels : 1.0;
     const bool isLast = voxels <= LongestCreep && voxels * rate <= LongestRest && rate < 0.5;
     if (isLast && Dot(motion.Displacement, lastDisplacement) > 0.0)

@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** The spring that the last tick has left. */
+/** The spring after the last tick. */
 struct SpringBefore
 {
   explicit SpringBefore(const ServoState& state) noexcept
@@ -34,7 +34,7 @@ struct SpringBefore
   double Friction;
 };
 
-/** Moves the tip and makes the proxy follow it. Changes all of the state except its proxy. */
+/** Moves the tip and, after it, the proxy. Changes all of the state except its proxy. */
 class PreciseFollower
 {
 public:
@@ -47,15 +47,15 @@ public:
   {
   }
 
-  /** The volume moves: the proxy was carried by a motion (m) to the surface that is there. */
+  /** For a moving volume: takes over the surface to which the proxy was carried by a motion (m). */
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
-  /** Moves the tip straight to a position, and makes the proxy follow it. */
+  /** Moves the tip straight to a position, and the proxy after it. */
   void Follow(const Vector3& tip) noexcept;
   /** Writes material, proxy and forces. */
   void Write(TickRecord& record) const noexcept;
   /**
-   * The change of the force by leaps of the proxy: more than the tip's motion explains, and that of
-   * the proxy with the volume (m).
+   * Writes the part of the force's change that comes from leaps of the proxy: the part that neither
+   * the tip's motion explains, nor the proxy's with the volume (m).
    */
   void WriteLeap(const SpringBefore& before, double carried, TickRecord& record) const noexcept;
   bool IsUnfinished() const noexcept { return this->LooksAreSpent; }
@@ -66,20 +66,20 @@ private:
   /** Samples the material at the proxy; `touched` as in PreciseSurroundings::Look. */
   void LookAround(const Vector3& lag, const TouchedMaterial& touched) noexcept;
   /**
-   * Takes over a change of the tissue at the proxy that no motion has caused since the last tick.
+   * Takes over a change of the tissue at the proxy since the last tick that no motion has caused.
    */
   void Refresh(double lag) noexcept;
   /** Moves the proxy until the law leaves it in place; false if the budget does not suffice. */
   bool Settle(const Vector3& tip) noexcept;
   /** The motion by the law at the proxy's point. `tipBefore` is null if the tip stays. */
   Motion Plan(const Vector3& tip, const Vector3* tipBefore) noexcept;
-  /** Notes the kind of contact for the record. */
+  /** Records the kind of contact. */
   void Note(double voxels) noexcept;
   /** Makes a motion longer, if the material still holds the spring. */
   void Lengthen(Motion& motion, double factor, const Vector3& tip) const noexcept;
   /** Learns StepPrediction from the ratio of a tick's displacement to its first motion. */
   void Learn(const Vector3& firstDisplacement, const Vector3& displacement, bool isJudged) noexcept;
-  /** Makes a motion that is too short for its end to be judged. */
+  /** Makes a motion that is too short to be judged at its end. */
   void Creep(const Motion& motion, const Vector3& tip) noexcept;
 
   PreciseSurroundings Field;

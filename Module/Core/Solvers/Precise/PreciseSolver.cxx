@@ -10,7 +10,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** @param carried how far (m) the volume has carried the proxy before */
+/** @param carried the distance (m) by which the volume has carried the proxy before */
 void Follow(const HapticModel& model, const SpringBefore& before, double carried,
   PreciseFollower& follower, TickRecord& record) noexcept
 {
@@ -35,7 +35,7 @@ void StepPrecise(
     state.Precise.ReachedTip = record.Tip;
   }
   const SpringBefore spring(state);
-  // A CarriedProxy is large: only where the volume moves, a tick makes one.
+  // A CarriedProxy is large: make one only if the volume moves.
   if (!model.Baked->IsMoving() || !state.Enabled)
   {
     PreciseFollower follower(model, state, memory);

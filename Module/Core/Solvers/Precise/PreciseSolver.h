@@ -19,8 +19,8 @@
  * ## Method
  *
  * The tip moves in steps of a quarter of a voxel or 2 % of the lag. After each step the proxy moves
- * until the law leaves it in place. A motion is that of Law::Move, no longer than a quarter of a
- * voxel, and is judged at its end: if the material there holds more than the spring pulls, the end
+ * until the law leaves it in place. A motion is the one of Law::Move, at most a quarter of a voxel
+ * long, and is judged at its end: if the material there holds more than the spring pulls, the end
  * is drawn back to the point at which both are equal (regula falsi, along the normal and across it;
  * at a step of a transfer function, bisection to a thousandth of a voxel, on the side that holds).
  * While a surface holds, the proxy stays on the level of the estimator's own value that it met
@@ -31,14 +31,14 @@
  * cached until the proxy is 1e-3 voxels away from it, or 4e-3 with the geometry from labels. While
  * a surface holds, a tick's first motion is lengthened by the ratio that the last ticks have shown
  * (PreciseState::StepPrediction). A tick of a tenth of a voxel then takes one or two samples. Cache
- * and prediction only propose motions; no judgement rests on them.
+ * and prediction only propose motions; judgements do not depend on them.
  *
  * ## Existence and uniqueness
  *
- * For one material point a motion is unique: the drag's is the proximal map of R|m| after that of
- * the surface. Both are convex; the law takes normal before friction, which makes the latter
- * unique, too. Each accepted motion shortens the spring, and the solver finds the first point at
- * which the law holds.
+ * For one material point a motion is unique: the drag's motion is the proximal map of R|m| after
+ * the surface's proximal map. Both are convex; the law takes normal before friction, which makes
+ * the latter unique, too. Each accepted motion shortens the spring, and the solver finds the first
+ * point at which the law holds.
  *
  * ## Work
  *

@@ -11,19 +11,19 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Share of the lag by which a motion may go too far. */
+/** The fraction of the lag by which a motion may go too far. */
 constexpr double Tolerance = 2e-4;
 /** A smaller part of a direction is rounding. */
 constexpr double SmallPart = 1e-3;
 /** Trials of the search that draws a motion back. */
 constexpr int MostTrials = 10;
-/** At an edge, V(x_p) may be this share of |V(x_s) - V(x_v)| below their mean. */
+/** At an edge, V(x_p) may be this fraction of |V(x_s) - V(x_v)| below their mean. */
 constexpr double EdgeTolerance = 1e-3;
-/** The share of the edge's height over which a graded edge gains its strength. */
+/** The fraction of the edge's height over which a graded edge gains its strength. */
 constexpr double EdgeWidth = 0.5;
-/** N; how steeply it gains it at the beginning, per share of EdgeWidth. */
+/** N; the initial gain of strength, per EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
-/** The share of the edge's height by which the estimator's own value counts beyond V(x_p). */
+/** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
 
 /** 1 if the proxy is at or past the middle of an edge, 0 if it is before. */
@@ -41,12 +41,12 @@ double AtEdge(const ValuePair& sides, double value, bool isDescending) noexcept
  *   T' = min(T, EdgeStrength s/(1 - s)),   s = (V - middle)/(EdgeWidth h),
  *
  * and 0 before the middle: so the strength does not step if the middle wanders along a surface. If
- * h is less than the `rise` that the gradient promises, then the edge is elsewhere, and s falls to
+ * h is less than the `rise` that the gradient predicts, then the edge is elsewhere, and s falls to
  * 0.
  *
- * V is V(x_p) or the estimator's own value, the one that is farther inside: the latter carries less
+ * V is V(x_p) or the estimator's own value, whichever is farther inside: the estimator's has less
  * noise, but in a sheet that is thinner than the kernel it does not reach the middle. It leads by
- * OwnLead h at most: at the foot of an edge, which the walk finds in part only, the mean of a wide
+ * at most OwnLead h: at the foot of an edge, which the walk meets in part only, the mean of a wide
  * kernel is past that part's middle, though the proxy has the whole edge before it.
  */
 double GradedStrength(const ValuePair& sides, double strength, double own, double value,
@@ -320,15 +320,15 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double holds = there.SurfaceStrength * compliance;
   const double grip = there.Friction * std::clamp(lag.Push, 0.0, holds);
 
-  // The spring that surface and friction leave. There is no surface outward. The part of the spring
-  // perpendicular to the motion is held in the same way.
+  // The rest of the spring after surface and friction. There is no surface outward. The part of the
+  // spring perpendicular to the motion is held in the same way.
   const bool goesIn = !motion.IsHeld && inward > SmallPart;
   const bool goesOut = !motion.IsHeld && inward < -SmallPart;
   const bool goesAcross = across > SmallPart;
   const double pull = Dot(lag.Tangent, aside);
   const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
-  // If both parts are left, drag holds them together; if one went too far, it holds each by itself.
+  // If both parts remain, drag holds them together; if one went too far, drag holds each by itself.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
   const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);

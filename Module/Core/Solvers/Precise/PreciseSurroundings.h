@@ -19,15 +19,15 @@ namespace VolumeHaptics
 struct Motion
 {
   Vector3 Displacement; ///< m
-  bool IsHeld = false;  ///< by a surface: the proxy keeps its level
+  bool IsHeld = false;  ///< held by a surface: the proxy keeps its level
   bool IsFree = false;  ///< no material holds the proxy
 };
 
 /** The material in contact before a motion, for MaterialPlacement::FarSide. */
 struct TouchedMaterial
 {
-  const PrecisePoint* Point = nullptr; ///< null if there is none
-  /** Whether the surface takes a force; else it has done so before, and only its medium drags. */
+  const PrecisePoint* Point = nullptr; ///< null without a touched material
+  /** Whether the surface takes a force; if not, it did before, and now only its medium drags. */
   bool IsSurface = false;
 };
 
@@ -36,7 +36,7 @@ struct Departure
 {
   Vector3 Proxy;
   PassiveSpring Spring;
-  double Level; ///< of the surface, if the motion is held
+  double Level; ///< the surface's, if the motion is held
   TouchedMaterial Touched;
 };
 
@@ -67,15 +67,15 @@ public:
   }
 
   /**
-   * The material at a proxy. With two-sided surfaces the normal follows the lag. `touched` is the
-   * material in contact that many voxels before: see FarSide.h.
+   * The material at a proxy. With two-sided surfaces the normal follows the lag. `touched` was the
+   * material in contact this many voxels before: see FarSide.h.
    */
   PrecisePoint Look(const Vector3& proxy, const Vector3& lag, const TouchedMaterial& touched,
     double voxels) noexcept;
   /** As above, if the surface through the proxy is known. */
   PrecisePoint Look(const Vector3& proxy, const Surface& surface, const Vector3& lag,
     const TouchedMaterial& touched, double voxels) noexcept;
-  /** Limits the drag of a point at a proxy with this spring to a tip `lag` (m) away. */
+  /** Limits the drag of a point, for a proxy with this spring to a tip `lag` (m) away. */
   void LimitDrag(const PassiveSpring& spring, double lag, PrecisePoint& point) const noexcept
   {
     Law::LimitDrag(this->Model, spring.Tension < 1.0 ? (1.0 - spring.Tension) * lag : 0.0, point);
@@ -93,8 +93,8 @@ public:
   double GetVoxelsPerMeter() const noexcept { return this->Model.MostStepsPerMeter; }
 
   /**
-   * Whether a level can be that of the surface at a point: walls between labels have other levels
-   * than the scalars, and the next wall has another one than the last.
+   * Whether a level can belong to the surface at a point: walls between labels have other levels
+   * than the scalars, and the next wall has another level than the last.
    */
   bool IsOfLevel(const PrecisePoint& here, double level) const noexcept
   {
@@ -115,13 +115,13 @@ public:
     const double most = FarthestLevel / this->Model.MostStepsPerMeter;
     const double push = Dot(lag, here.Normal);
     const double displacement = (level - here.Value) / here.Slope;
-    // Not past the tip, and not so far out that the surface could not hold the spring.
+    // At most to the tip, and only so far out that the surface can still hold the spring.
     const double in = std::clamp(push, 0.0, most);
     const double out = std::clamp(here.SurfaceStrength / k - push, 0.0, most);
     return std::clamp(displacement, -out, in);
   }
 
-  /** Makes a share of a motion, or less if the material there allows no more. */
+  /** Makes a part of a motion, or less if the material there allows no more. */
   Arrival Arrive(
     const Departure& start, const Motion& motion, double share, const Vector3& tip) noexcept;
 
@@ -129,20 +129,20 @@ private:
   /** The largest distance (voxels) from a proxy to its level. */
   static constexpr double FarthestLevel = 0.25;
 
-  /** As the members of a PrecisePoint. */
+  /** See the members of PrecisePoint. */
   struct FarWalk
   {
     FarValues Far;
     double Lasts = 0.0;
   };
   /**
-   * The spring (m) that is left along the parts of a motion; negative if the motion went too far.
+   * The rest of the spring (m) along the parts of a motion; negative if the motion went too far.
    */
   struct Remainder
   {
     double Normal;
     double Tangent;
-    bool IsWhole; ///< both are those of the motion as a whole
+    bool IsWhole; ///< both belong to the motion as a whole
   };
 
   Arrival Try(const Departure& start, const Motion& motion, const Vector3& displacement,
@@ -163,13 +163,13 @@ private:
   /** The change of V over the kernel radius, by the gradient. */
   double FindRise(const Law::Slope& slope) const noexcept;
   /**
-   * The rise that the gradient promises of an edge: over the kernel radius, or over one voxel if
-   * the estimator is a spline. That is as wide as the Gaussian of radius 1, whatever the radius is.
+   * The rise that the gradient predicts for an edge: over the kernel radius or, if the estimator is
+   * a spline, over one voxel: a spline is as wide as the Gaussian of radius 1, for any radius.
    */
   double FindPromise(const Law::Slope& slope) const noexcept;
   /**
-   * The values from which the material of a surface is read, by MaterialPlacement; those of the
-   * kernel for a share of 0. Writes the walk of a point if there is one.
+   * The values that give the material of a surface, by MaterialPlacement; the kernel's for a share
+   * of 0. Writes the walk of a point if there is one.
    */
   ValuePair FindValues(const Vector3& index, const Law::Slope& slope, bool isDescending,
     double share, const TouchedMaterial& touched, double voxels, FarWalk& walk) const noexcept;
@@ -177,7 +177,7 @@ private:
   const HapticModel& Model;
   const FieldAtTime Field;
   const bool IsPlain;  ///< as BakedVolume, and stands still
-  const bool HasWalks; ///< of MaterialPlacement::FarSide: they need the proxy's path
+  const bool HasWalks; ///< for MaterialPlacement::FarSide: the values need the proxy's path
   LabelMemory& Labels;
   int Looks = 0;
 };

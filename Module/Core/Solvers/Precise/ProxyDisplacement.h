@@ -4,7 +4,7 @@
  * @file
  * The displacement of a proxy while the tip makes one step, by the law of one material point.
  *
- * Inlined, as the law: a step of usual length has one part, which every tick needs.
+ * Inlined, like the law: a step of usual length has one part, which every tick needs.
  */
 #ifndef ProxyDisplacement_h
 #define ProxyDisplacement_h
@@ -20,11 +20,14 @@ namespace VolumeHaptics
 
 namespace ProxyDisplacement
 {
-/** Parts of a tip's step, as shares of the lag: with a mean direction, and without. */
+/**
+ * Lengths of the parts of a tip's step, as fractions of the lag: with a mean direction, and
+ * without.
+ */
 constexpr double CirclePart = 0.1;
 constexpr double FreePart = 0.005;
 constexpr double MostParts = 64.0;
-/** Share of a circle's radius beyond which a spring has a direction. */
+/** The fraction of a circle's radius beyond which a spring has a direction. */
 constexpr double OnCircle = 0.9;
 
 /**
@@ -35,7 +38,7 @@ struct UnheldSpring
 {
   Vector3 Lag;   ///< m
   double Length; ///< of Lag
-  double Radius; ///< m, of the circle
+  double Radius; ///< the circle's, m
   bool IsCircle; ///< false if friction and drag hold some directions more than others
 };
 
@@ -69,7 +72,7 @@ VOLUME_HAPTICS_INLINE Vector3 FindPart(const PrecisePoint& here, double complian
   const UnheldSpring before = FindUnheldSpring(here, compliance, lagBefore, splitBefore);
   if (!(before.Length > OnCircle * before.Radius))
   {
-    return plain(); // there was no direction yet
+    return plain(); // no direction yet
   }
   const Vector3 sum = (1.0 / before.Length) * before.Lag + (1.0 / now.Length) * now.Lag;
   const double square = Dot(sum, sum);
@@ -90,7 +93,7 @@ Vector3 FindInParts(const PrecisePoint& here, double k, const Vector3& lagBefore
 
 /**
  * The displacement of a proxy (m) while the tip's step takes the spring of stiffness k (N/m) from
- * one lag (m) to another, which is also given in its parts.
+ * one lag (m) to another, whose parts are given, too.
  *
  * Second order in the step if friction and drag hold all directions alike. `plain()` is the
  * displacement by the law at the last lag alone, for steps without a mean direction.
@@ -101,7 +104,7 @@ VOLUME_HAPTICS_INLINE Vector3 Find(const PrecisePoint& here, double k, const Vec
 {
   const SplitLag before = Law::Split(lagBefore, here.Normal);
   const bool isThrough = std::max(split.Push, before.Push) * k > here.SurfaceStrength;
-  // Nor if the tip leaves or meets the surface.
+  // No circle either if the tip leaves or meets the surface.
   const bool isCircle =
     here.Friction == 0.0 || (!isThrough && (split.Push > 0.0) == (before.Push > 0.0));
   const double share = isCircle ? CirclePart : FreePart;

@@ -139,12 +139,12 @@ bool FollowedShapes::FindStart(int mode, Vector3& place)
     {
       return std::isfinite(length);
     }
-    // A ridge may be some voxels away. A step of a Newton search that is longer is a wrong one.
+    // A ridge may be some voxels away. A longer step of a Newton search is wrong.
     const double longest = (kind == ModeKind::VortexTube ? 1.0 : 32.0) * this->Voxel;
     place = place + std::min(1.0, longest / length) * motion;
     if (kind == ModeKind::Guide)
     {
-      return true; // the nearest place, to which the next one may not be
+      return true; // the nearest place; a further step might leave it
     }
   }
   return kind == ModeKind::Ridge;

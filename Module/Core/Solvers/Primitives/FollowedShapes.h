@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the modes of a model hold the hand on, near a place: lines and fronts, to be drawn.
+ * The lines and fronts on which the modes of a model hold the hand, near a place, to be drawn.
  *
  * They are made of the primitives that a tick reads (ModePrimitives.h), so that what is seen is
  * what is felt:
@@ -53,22 +53,22 @@ struct FollowedShape
 class FollowedShapes
 {
 public:
-  /** Borrows the model. Friction of surfaces is of no interest here, and so is the tip. */
+  /** Borrows the model. Ignores friction of surfaces, and the tip. */
   explicit FollowedShapes(const HapticModel& model);
   FollowedShapes(const FollowedShapes&) = delete;
   FollowedShapes& operator=(const FollowedShapes&) = delete;
 
   /**
-   * The shapes at a place (m). Modes that hold nothing there have none, and so have other methods
-   * than Primitives.
+   * The shapes at a place (m). None for modes that hold nothing there, and for other methods than
+   * Primitives.
    */
   std::vector<FollowedShape> Find(const Vector3& place);
 
-  /** Turns a direction to that of the line of a mode at a place; false if there is no line. */
+  /** Turns a direction to the direction of a mode's line at a place; false if there is no line. */
   bool Turn(int mode, const Vector3& place, Vector3& direction);
   /**
-   * Moves a place near the line of a mode back to it, if the line has an anchor of its own: a
-   * step along its direction leaves it. False if it ends there.
+   * Moves a place near a mode's line back to it, if the line has its own anchor: a step along its
+   * direction leaves it. False if the line ends there.
    */
   bool Return(int mode, Vector3& place);
 
@@ -76,17 +76,18 @@ private:
   void FindOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes);
   void AddTensor(int mode, const Vector3& place, std::vector<FollowedShape>& shapes) const;
   ModeKind KindOf(int mode) const;
-  /** Reads the primitives of a mode; false if none of them holds. */
+  /** Reads the primitives of a mode; false if no primitive holds. */
   bool Read(int mode, const Vector3& place);
-  /** The front among what was read; null if there is none. */
+  /** The front among the primitives read; null if there is none. */
   const Primitive* FindFront(ModeKind kind) const;
   /**
-   * The line among what was read. That of a vortex is its core, whether the hand is there or not.
+   * The line among the primitives read. For a vortex it is the core, whether the hand is there or
+   * not.
    */
   const Primitive* FindLine(ModeKind kind) const;
   /** The first primitive of a kind with more than a strength. */
   const Primitive* FindPrimitive(PrimitiveKind kind, double strength) const;
-  /** Moves a place to the line that a mode is about; false if there is none. */
+  /** Moves a place to a mode's line; false if there is none. */
   bool FindStart(int mode, Vector3& place);
 
   const HapticModel& Model;

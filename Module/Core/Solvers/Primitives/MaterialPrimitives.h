@@ -10,8 +10,8 @@
  *   LINE   N,  mu f_N      eqs. 8 to 10: friction, with f_N the force that the plane takes of F
  *   POINT  R               eq. 14: the drag
  *
- * Their composition in this order is the paper's order of steps. The law stays what the solvers use
- * for surfaces: it needs no set. The tests compare both.
+ * Their composition in this order is the paper's order of steps. The solvers still use the law for
+ * surfaces: it needs no set. The tests compare both.
  */
 #ifndef MaterialPrimitives_h
 #define MaterialPrimitives_h

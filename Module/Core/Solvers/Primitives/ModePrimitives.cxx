@@ -12,7 +12,10 @@
 namespace VolumeHaptics
 {
 
-/** Adds the primitives of a mode. What it cannot read has the strength 0, but keeps its place. */
+/**
+ * Adds the primitives of a mode. A primitive that can't be read has the strength 0, but keeps its
+ * place.
+ */
 class ModeReader
 {
 public:
@@ -97,11 +100,12 @@ private:
     this->Add(PrimitiveKind::Line, curl, strengths[1]);
   }
 
-  /** The displacement (world) to the core, and the share in which it holds: 0 if it is far. */
+  /** The displacement (world) to the core, and the strength's share of its hold: 0 if it is far. */
   double FindCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {
-    // Newton's step is no shorter than the vector across the axis by the norm of the Jacobian.
+    // Newton's step is at least as long as the vector across the axis divided by the norm of the
+    // Jacobian.
     constexpr double far = ModeField::CoreSight * ModeField::CoreSight;
     const double along = Dot(v, axis);
     const double slopes =
@@ -141,7 +145,7 @@ private:
     Matrix3 j;
     const bool isThere = this->Mode.Field.Read(this->Index, v, j);
     const SymmetricEigen rates = FindEigen(SymmetricPart(j));
-    // A rotation alone stretches in no direction, but for rounding.
+    // A pure rotation has no direction of stretch, apart from rounding.
     const double least = LeastShare * (Norm(j.Row[0]) + Norm(j.Row[1]) + Norm(j.Row[2]));
     const bool stretches = isThere && rates.Value[0] > least;
     const double strength = stretches ? this->StrengthAt(0, rates.Value[0]) : 0.0;
@@ -170,7 +174,7 @@ private:
   void ReadRidge() noexcept
   {
     const FieldSampler& scalars = this->Modes.Model->Baked->Field;
-    // The differences need some samples more.
+    // The differences need some more samples.
     this->SetFade(scalars.DistanceToBorder(this->Index) - 1.0);
     Vector3 toRidge;
     Vector3 along{ 1.0, 0.0, 0.0 };
@@ -200,7 +204,7 @@ private:
     const Vector3 gradient = sign * (turned * scalars.Gradient(this->Index).Gradient);
     const SymmetricEigen eigen =
       FindEigen(sign * (turned * (SymmetricPart(ofIndex) * worldToIndex)));
-    // Of a bright line: two that are negative, and one of smaller magnitude.
+    // For a bright line: two negative eigenvalues, and one of smaller magnitude.
     const double h1 = eigen.Value[0];
     const double h2 = eigen.Value[1];
     const double h3 = eigen.Value[2];
@@ -258,7 +262,7 @@ private:
     AddMaterial(point, this->Modes.Stiffness, this->Place, this->Modes.Tip, this->Set);
   }
 
-  /** Eigenvalues that differ by a smaller share than this one give no direction. */
+  /** Eigenvalues whose relative difference is smaller than this give no direction. */
   static constexpr double LeastShare = 1e-9;
 
   static Matrix3 SymmetricPart(const Matrix3& m) noexcept
@@ -286,7 +290,7 @@ private:
   }
   double StrengthAt(int channel, double x) const noexcept { return this->StrengthsAt(x)[channel]; }
 
-  /** Of a displacement in the world. */
+  /** Maps a displacement from the world. */
   Vector3 ToDevice(const Vector3& displacement) const noexcept
   {
     return this->Modes.WorldToDevice.Linear * displacement;
@@ -297,7 +301,7 @@ private:
   }
 
   ///@{
-  /** A direction in the world; and an anchor (device), or this place. */
+  /** Takes a direction in the world, and an anchor (device), or this place. */
   void Add(PrimitiveKind kind, const Vector3& direction, double strength) noexcept
   {
     this->Add(kind, direction, strength, this->Place);

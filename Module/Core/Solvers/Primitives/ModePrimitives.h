@@ -35,9 +35,8 @@
  * ## All modes
  *
  * Strengths fade to 0 over FadeDistance at the border of the volume, so that nothing pops there.
- * Where there is no vector, no direction, or a sample that is not finite, nothing is felt. The
- * sign of an eigenvector matters to none of these: tensors are interpolated, and never their
- * eigenvectors.
+ * Where there is no vector, no direction, or a sample that is not finite, nothing is felt. The sign
+ * of an eigenvector does not matter: tensors are interpolated, never their eigenvectors.
  */
 #ifndef ModePrimitives_h
 #define ModePrimitives_h
@@ -62,12 +61,12 @@ public:
   static constexpr double FadeDistance = 2.0;
   /** Voxels from the core of a vortex. */
   static constexpr double CoreReach = 0.1;
-  /** Voxels. A core that is farther away than this is not looked for. */
+  /** Voxels. The core is searched up to this distance. */
   static constexpr double CoreSight = 4.0;
 
   /**
    * For a device that is placed in the world: a similarity, world units per metre. Without ridges
-   * and surfaces, which have the scalars of a model.
+   * and surfaces, which need the scalars of a model.
    */
   ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept;
   /**
@@ -77,7 +76,7 @@ public:
   ModeField(const HapticModel& model, double k, const Vector3& tip, LabelMemory& memory) noexcept;
 
   /**
-   * False if its primitives are too many or the mode is not valid; nothing is felt of it then. One
+   * False if there are too many primitives or the mode is not valid; it is not felt then. A mode
    * that is not active always fits.
    */
   bool Add(const BakedMode& mode) noexcept;
@@ -88,7 +87,7 @@ public:
   int GetCount() const noexcept { return this->Count; }
   /** Adds the primitives of one mode at a place (m); none if it is not felt. */
   void Read(int mode, const Vector3& place, PrimitiveSet& set) const noexcept;
-  /** The force of one mode (N, on the hand), of those of all primitives. */
+  /** The force of one mode (N, on the hand), given the forces of all primitives. */
   Vector3 ForceOf(int mode, const PrimitiveForces& forces) const noexcept;
 
 private:
@@ -102,9 +101,9 @@ private:
   Affine3 DeviceToIndex;
   Affine3 DeviceToWorld;
   Affine3 WorldToDevice;
-  Matrix3 Turn; ///< of directions, from the world to the device
+  Matrix3 Turn; ///< for directions, from the world to the device
   ///@{
-  /** Of ridges and surfaces; null without a model. */
+  /** For ridges and surfaces; null without a model. */
   const HapticModel* Model = nullptr;
   LabelMemory* Memory = nullptr;
   double Stiffness = 0.0;

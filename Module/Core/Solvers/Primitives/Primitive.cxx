@@ -9,13 +9,13 @@ namespace VolumeHaptics
 namespace
 {
 
-/** A strength as it counts: 0 for one that is none. */
+/** The strength that counts: 0 for an invalid one. */
 double UsableStrength(const Primitive& primitive) noexcept
 {
   const double s = primitive.Strength;
   if (!(s > 0.0) || (primitive.Kind == PrimitiveKind::Force && std::isinf(s)))
   {
-    return 0.0; // NaN, too; and no hand is to be pushed without limit
+    return 0.0; // NaN, too; and a push must have a limit
   }
   return std::fmin(s, PrimitiveSet::MostStrength);
 }

@@ -13,8 +13,8 @@
  * | Line  | s abs((I - q q^T) (x - c)) | holds on the line through c along q in this way   |
  * | Plane | s max(0, -(x - c).q)       | a wall; its free side is the one to which q points|
  *
- * All are convex, and but for Force their forces are at most s. So is what PrimitiveSolver.h makes
- * of them.
+ * All are convex, and except for Force their forces are at most s. The composition of
+ * PrimitiveSolver.h has the same properties.
  */
 #ifndef Primitive_h
 #define Primitive_h
@@ -49,16 +49,16 @@ class PrimitiveSet
 {
 public:
   static constexpr int Most = MostPrimitives;
-  /** N. More than this holds as firmly as this does. */
+  /** N. Larger strengths hold as firmly as this one. */
   static constexpr double MostStrength = 1e6;
-  /** m. An anchor beyond this is an error. */
+  /** m. A farther anchor is an error. */
   static constexpr double FarthestAnchor = 1e9;
 
   /**
-   * Adds a primitive, with a direction of unit length. One without a strength, a direction or an
-   * anchor (0, negative, NaN, or infinite) keeps its place in the set, but has the strength 0;
-   * except that an infinite strength holds with MostStrength, if it does not push. Without a
-   * strength the direction stays as it is. False if the set is full.
+   * Adds a primitive, with a direction of unit length. A primitive without a valid strength,
+   * direction or anchor (0, negative, NaN, or infinite) keeps its place in the set, but has the
+   * strength 0; an infinite strength holds with MostStrength, unless it pushes. Without a strength
+   * the direction stays as given. False if the set is full.
    */
   bool Add(const Primitive& primitive) noexcept;
 
@@ -68,7 +68,7 @@ public:
   const Primitive* begin() const noexcept { return this->Items.data(); }
   const Primitive* end() const noexcept { return this->Items.data() + this->Size; }
 
-  /** The most that they pull with, together (N). */
+  /** The largest sum of their forces (N). */
   double SumStrengths() const noexcept;
 
 private:

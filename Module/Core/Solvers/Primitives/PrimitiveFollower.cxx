@@ -11,14 +11,14 @@ namespace
 {
 
 /**
- * By how much, as a share of a step, its end is moved to where the stages show that the way ends:
- * their weights lose an order away from the end of the step.
+ * The largest correction of a step's end, as a fraction of the step, to where the stages show that
+ * the way ends: their weights lose an order away from the end of the step.
  */
 constexpr double Farthest = 0.1;
 
 /**
- * The end of the way, as a share of a step: where the quadratic through the lengths that are left
- * at 0, 1/2 and 3/4 of it is 0.
+ * The end of the way, as a fraction of a step: the zero of the quadratic through the remaining
+ * lengths at 0, 1/2 and 3/4 of it.
  */
 double FindEnd(double atBegin, double atMiddle, double late) noexcept
 {
@@ -32,7 +32,7 @@ double FindEnd(double atBegin, double atMiddle, double late) noexcept
 
 constexpr double LeastRate = 0.25;
 constexpr double MostRate = 1e12; // a picometre from the axis of a vortex
-/** A step of which the middle shows a rate that is so much more begins again. */
+/** A step whose middle shows a rate larger by this factor begins again. */
 constexpr double RateExcess = 1.01;
 
 /** A proxy on its way to the balance with one tip. */
@@ -50,7 +50,7 @@ public:
     this->Arrive(from, memory.Towards);
   }
 
-  /** One step; the rate that it has met. */
+  /** Makes one step; returns the rate that it has met. */
   double Step(double rate, double longest) noexcept
   {
     const double across = this->FindRateAcross();
@@ -61,12 +61,12 @@ public:
       : this->StepFar(rate, longest);
   }
 
-  /** The part of the lag that is still to go, and its length (m). */
+  /** The remaining part of the lag, and its length (m). */
   const Vector3& GetRest() const noexcept { return this->Rest; }
   double GetLength() const noexcept { return this->Length; }
   bool IsSpent() const noexcept { return this->SweepsLeft <= 0; }
   const Vector3& GetPlace() const noexcept { return this->Place; }
-  /** At the place. */
+  /** The balance at the place. */
   const PrimitiveBalance& GetBalance() const noexcept { return this->Balance; }
 
 private:
@@ -83,7 +83,8 @@ private:
     const Vector3 third = Along(late, second);
     const double most = longest / length;
     const double share = std::min(FindEnd(before, Dot(middle, second), Dot(late, third)), most);
-    // Where the quadratic through the stages points at the end of the step; and its integrals.
+    // The direction, at the end of the step, of the quadratic through the stages; and its
+    // integrals.
     const Vector3 last = 1.0 / 3.0 * first - 2.0 * second + 8.0 / 3.0 * third;
     const double square = share * share;
     const double ofFirst = share + square * (8.0 / 9.0 * share - 5.0 / 3.0);
@@ -101,10 +102,10 @@ private:
   }
 
   /**
-   * The rate at which what a long step has left ends, across its way, as the stages show it; 0 if
-   * they do not. With m that rate beside the way's, the weights of the stages leave the share
-   * (1 - m) (1 - 5/3 m + 4/3 m^2) of what was across, and the quadratic through the stages shows
-   * (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both tells m.
+   * The rate at which the rest of a long step ends, across its way, as the stages show it; 0 if
+   * they do not. With m the ratio of this rate to the way's, the weights of the stages leave the
+   * fraction (1 - m) (1 - 5/3 m + 4/3 m^2) of the part across, and the quadratic through the stages
+   * shows (1 - m) (1 - 2 m) of it at the end of the step: the ratio of both gives m.
    */
   double FindRateAcross() const noexcept
   {
@@ -121,7 +122,7 @@ private:
     return root > 0.0 ? this->EndRate * 0.75 * (half - std::sqrt(root)) : 0.0;
   }
 
-  /** To the end of what a step has left, or a little before: a hold would keep what is beyond. */
+  /** Goes to the end of a step's rest, or a little less far: a hold would keep the part beyond. */
   double StepAcross(double rate) noexcept
   {
     const double before = this->Length;
@@ -131,7 +132,7 @@ private:
     return Rate((before - Dot(this->Rest, first)) / length);
   }
 
-  /** By the midpoint method, to where D ends by what the middle has met. */
+  /** By the midpoint method, to where D ends at the rate of the middle. */
   double StepShortly(double rate) noexcept
   {
     const Vector3 from = this->Place;
@@ -140,7 +141,7 @@ private:
     double length = before / rate;
     const Vector3 middle = this->FindMiddle(first, rate, length);
     const Vector3 second = Along(middle, first);
-    // No farther than the middle can tell: a hold would keep the proxy where it went too far.
+    // At most as far as the middle is valid: a hold would keep the proxy where it went too far.
     const double end = before / Rate((before - Dot(middle, second)) / (0.5 * length));
     length = std::min(end, (1.0 + Farthest) * length);
     this->Arrive(from + length * second, second);
@@ -164,20 +165,20 @@ private:
     return middle;
   }
 
-  /** A rate that was met, within its bounds. */
+  /** A measured rate, within its bounds. */
   static double Rate(double met) noexcept
   {
     return met > LeastRate ? std::min(met, MostRate) : LeastRate;
   }
 
-  /** The direction of what is left, forwards; or the direction before if nothing is. */
+  /** The direction of the rest, forwards; or the direction before if there is no rest. */
   static Vector3 Along(const Vector3& rest, const Vector3& before) noexcept
   {
     const double length = Norm(rest);
     return length > 0.0 ? std::copysign(1.0 / length, Dot(rest, before)) * rest : before;
   }
 
-  /** @param towards where what is left is expected to point */
+  /** @param towards the expected direction of the rest */
   Vector3 FindRest(const Vector3& place, const Vector3& towards) noexcept
   {
     PrimitiveSet set;
@@ -201,10 +202,10 @@ private:
   PrimitiveMemory& Memory;
   Vector3 Place;
   Vector3 Rest;
-  Vector3 Shown; ///< of the rest, by the stages of a long step that ended the way; else 0
+  Vector3 Shown; ///< the rest by the stages of a long step that ended the way; else 0
   double EndRate = 0.0;
   double Length = 0.0;
-  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< of the tick
+  int SweepsLeft = PrimitiveSolver::MostSweeps; ///< in the tick
   PrimitiveBalance Balance;
 };
 
@@ -219,12 +220,12 @@ PrimitiveMotion FollowPrimitives(const PrimitiveField& field, double k, double l
     memory = {};
     return { tip, {}, 0, false };
   }
-  // Of a file, maybe.
+  // May come from a file.
   memory.Rate = memory.Rate > LeastRate ? std::min(memory.Rate, MostRate) : LeastRate;
   PrimitiveMotion motion;
   Way way(field, k, from, tip, memory);
   const double finished = PrimitiveFollower::FinishedShare * longestStep;
-  // The next tick goes about the same way as this one, and not as its last corrections.
+  // The next tick goes about the same way as this one, not as its last corrections.
   const double told = PrimitiveFollower::ShortShare * way.GetLength();
   double rate = memory.Rate;
   while (

@@ -6,26 +6,26 @@
  *
  * The primitives of a mode are read where the proxy is, so they change along its way: a flow turns,
  * and strengths rise and fall. With b(x) the balance of the primitives at x (PrimitiveSolver.h),
- * D(x) = b(x) - x is what is left of the motion, and the proxy is at rest where D = 0. One step by
- * D a tick would leave a bent line by its tangent, and drift. So the proxy goes along the lines of
- * D: along those of the flow as far as the spring pulls along them, and across them where the
- * spring is more than the strength of the place.
+ * D(x) = b(x) - x is the rest of the motion, and the proxy is at rest where D = 0. One step by D a
+ * tick would leave a bent line by its tangent, and drift. So the proxy goes along the lines of D:
+ * along the lines of the flow as far as the spring pulls along them, and across them where the
+ * spring exceeds the local strength.
  *
  * ## Steps
  *
  * A step goes along D/|D| by Ralston's method of third order, whose stages are at 0, 1/2 and 3/4 of
- * it, none where D ends. It is a quarter voxel long at most: on a circle of 20 voxels the proxy
+ * it, and not where D ends. It is a quarter voxel long at most: on a circle of 20 voxels the proxy
  * leaves its line by less than 0.001 voxels in a hundred turns. The length of the last step is
  * |D|/r, with r the rate at which D falls along the way: 1 in a uniform field, less or more where
- * lines bend around the tip, or strengths change. r is learned from step to step; a step that the
- * middle shows to be too long begins again, since a strength that rises would hold the proxy where
- * it went too far; and the end is moved by up to a tenth to where the stages show that D ends, so
- * that one step a tick is mostly enough. What such a step leaves across the way, where primitives
- * yield, it leaves in a known way, which tells its rate: one evaluation more ends it. Corrections
- * else are short, and take the midpoint method, no farther than that either. Steps end when D is
- * less than FinishedShare of a step. After MostSteps, or if the sweeps of a tick are spent, the
- * next tick goes on; the force is then that of the balance at the place that is reached, so it is
- * never more than the strengths.
+ * lines bend around the tip, or strengths change. r is learned from step to step; a step that turns
+ * out too long at its middle begins again, since a rising strength would hold the proxy where it
+ * went too far; and the end is moved by up to a tenth to where the stages show that D ends, so that
+ * one step a tick is mostly enough. Where primitives yield, the rest across the way after such a
+ * step follows a known rule, which gives its rate: one more evaluation ends it. Other corrections
+ * are short, and use the midpoint method, with the same limit. Steps end when D is less than
+ * FinishedShare of a step. After MostSteps, or if the sweeps of a tick are spent, the next tick
+ * goes on; the force then belongs to the balance at the reached place, so it never exceeds the
+ * strengths.
  */
 #ifndef PrimitiveFollower_h
 #define PrimitiveFollower_h
@@ -55,7 +55,7 @@ struct PrimitiveMotion
 namespace PrimitiveFollower
 {
 constexpr int MostSteps = 32;
-/** A step this short, as a share of the longest one, takes the midpoint method. */
+/** Steps shorter than this fraction of the longest one use the midpoint method. */
 constexpr double ShortShare = 0.1;
 /** A last step this short needs no stages. */
 constexpr double FinishedShare = 1e-3;

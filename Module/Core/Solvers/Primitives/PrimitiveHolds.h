@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a primitive does in a balance, as forces that are nearly those of the balance tell.
+ * The state of a primitive in a balance, judged from forces that are nearly those of the balance.
  */
 #ifndef PrimitiveHolds_h
 #define PrimitiveHolds_h
@@ -21,7 +21,7 @@ inline Vector3 AtMost(const Vector3& force, double most) noexcept
   return square > most * most ? (most / std::sqrt(square)) * force : force;
 }
 
-/** The point of C_i, the forces that a primitive can have, that is nearest to a force. */
+/** The point of C_i, the set of the primitive's possible forces, that is nearest to a force. */
 inline Vector3 Nearest(const Primitive& primitive, const Vector3& force) noexcept
 {
   const double along = Dot(force, primitive.Direction);
@@ -46,7 +46,7 @@ enum class HoldState : std::uint8_t
   IsLeft
 };
 
-/** @param isOld the force is that of another tick: almost a whole strength counts as one */
+/** @param isOld the force comes from another tick: almost a whole strength counts as one */
 inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) noexcept
 {
   // Forces that were cut to the strength count as full.
@@ -57,7 +57,7 @@ inline HoldState StateOf(const Primitive& p, const Vector3& force, bool isOld) n
                                                       : HoldState::Holds;
 }
 
-/** What rounding may leave of a condition (N). */
+/** The rounding of a condition (N). */
 inline double RoundingOf(const HeldPrimitives& held) noexcept
 {
   double largest = 0.0;

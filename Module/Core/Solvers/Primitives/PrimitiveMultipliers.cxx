@@ -12,12 +12,18 @@ namespace VolumeHaptics
 namespace
 {
 
-/** m. With more, the rounding of what holds grows; with less, the number of rounds. */
+/**
+ * m. A larger penalty increases the rounding of primitives that hold; a smaller one, the number of
+ * rounds.
+ */
 constexpr double Penalty = 1000.0;
-/** N. A round that changes forces by no more bears places that are off by that share of it, 1/m. */
+/**
+ * N. A round that changes forces by at most this is settled if places are off by at most that
+ * fraction of it, 1/m.
+ */
 constexpr double SettledRound = 1e-10;
 constexpr int MostHalvings = 30;
-/** Of the fall of the function that its slope promises. */
+/** The least fall of the function, as a fraction of the fall that its slope predicts. */
 constexpr double LeastFall = 1e-4;
 
 class MultiplierRound
@@ -38,7 +44,7 @@ public:
   int GetLooks() const noexcept { return this->Looks; }
   bool IsSpent() const noexcept { return this->Looks >= this->MostLooks; }
 
-  /** One step of Newton's method; false if it has arrived. */
+  /** One step of Newton's method; false if it has converged. */
   bool Step(double settled) noexcept
   {
     const Vector3 slope = this->Slope;
@@ -55,8 +61,8 @@ public:
     {
       return false;
     }
-    // The function is convex: where it falls along the step, it is less. Its slope rounds by less
-    // than its value.
+    // The function is convex: where it falls along the step, its value is lower. Its slope rounds
+    // by less than its value.
     double least = 0.0;
     double most = 1.0;
     double share = 1.0;
@@ -73,7 +79,7 @@ public:
       (isPast ? most : least) = share;
       share = 0.5 * (least + most);
     }
-    // As near as it comes.
+    // As near as rounding allows.
     if (Dot(this->Slope, this->Slope) < Dot(slope, slope))
     {
       return true;
@@ -82,7 +88,7 @@ public:
     return false;
   }
 
-  /** Takes the forces of this place; the largest change of one. */
+  /** Takes the forces of this place; returns the largest change of one. */
   double Take() noexcept
   {
     double square = 0.0;
@@ -104,7 +110,7 @@ private:
     return this->Forces[static_cast<std::size_t>(this->Held.Number[at])];
   }
 
-  /** The function and its slope at a sum of forces. */
+  /** Evaluates the function and its slope at a sum of forces. */
   void Look(const Vector3& sum) noexcept
   {
     ++this->Looks;
@@ -117,7 +123,7 @@ private:
       this->Next[at] = Nearest(this->At(at), this->Wish[at]);
       const Vector3 beyond = this->Wish[at] - this->Next[at];
       this->Slope = this->Slope - this->Next[at];
-      // |u|^2 - |u - P|^2, without the difference of what is large.
+      // |u|^2 - |u - P|^2, without the difference of large numbers.
       this->Value += Dot(this->Next[at], this->Next[at] + 2.0 * beyond) / (2.0 * Penalty);
     }
   }

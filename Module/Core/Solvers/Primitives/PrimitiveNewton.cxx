@@ -15,7 +15,7 @@ namespace
 constexpr int MostBalanceSteps = 6;
 constexpr int MostConditions = 3;
 constexpr int MostRounds = 6;
-/** A determinant of unit vectors that is less is that of directions in a plane. */
+/** Unit vectors with a smaller determinant lie in a plane. */
 constexpr double LeastDeterminant = 1e-9;
 
 Vector3 AcrossOf(const Vector3& v, const Vector3& q) noexcept
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  /** Corrects what was assumed by what follows from it, some times. */
+  /** Corrects the assumptions by their consequences, a few times. */
   bool Solve() noexcept
   {
     const Vector3 start = this->Sum;
@@ -65,7 +65,7 @@ public:
       this->Contradictions = 0;
       this->Conditions = 0;
       this->IsOff = false;
-      // More conditions than that are met at a common anchor only.
+      // More conditions can only be met at a common anchor.
       if (this->CollectConditions() ? this->Step() : this->Share())
       {
         return true;
@@ -100,7 +100,7 @@ private:
     ++this->Conditions;
   }
 
-  /** False if there are too many. */
+  /** False if there are too many conditions. */
   bool CollectConditions() noexcept
   {
     for (int at = 0; at < this->Held.Count; ++at)
@@ -134,9 +134,9 @@ private:
   }
 
   /**
-   * The forces of those that do not hold, as far as they do not turn, and the slope of w and them.
-   * The force of a line or point that yields turns with its place. Both are unknowns, which makes
-   * steps good even if it yields by little, where the turn is fast.
+   * The forces of primitives that do not hold, as far as they do not turn, and the slope of w and
+   * of these forces. The force of a line or point that yields turns with its place. Both are
+   * unknowns: so steps are good even if it yields by little, where its force turns fast.
    */
   void FindYielding(Matrix3& slope) noexcept
   {
@@ -177,7 +177,7 @@ private:
   }
 
   /**
-   * The part of a vector in which the force of a line or point that yields turns, by the force's
+   * The part of a vector in which the force of a yielding line or point turns, given the force's
    * direction.
    */
   static Vector3 AsideOf(const Primitive& p, const Vector3& unit, const Vector3& v) noexcept
@@ -186,7 +186,7 @@ private:
     return p.Kind == PrimitiveKind::Line ? AcrossOf(aside, p.Direction) : aside;
   }
 
-  /** Turns the forces of lines and points that yield, for a change of the sum. */
+  /** Turns the forces of yielding lines and points, for a change of the sum. */
   void Turn(const Vector3& change) noexcept
   {
     for (int at = 0; at < this->Held.Count; ++at)
@@ -201,7 +201,7 @@ private:
     }
   }
 
-  /** Newton's steps; false if what was assumed is not so. */
+  /** Newton's method; false if the assumptions do not hold. */
   bool Step() noexcept
   {
     for (int step = 0; step < MostBalanceSteps; ++step)
@@ -216,8 +216,8 @@ private:
       }
       this->Turn(change);
       this->Sum += change;
-      // Without lines and points that yield, one step is exact; with them, the next one would have
-      // about the square of this one, as a share of the nearest anchor's distance.
+      // Without yielding lines and points, one step is exact; with them, the next step would be
+      // about the square of this one, as a fraction of the nearest anchor's distance.
       const double square = Dot(change, change);
       if (!this->IsCurved || square * this->Curvature <= this->Settled)
       {
@@ -228,8 +228,8 @@ private:
   }
 
   /**
-   * Changes a step by the multipliers after which it meets the conditions; false if they are those
-   * of one plane.
+   * Changes a step by the multipliers that make it meet the conditions; false if the conditions
+   * belong to one plane.
    */
   bool MeetConditions(const Matrix3& inverse, Vector3& step) noexcept
   {
@@ -269,7 +269,7 @@ private:
     return true;
   }
 
-  /** The forces at the place, and whether they are those of a balance. */
+  /** Computes the forces at the place; returns whether they are those of a balance. */
   bool Check() noexcept
   {
     const double* const m[3] = { &this->Multiplier.X, &this->Multiplier.Y, &this->Multiplier.Z };
@@ -296,7 +296,7 @@ private:
       Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  /** Gives a primitive another state if its force or place contradicts the one that it has. */
+  /** Changes the state of a primitive if its force or place contradicts it. */
   void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
@@ -330,7 +330,7 @@ private:
     this->Contradictions += state != before ? 1 : 0;
   }
 
-  /** All that hold, at their common anchor. */
+  /** All primitives that hold, at their common anchor. */
   bool Share() noexcept
   {
     const Vector3* const anchor = this->Held.Spring;
@@ -342,7 +342,8 @@ private:
       {
         return false;
       }
-      // There, a force of any size is one that holds; but planes may be left, or push with all.
+      // There, a line or point with a force of any size holds; but planes may be left, or push with
+      // all their strength.
       if (p.Kind != PrimitiveKind::Plane)
       {
         this->State[at] = HoldState::Holds;
@@ -402,22 +403,22 @@ private:
   const HeldPrimitives& Held;
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
-  int First[PrimitiveSet::Most] = {}; ///< condition
+  int First[PrimitiveSet::Most] = {}; ///< the first condition
   Vector3 Row[MostConditions];
   double Wanted[MostConditions] = {};
   int Conditions = 0;
   int Contradictions = 0;
-  bool IsOff = false; ///< a force that yields is not along its place
+  bool IsOff = false; ///< the force of a yielding primitive is not along its place
   ///@{
-  /** Of lines and points that yield: the direction of the force, and how fast it turns. */
+  /** For yielding lines and points: the direction of the force, and how fast it turns. */
   bool IsCurved = false;
-  double Curvature = 0.0; ///< the largest: by how much the direction turns for a newton
+  double Curvature = 0.0; ///< the largest turn of the direction per newton
   Vector3 Unit[PrimitiveSet::Most];
   double Bend[PrimitiveSet::Most] = {};
   ///@}
   Vector3 Multiplier;
   Vector3 Sum;
-  Vector3 Yielding; ///< the sum of the forces of those that do not hold
+  Vector3 Yielding; ///< the sum of the forces of primitives that do not hold
   double Settled = 0.0;
 };
 

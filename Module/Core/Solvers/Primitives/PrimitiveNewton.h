@@ -13,10 +13,11 @@
  * - yields: its force is its strength, and phi_i is smooth; or
  * - is a plane that is left: its force is 0.
  *
- * If that is known, Newton's method with the conditions of those that hold finds w: in one step if
- * no line or point yields, and in a few else. The directions of the forces that yield are unknowns
- * beside w: so it also ends in a few steps if they yield by little. What the result contradicts is
- * corrected, some times; a result counts only if nothing contradicts it.
+ * If the states are known, Newton's method with the conditions of the holding primitives computes
+ * w: in one step if no line or point yields, and in a few otherwise. The directions of the yielding
+ * forces are unknowns in addition to w: so it also ends in a few steps if they yield by little.
+ * Assumptions that the result contradicts are corrected, a few times; a result counts only if it
+ * contradicts none.
  *
  * More than three conditions are met only if all primitives that hold have one anchor. Then w is
  * known, and forces that add up to it are not unique. Forces s_i P_i m, with P_i the projection
@@ -30,7 +31,7 @@
 namespace VolumeHaptics
 {
 
-/** Primitives that are not pushes and have a strength, with b_i of each. */
+/** Primitives with a strength that are not pushes, with b_i of each. */
 struct HeldPrimitives
 {
   const PrimitiveSet& Set;
@@ -40,8 +41,9 @@ struct HeldPrimitives
 };
 
 /**
- * Whether the forces, which are within the strengths and nearly those of the balance, tell what
- * holds and what yields. If so, they and their sum become exact; else nothing is written.
+ * Computes the exact balance, if forces that are within the strengths and nearly those of the
+ * balance show which primitives hold and which yield. If so, the forces and their sum become exact;
+ * else nothing is written.
  *
  * @param isOld the forces are those of another tick: almost a whole strength counts as one
  */

@@ -38,7 +38,7 @@ public:
     this->Ray = isUnknown ? rest : towards;
   }
 
-  /** Corrects what was assumed by what follows from it, some times. */
+  /** Corrects the assumptions by their consequences, a few times. */
   bool Solve() noexcept
   {
     if (!this->SetRay(this->Ray))
@@ -84,7 +84,7 @@ private:
     return length > this->Settled && std::isfinite(length);
   }
 
-  /** The ray where those that hold leave it; false if they leave it nothing. */
+  /** Restricts the ray to the conditions of the holding primitives; false if they leave no ray. */
   bool KeepConditions() noexcept
   {
     this->Slides = 0;
@@ -136,7 +136,7 @@ private:
       this->SetRay(std::copysign(1.0, Dot(line, this->Ray)) * line);
   }
 
-  /** Directions across the ray in which it can turn; how many. */
+  /** Directions across the ray in which it can turn; returns their number. */
   int FindTurns(Vector3 turns[2]) const noexcept
   {
     if (this->Along >= 0 || this->Slides == 2)
@@ -148,7 +148,7 @@ private:
       turns[0] = Cross(this->At(this->Slide[0]).Direction, this->Ray);
       return 1;
     }
-    // The reflection that takes an axis to the ray takes the others to these.
+    // The reflection that takes an axis to the ray takes the other axes to these.
     const Vector3& d = this->Ray;
     const double sign = std::copysign(1.0, d.Z);
     const double share = -1.0 / (sign + d.Z);
@@ -157,7 +157,7 @@ private:
     return 2;
   }
 
-  /** Turns the ray until nothing is left across it; false if it does not come to that. */
+  /** Turns the ray until nothing remains across it; false if it does not converge. */
   bool Turn() noexcept
   {
     for (int i = 0; i < MostRayTurns; ++i)
@@ -206,7 +206,7 @@ private:
     double BB = 0.0;
   };
 
-  /** The forces of those that yield on the ray, how they turn with it, and where it ends. */
+  /** The forces of primitives that yield on the ray, how they turn with it, and where it ends. */
   bool FindYielding(const Vector3 turns[2], Slope& slope) noexcept
   {
     this->Yielding = {};
@@ -235,7 +235,7 @@ private:
       const double bend = p.Strength * inverse;
       this->Force[at] = -bend * aside;
       this->Yielding += this->Force[at];
-      // Of the parts of the turns across the line, what is across the force turns it.
+      // Of the turns' parts across the line, the part across the force turns it.
       const double share = inverse * inverse;
       const double firstAlong = isLine ? Dot(turns[0], p.Direction) : 0.0;
       const double secondAlong = isLine ? Dot(turns[1], p.Direction) : 0.0;
@@ -250,11 +250,12 @@ private:
     const double distance = ofSpring + ofForces;
     this->Distance = std::max(distance, 0.0);
     this->Share = distance >= 0.0 ? 1.0 : -ofSpring / ofForces;
-    // All hold if the spring pulls along the ray, but by less than they can. Also false for NaN.
+    // All hold if the spring pulls along the ray, but less strongly than they can. Also false for
+    // NaN.
     return distance >= 0.0 || (ofSpring > 0.0 && ofForces < 0.0);
   }
 
-  /** The forces of those that hold, and whether all are those of a balance. */
+  /** Computes the forces of the holding primitives; returns whether all are those of a balance. */
   bool Check() noexcept
   {
     const Vector3 rest = this->Spring + this->Share * this->Yielding;
@@ -295,7 +296,7 @@ private:
     return this->Contradictions == 0 && Dot(gap, gap) <= this->Settled * this->Settled;
   }
 
-  /** Gives a primitive another state if its force or place contradicts the one that it has. */
+  /** Changes the state of a primitive if its force or place contradicts it. */
   void Correct(int at) noexcept
   {
     const Primitive& p = this->At(at);
@@ -322,9 +323,9 @@ private:
   HoldState State[PrimitiveSet::Most] = {};
   Vector3 Force[PrimitiveSet::Most];
   Vector3 Ray;
-  double Distance = 0.0; ///< of the proxy on the ray (N)
-  double Share = 1.0;    ///< of the forces that would yield; less than 1 if all hold
-  Vector3 Yielding;      ///< the sum of these forces
+  double Distance = 0.0; ///< the proxy's, on the ray (N)
+  double Share = 1.0;    ///< the used fraction of the yielding forces; less than 1 if all hold
+  Vector3 Yielding;      ///< the sum of the yielding forces
   Vector3 Sum;
   int Slide[2] = {}; ///< the planes that hold
   int Slides = 0;

@@ -6,19 +6,19 @@
  * one place.
  *
  * Their potentials are homogeneous about the anchor, so only the direction d in which the proxy
- * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the forces that
- * yield, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and
- * d is the direction in which b + F has no part across it. That is what Newton's method finds on
- * the sphere, in two steps or three from the direction in which the proxy went before.
+ * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the yielding
+ * forces, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and
+ * d is the direction in which b + F has no part across it. Newton's method on the sphere computes
+ * it, in two or three steps from the direction of the proxy's last motion.
  *
- * - A plane on which the proxy slides leaves d a circle; its force is what is missing along its
- *   normal. A line that holds, or two such planes, leave d nothing.
- * - If rho is negative, all primitives hold at the anchor. Their forces are not unique then; those
- *   are chosen that yield together on a ray, times the share d.b / (-d.F) < 1 that is needed.
+ * - A plane on which the proxy slides restricts d to a circle; the plane's force is the missing
+ *   part along its normal. A line that holds, or two such planes, leave no choice of d.
+ * - If rho is negative, all primitives hold at the anchor. Their forces are not unique then: the
+ *   forces that yield together on a ray are taken, times the needed fraction d.b / (-d.F) < 1.
  *
  * Unlike the steps of PrimitiveNewton.h, these are as good near the anchor as away from it: there
  * the forces turn fast with the place, but not with the direction. And the proxy of a tick ends
- * where its primitives are read, so it comes as near as it likes.
+ * where its primitives are read, so that it may come arbitrarily near.
  */
 #ifndef PrimitiveRay_h
 #define PrimitiveRay_h
@@ -29,10 +29,11 @@ namespace VolumeHaptics
 {
 
 /**
- * As FindExactBalance, which it does not replace: false, too, if the anchors differ or if more
- * holds than a plane or two or a line.
+ * In addition to FindExactBalance, which it does not replace: also false if the anchors differ or
+ * if more holds than a plane or two or a line.
  *
- * @param towards where the proxy is expected, seen from the anchor, of any length; 0 if unknown
+ * @param towards the expected direction of the proxy, seen from the anchor, of any length; 0 if
+ * unknown
  */
 bool FindBalanceOnRay(const HeldPrimitives& held, const Vector3& towards, bool isOld,
   PrimitiveForces& forces, Vector3& sum) noexcept;

@@ -15,17 +15,23 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N. A sweep that changes no force by more has arrived; and the share of the largest force. */
+/**
+ * N. A sweep that changes no force by more has converged; and the same as a fraction of the largest
+ * force.
+ */
 constexpr double SettledChange = 1e-11;
 constexpr double SettledShare = 4e-16;
 /** N/m. */
 constexpr double StiffestSpring = 1e9;
 ///@{
-/** After each of the first sweeps, and then now and then, an exact balance is looked for. */
+/** After each of the first sweeps, and then at intervals, an exact balance is tried. */
 constexpr int FirstLooks = 2;
 constexpr int SweepsOfALook = 4;
 ///@}
-/** Mostly enough where no directions depend on each other; then multipliers are looked for. */
+/**
+ * Mostly enough if directions do not depend on each other; after these sweeps the multipliers are
+ * tried.
+ */
 constexpr int SweepsAlone = 16;
 
 /** False for NaN, too. */
@@ -53,7 +59,7 @@ bool AreSeparate(const Primitive& a, const Primitive& b) noexcept
   return Dot(sine, sine) <= most * most;
 }
 
-/** Whether the composition is exact for each primitive that holds, with the ones before it. */
+/** Whether the composition is exact for each holding primitive, with those before it. */
 bool IsComposable(const PrimitiveSet& set) noexcept
 {
   const Primitive* first = nullptr;
@@ -79,7 +85,7 @@ bool IsComposable(const PrimitiveSet& set) noexcept
   return true;
 }
 
-/** Writes the pushes, and 0 for what does not hold; their sum. */
+/** Writes the pushes, and 0 for all others; returns the sum of the pushes. */
 Vector3 Push(const PrimitiveSet& set, PrimitiveForces& forces) noexcept
 {
   Vector3 sum;
@@ -115,7 +121,7 @@ public:
         this->Number[at] = i;
         this->Spring[at] = k * (tip - set[i].Anchor) + push;
         square = std::max(square, Dot(this->Spring[at], this->Spring[at]));
-        // Of another set, maybe, or from a file.
+        // May come from another set, or from a file.
         forces[i] = IsFinite(forces[i]) ? Nearest(set[i], forces[i]) : Vector3{};
       }
     }
@@ -131,7 +137,7 @@ public:
       FindExactBalance(held, isOld, this->Forces, this->Sum);
   }
 
-  /** See PrimitiveMultipliers.h. The number of its looks. */
+  /** See PrimitiveMultipliers.h. Returns the number of evaluations. */
   int FindByMultipliers(int mostLooks, bool& isFound) noexcept
   {
     const HeldPrimitives held{ this->Set, this->Number, this->Spring, this->Count };
@@ -163,14 +169,14 @@ protected:
   const PrimitiveSet& Set;
   const Vector3& Towards;
   PrimitiveForces& Forces;
-  Vector3 Spring[PrimitiveSet::Most];  ///< b_i: of the spring and the pushes
+  Vector3 Spring[PrimitiveSet::Most];  ///< b_i: the sum of the spring and the pushes
   int Number[PrimitiveSet::Most] = {}; ///< in the set
   int Count = 0;
   Vector3 Sum;
   double Largest = 0.0;
 };
 
-/** Sweeps over the dual problem, with what the last ones left for the acceleration. */
+/** Sweeps over the dual problem, storing the last ones for the acceleration. */
 class Sweeper : public Dual
 {
 public:
@@ -179,7 +185,7 @@ public:
   {
   }
 
-  /** The largest change of a force. Writes the changes. */
+  /** Writes the changes of the forces; returns the largest one. */
   double Sweep() noexcept
   {
     double square = 0.0;
@@ -198,8 +204,8 @@ public:
   }
 
   /**
-   * Anderson's acceleration: from the last sweeps, the forces at which a sweep would change nothing
-   * if it were linear. They are taken if their energy is not more.
+   * Anderson's acceleration: computes, from the last sweeps, the forces at which a sweep would
+   * change nothing if it were linear. They are taken if their energy is not higher.
    */
   void Accelerate() noexcept
   {
@@ -293,7 +299,7 @@ Vector3 SumOf(const PrimitiveForces& forces) noexcept
   return sum;
 }
 
-/** Sweeps, until an exact balance is found or they are spent. */
+/** Sweeps until an exact balance is reached or the sweeps are spent. */
 void DescendBySweeps(const Dual& dual, int mostSweeps, PrimitiveBalance& balance) noexcept
 {
   Sweeper sweeper(dual);
@@ -363,7 +369,7 @@ void PrimitiveSolver::Descend(const PrimitiveSet& set, double k, const Vector3& 
 {
   balance = {};
   Dual dual(set, k, tip, towards, forces);
-  // The forces of the last tick mostly tell what holds and what yields.
+  // The forces of the last tick mostly show which primitives hold and which yield.
   if (!dual.FindExact(true))
   {
     DescendBySweeps(dual, mostSweeps, balance);

@@ -12,16 +12,16 @@
  *
  *   x = argmin k/2 |x - y|^2 + sum phi_i(x),   f = k (x - y) = sum l_i  on the hand.
  *
- * There is always one solution. It is a proximal map: the proxy moves by no more than the tip does,
- * the force changes by no more than k times that, and |f| is at most the sum of the strengths.
+ * There is always one solution. It is a proximal map: the proxy moves at most as far as the tip,
+ * the force changes by at most k times that, and |f| is at most the sum of the strengths.
  *
  * ## Composition
  *
- * If all anchors are the same point, there is one line direction at most, and each direction of a
- * line or plane is parallel or orthogonal to each other one, x is the composition of the single
+ * If all anchors are the same point, there is at most one line direction, and all directions of
+ * lines and planes are parallel or orthogonal to each other, x is the composition of the single
  * solutions: forces first, then planes, then lines, then points. The prox of s|.| after the prox of
- * a positively homogeneous convex function is the prox of the sum, and orthogonal planes do not see
- * each other.
+ * a positively homogeneous convex function is the prox of the sum, and orthogonal planes do not
+ * interact.
  *
  * "Parallel" and "orthogonal" are up to DirectionTolerance, which is the rounding of unit vectors.
  * Let directions be off by an angle of e. From the variational inequalities of both problems, with
@@ -38,11 +38,11 @@
  * for a plane. It begins with the forces of the last tick. Where the proxy yields a little at a
  * time, or directions are almost parallel, sweeps alone take long; so Anderson's acceleration mixes
  * the last four, if that does not raise the dual energy. All l_i are in C_i at any time: even if
- * the sweeps are spent, no force is more than the strengths, and the next tick goes on. Once it is
- * known which primitives yield, PrimitiveRay.h or PrimitiveNewton.h ends this: mostly before the
- * first sweep, since they are those of the last tick, else after a sweep or some. Where directions
- * depend on each other, such as those of opposed planes, sweeps may not tell; after some of them,
- * PrimitiveMultipliers.h does.
+ * the sweeps are spent, no force exceeds the strengths, and the next tick goes on. Once it is known
+ * which primitives yield, PrimitiveRay.h or PrimitiveNewton.h ends the descent: mostly before the
+ * first sweep, since the same primitives yielded in the last tick, else after one or a few sweeps.
+ * Where directions depend on each other, such as those of opposed planes, sweeps may not show this;
+ * after some of them, PrimitiveMultipliers.h does.
  */
 #ifndef PrimitiveSolver_h
 #define PrimitiveSolver_h
@@ -56,7 +56,7 @@ struct PrimitiveBalance
 {
   Vector3 Proxy;             ///< m
   Vector3 Force;             ///< N, on the hand
-  int Sweeps = 0;            ///< with the looks of the multipliers
+  int Sweeps = 0;            ///< including evaluations of the multipliers
   bool IsUnfinished = false; ///< the descent spent its sweeps
 };
 
@@ -67,13 +67,13 @@ constexpr double DirectionTolerance = 4e-15;
 constexpr int MostSweeps = 256;
 
 /**
- * The closed composition; false if the set does not allow it, and nothing is written then. For
+ * The closed composition; if the set does not allow it, returns false and writes nothing. For
  * numbers that Minimise has checked.
  */
 bool Compose(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance) noexcept;
 
-/** Descent from `forces`, whatever the set. For numbers that Minimise has checked. */
+/** Descends from `forces`, for any set. For numbers that Minimise has checked. */
 void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveForces& forces,
   PrimitiveBalance& balance, int mostSweeps = MostSweeps, const Vector3& towards = {}) noexcept;
 } // namespace PrimitiveSolver
@@ -81,10 +81,10 @@ void Descend(const PrimitiveSet& set, double k, const Vector3& tip, PrimitiveFor
 /**
  * The balance at a tip (m), with a spring of stiffness k (N/m).
  *
- * @param forces those of the last tick, with which descent begins; then those of this one. Forces
- *   that are not finite are forgotten.
- * @param towards of any length: where the proxy is expected, seen from a common anchor; 0 if that
- *   is unknown. It makes this faster, and never wrong.
+ * @param forces in: the last tick's, with which descent begins; out: this tick's. Forces that are
+ * not finite are ignored.
+ * @param towards of any length: the expected direction of the proxy, seen from a common anchor; 0
+ * if unknown. It only affects the speed.
  *
  * If the tip is not finite, or farther away than an anchor may be, or if k is not a positive
  * number, nothing holds: the proxy is the tip.

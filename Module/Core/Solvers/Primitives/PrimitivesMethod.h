@@ -28,7 +28,7 @@ void StepPrimitives(const HapticModel& model, ServoState& state, TickRecord& rec
 /** The forces (N, device, on the hand) of a model's modes, in their order. */
 using ModeForces = std::array<Vector3, ModeField::Most>;
 
-/** Those of the last tick, by the state after it. Zero for other methods. */
+/** The forces of the last tick, by the state after it. Zero for other methods. */
 ModeForces FindModeForces(const HapticModel& model, const ServoState& state) noexcept;
 
 } // namespace VolumeHaptics

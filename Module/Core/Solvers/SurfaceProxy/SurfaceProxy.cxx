@@ -16,40 +16,42 @@ namespace
 {
 
 /**
- * Shares of the radius: the sphere touches within the first, keeps the second free, and is at rest
- * below the third.
+ * Fractions of the radius: the sphere touches within the first, keeps the second free, and is at
+ * rest below the third.
  */
 constexpr double Margin = 3e-3;
 constexpr double Distance = 1e-6;
 constexpr double Still = 1e-5;
 /**
- * In a valley the shadings of its sides may lead back and forth: after ManyPasses this counts as
- * rest, too.
+ * In a valley the shadings of its sides may lead back and forth: after ManyPasses, such a small
+ * move counts as rest, too.
  */
 constexpr double ShadedStill = 5e-3;
 constexpr int ManyPasses = 8;
-/** The smallest share of the radius, even if a triangle is deeper in it. */
+/** The smallest fraction of the radius, even if a triangle is deeper in the sphere. */
 constexpr double LeastLeft = 1e-3;
 /** The longest move (radii): its triangles must fit into the budget. */
 constexpr double LongestMove = 64.0;
 /** The largest angle between a triangle and its shading, by its cosine. */
 constexpr double LeastCosine = 0.8;
 
-/** Moves that shrink at a rate between these are summed up at once, by their geometric series. */
+/** Moves that shrink at a rate between these are summed at once, as a geometric series. */
 constexpr double SlowRate = 0.2;
 constexpr double SlowestRate = 0.9;
 
-/** The longest way (radii) of triangles that carry the sphere at once, and how often at most. */
+/**
+ * The longest way (radii) over which triangles carry the sphere at once, and the most such steps.
+ */
 constexpr double LongestCarry = 0.25;
 constexpr int MostCarries = 16;
-/** By so much (radii) a sphere that overlaps a triangle comes out of it, if this moves. */
+/** A sphere that overlaps a moving triangle comes out of it by this much (radii). */
 constexpr double Recovery = 0.01;
 
 /** A sphere among triangles, in world units. */
 class Sphere
 {
 public:
-  /** @param share of the triangles' way to the next frame */
+  /** @param share fraction of the triangles' way to the next frame */
   Sphere(
     const HapticModel& model, const SurfaceMesh& mesh, double share, const Vector3& centre) noexcept
     : Model(model)
@@ -67,13 +69,14 @@ public:
   /** Whether there are more triangles than a tick has time for. */
   bool IsSpent() const noexcept { return this->Budget < 0; }
 
-  /** The nearest point to a goal that the touched triangles allow. */
+  /** The point nearest to a goal that the touched triangles allow. */
   Vector3 FindSubgoal(const Vector3& goal) noexcept
   {
     this->Touch();
     if (this->Nearest < (1.0 - Margin) * this->Radius)
     {
-      // It began in a triangle, or the mesh is new: it shrinks until it only touches it.
+      // The sphere began in a triangle, or the mesh is new: it shrinks until it only touches the
+      // triangle.
       this->Radius = std::max(this->Nearest, LeastLeft * this->Radius);
       this->Touch();
     }
@@ -81,7 +84,7 @@ public:
     return this->True.Nearest(shaded, this->Centre);
   }
 
-  /** Moves, by the first part of a long displacement at most, up to the first triangle. */
+  /** Moves up to the first triangle; at most by the first part of a long displacement. */
   void Move(const Vector3& whole) noexcept
   {
     const Vector3 displacement = std::min(1.0, LongestMove * this->Radius / Norm(whole)) * whole;
@@ -140,7 +143,7 @@ private:
     {
       const Vector3 smooth = this->Mesh.GetNormal(i, nearest);
       const double length = std::copysign(Norm(smooth), Dot(smooth, normal));
-      // At a sharp edge the interpolated normal is that of another face.
+      // At a sharp edge the interpolated normal belongs to another face.
       const bool isSmooth = Dot(smooth, normal) / length > LeastCosine;
       const Vector3 shaded = isSmooth ? (1.0 / length) * smooth : normal;
       this->Shaded.Add({ shaded, Dot(shaded, this->Centre) + missing });
@@ -150,7 +153,7 @@ private:
   const HapticModel& Model;
   const SurfaceMesh& Mesh;
   const double Share;
-  double Radius; ///< while it overlaps a triangle, its distance
+  double Radius; ///< while the sphere overlaps a triangle, the triangle's distance
   const bool IsShaded;
   int Budget = MaximumVisits;
   Vector3 Centre;
@@ -159,7 +162,7 @@ private:
   HalfSpaces Shaded;
 };
 
-/** Where triangles take a sphere along that would rest otherwise, and push it if they come. */
+/** Where triangles carry a sphere that would rest otherwise, and push it if they approach. */
 Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
 {
   Vector3 centre = from;
@@ -270,7 +273,7 @@ void StepSurfaceProxy(
       record.IsUnfinished = false;
       break;
     }
-    // Not with friction: a move that went too far is not taken back.
+    // Not with friction: a move that went too far is not undone.
     const bool isSlow = record.Friction == 0.0 && rate > SlowRate && rate < SlowestRate;
     sphere.Move((excess / rest / (isSlow ? 1.0 - rate : 1.0)) * displacement);
     slides = slides || sphere.IsTouching();

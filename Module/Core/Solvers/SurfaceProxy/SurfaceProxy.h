@@ -12,26 +12,25 @@
  *
  *   x' = x + (y - x) max(0, 1 - mu |x_tip - y| / |y - x|),
  *
- * and the sphere moves there or to the first triangle that it meets, again and again, until it
- * stands still. It never overlaps a triangle that it did not overlap before: no speed takes it
- * through a surface.
+ * and the sphere moves there or to the first triangle that it meets, repeatedly, until it stands
+ * still. It never begins to overlap a triangle: no speed takes it through a surface.
  *
- * With ForceShading the half-spaces first get normals that are interpolated between those of the
- * points; their subgoal is then the goal for the true half-spaces. So the force turns smoothly over
- * a coarse mesh.
+ * With ForceShading the half-spaces first get normals that are interpolated between the points'
+ * normals; their subgoal is then the goal for the true half-spaces. So the force turns smoothly
+ * over a coarse mesh.
  *
  * If the sphere overlaps a triangle, because it began there or the mesh is new, its radius shrinks
  * to the triangle's distance: nothing throws it out, and surfaces only keep it from going deeper.
  *
  * If the volume moves, triangles go from each frame to the next one along straight ways
- * (SurfaceMesh.h), and before a tick those that come push the sphere: each to the side on which the
- * sphere is of it. If displacements are known, the nearest triangle that it touches takes it along
+ * (SurfaceMesh.h), and before a tick the approaching ones push the sphere: each to the sphere's
+ * side of it. If displacements are known, the nearest triangle that it touches takes it along
  * sideways, as far as friction then holds it there. In the next frame the surface has other
  * triangles, at the same place but for the mesh's own roughness.
  *
- * Stiffness and friction are those of the material at HapticSettings::IsoValue. Surfaces hold
- * without limit; there is no drag. A tick takes at most MaximumPasses; if these do not suffice, the
- * next tick goes on.
+ * Stiffness and friction belong to the material at HapticSettings::IsoValue. Surfaces hold without
+ * limit; there is no drag. A tick takes at most MaximumPasses; if these do not suffice, the next
+ * tick goes on.
  */
 #ifndef SurfaceProxy_h
 #define SurfaceProxy_h
@@ -47,7 +46,7 @@ struct TickRecord;
 /** The largest number of rounds of subgoal and motion in a tick. */
 constexpr int MaximumPasses = 24;
 /**
- * The largest number of the mesh's boxes that a tick looks at: half a millisecond. The sphere then
+ * The largest number of the mesh's boxes that a tick visits: half a millisecond. The sphere then
  * stays at the point that it has reached.
  */
 constexpr int MaximumVisits = 20000;
@@ -65,7 +64,7 @@ void StepSurfaceProxy(
  * The first position (device) of a proxy that another method has left at `place`.
  *
  * Triangles let no proxy through, not even outward. Other methods may leave the proxy inside the
- * isosurface: up to EntryDepth inside, it begins at the nearest position outside; a deeper one is
+ * isosurface: up to EntryDepth inside, it begins at the nearest position outside; a deeper proxy is
  * held from within. Samples a few hundred values, at a data time.
  */
 Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time = 0.0) noexcept;

@@ -10,21 +10,21 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Steps of a tick, and how often one is tried anew at half its length. */
+/** The most steps in a tick, and the most trials of a step at half its length. */
 constexpr int MostCarvingSteps = 8;
 constexpr int MostTries = 6;
-/** Voxels: so little is not felt. */
+/** Voxels: a shorter step is not felt. */
 constexpr double ShortestStep = 1.0 / 128.0;
-/** Voxels, of the burr's room, which is never more than a voxel. */
+/** Voxels: the step of the burr's room, which is at most a voxel. */
 constexpr double RoomStep = 1.0 / 16.0;
-/** s: no tick is longer. */
+/** s: the longest tick. */
 constexpr double LongestTick = 0.1;
 /** s without removal, after which a stroke ends. */
 constexpr double StrokeEnd = 0.5;
-/** J: the vibration gives back no more at a time. */
+/** J: the most that the vibration gives back at a time. */
 constexpr double MostGivenBack = 1e-3;
 
-/** A wave from -1 to 1 of parabolas, nearly a sine, whose mean is zero. */
+/** A wave from -1 to 1, made of parabolas, nearly a sine, with mean zero. */
 double Wave(double phase) noexcept
 {
   const double x = 2.0 * phase - 1.0;
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  /** Goes on as far as the energy goes. */
+  /** Carves towards `goal` as far as the energy suffices. */
   void Follow(const Vector3& goal, double earned) noexcept
   {
     BurrState& s = this->State;
@@ -69,12 +69,12 @@ public:
       const double longest = std::min(distance, s.Shorter > 0.0 ? std::min(s.Shorter, most) : most);
       const double slope = s.LastWay > 0.0 ? s.LastCost / s.LastWay : 0.0;
       const bool isPaid = slope * longest <= s.Unspent;
-      // A little less than what it pays for, since most steps cost more or less than those before.
+      // A little less than the energy pays for, since the cost differs from step to step.
       constexpr double careful = 0.8;
       const double way = isPaid ? longest : careful * s.Unspent / slope;
       if (!isPaid && way < std::min(longest, ShortestStep * this->Carver.GetVoxel()))
       {
-        // It is saved for: looking costs more time than what would be removed is worth.
+        // Save the energy: a trial costs more time than so little tissue is worth.
         return;
       }
       if (!this->Step(goal, lag, distance, way) || !isPaid)
@@ -100,7 +100,7 @@ private:
     return cost;
   }
 
-  /** Another part of a sphere; false if that was all that this tick can do. */
+  /** Removes another part of a sphere; false if the tick can do no more. */
   bool GoOn() noexcept
   {
     BurrState& s = this->State;
@@ -112,7 +112,8 @@ private:
     }
     if (cost.Energy > s.Unspent)
     {
-      // A shorter step may be paid, or one to where the head is now. What is removed stays so.
+      // The energy may suffice for a shorter step, or for one to the present head. Removed tissue
+      // stays removed.
       s.Part = 0;
       s.LastCost += cost.Energy;
       if (!(cost.Energy < HUGE_VAL))
@@ -129,7 +130,7 @@ private:
     return s.Part == 0;
   }
 
-  /** Removes tissue that touches the head still, between the samples, by a larger sphere. */
+  /** Removes tissue between the samples that still touches the head, with a larger sphere. */
   void Widen(double earned) noexcept
   {
     BurrState& s = this->State;
@@ -137,7 +138,7 @@ private:
     s.Room += RoomStep * this->Carver.GetVoxel();
     if (s.Room > this->Carver.GetVoxel())
     {
-      // There is nothing to spend more on.
+      // No tissue is left to spend more on.
       s.Room = before;
       s.Unspent = std::min(s.Unspent, earned);
       return;
@@ -167,19 +168,22 @@ private:
     this->State.Part = 0;
   }
 
-  /** The next ticks save for what was tried last, but for no more. */
+  /** Keeps unspent energy for the next ticks, at most the cost of the step that failed. */
   void Save() noexcept
   {
     BurrState& s = this->State;
     s.Unspent = std::min(s.Unspent, s.LastCost);
     if (!(s.LastCost < HUGE_VAL))
     {
-      // Tissue that cannot be removed: its cost does not estimate that of the next step.
+      // Tissue that can't be removed: its cost does not estimate the next step's.
       s.Unspent = s.LastCost = s.LastWay = 0.0;
     }
   }
 
-  /** Takes a step, or a shorter one; false if not even that is paid, or it takes more ticks. */
+  /**
+   * Takes a step, or a shorter one; false if the energy does not suffice for that, or if the step
+   * takes more ticks.
+   */
   bool Step(const Vector3& goal, const Vector3& lag, double distance, double longest) noexcept
   {
     BurrState& s = this->State;
@@ -206,7 +210,10 @@ private:
     return false;
   }
 
-  /** Removes what was tried last; of a sphere whose first part was taken before, way is 0. */
+  /**
+   * Removes the tissue of the last trial; `way` is 0 if the first part of the sphere was removed
+   * before.
+   */
   void Take(const Vector3& next, double way, const CarvingCost& cost) noexcept
   {
     BurrState& s = this->State;
@@ -223,7 +230,7 @@ private:
     s.Unspent -= cost.Energy;
     if (s.Room == 0.0)
     {
-      // Shares are whole numbers: a single step may cost nothing, or more than those around it.
+      // Shares are whole numbers: a single step may cost nothing, or more than its neighbours.
       const double kept = s.Part == 0 ? 0.9 : 1.0;
       s.LastCost = kept * s.LastCost + cost.Energy;
       s.LastWay = kept * s.LastWay + way;
@@ -247,7 +254,7 @@ private:
   BurrRecord& Record;
 };
 
-/** How deep the deepest point of the head is (m). */
+/** The depth of the head's deepest point (m). */
 double FindDepth(ShellMemory& memory) noexcept
 {
   const ShellContacts& contacts = memory.GetCurrent();
@@ -289,7 +296,7 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     model, { tool.ShellTouch.Level, tool.ShellTouch.IsBelow, &burr.SpecificEnergy });
   if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
-    // It begins where it touches nothing yet.
+    // Start where the burr touches nothing yet.
     const double away = FindDepth(memory.Shell) + 0.5 * memory.Carver.GetRampWidth();
     state.IsCarving = true;
     state.IsRemoved = false;
@@ -298,8 +305,8 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.LastCost = state.LastWay = state.Shorter = state.Room = 0.0;
   }
   Removing removing(radius, removal, state, memory.Carver, record);
-  // The level that is felt in a cavity lies a little before the sphere that was removed: as long as
-  // it is pressed, the burr goes on.
+  // The level that is felt in a cavity lies a little before the removed sphere: the burr goes on as
+  // long as it is pressed.
   const double beyond = 0.25 * memory.Carver.GetVoxel();
   const double speed = burr.RimSpeed / model.WorldUnitsPerMeter;
   removing.Follow(head - (beyond / force) * record.Shell.Force,
@@ -326,7 +333,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   const BakedTool& tool = *model.Baked->Tool;
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
-  // The work of the hand on the spring; what is not stored after it is lost.
+  // The work of the hand on the spring; the part that the spring does not store is lost.
   const double work = SpringEnergy(shell, before.Tool.Position, hand) -
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
   const double lost = before.Budget + work - after.Budget;
@@ -334,7 +341,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   state.Phase += tool.Burr->Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
-  // The way that the hand may go until the next tick.
+  // The way of the hand until the next tick.
   constexpr double leastWay = 1e-5; // m
   const double way = 2.0 * Norm(moved) + leastWay;
   const double most =
@@ -345,7 +352,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   }
   const Vector3 direction = (1.0 / force) * shell.Force;
   const Vector3 vibration = (most * Wave(state.Phase)) * direction;
-  // With it, what is pressed bears no more than the strongest tissue does.
+  // With this limit, the pressed points bear at most as much as the strongest tissue.
   const double strength = model.Baked->Materials.GetRange(2).High *
     model.Baked->Materials.GetRange(4).High / settings.ContactArea;
   const double pressed = settings.Scale * settings.Scale * tool.Shell->GetArea() * shell.Contacts /

@@ -10,23 +10,23 @@
  *
  *   Q = mu F v/U.
  *
- * What is removed is a sphere of the head's radius, whose centre follows that of the head: in steps
- * of a quarter voxel at most, each as far as the energy so far pays for. While the head is pressed
- * in, it stays behind; so tissue is removed in proportion to how deep it is pressed, as by
- * Archard's law, and the cavity that is left has the head's radius. What a tick does not spend, the
- * next one has, but no more than the next step costs. If the centre has come to the head, and what
- * is left between the samples still holds the head, larger spheres are removed, up to a voxel.
+ * The burr removes spheres of the head's radius, whose centre follows the head's: in steps of a
+ * quarter voxel at most, each as far as the energy so far pays for. While the head is pressed in,
+ * the sphere stays behind; so tissue is removed in proportion to the pressed depth, as by Archard's
+ * law, and the cavity has the head's radius. A tick passes its unspent energy to the next one, at
+ * most the cost of the next step. If the centre has reached the head, and tissue between the
+ * samples still holds the head, larger spheres are removed, up to a voxel.
  *
- * The time of a tick is bounded (MostBurrWork). Where more is paid for, because the head has many
- * voxels or the tissue is soft, a step goes on in the next ticks, in parts, and no energy is lost
- * meanwhile: the burr removes less than Q, and saves more than a step costs, until it catches up.
+ * The time of a tick is bounded (MostBurrWork). If the energy pays for more, because the head has
+ * many voxels or the tissue is soft, a step goes on in the next ticks, in parts, and keeps its
+ * energy: the burr removes less than Q, and saves more than a step costs, until it catches up.
  *
- * Removal takes nothing but the tissue: the contacts follow the surface that recedes, and lose
- * energy. A cycle of the hand creates none (ShellCoupling.h).
+ * Removal gives no energy: the contacts follow the receding surface, and lose energy. A cycle of
+ * the hand creates none (ShellCoupling.h).
  *
  * A share of the force may vibrate, at the frequency of the rotation or, if that is too fast to be
- * felt, at the first half, quarter ... of it that is not. Its mean is zero. The hand gets no more
- * work of it than the hand has lost to the burr before.
+ * felt, at the first half, quarter ... of it that can be felt. Its mean is zero. It gives the hand
+ * at most the work that the hand has lost to the burr before.
  */
 #ifndef BurrTool_h
 #define BurrTool_h
@@ -39,8 +39,8 @@ namespace VolumeHaptics
 {
 
 /**
- * After so much work (CarvingCost) a tick begins to look at no further brick. That takes a fifth
- * of a millisecond or so, whatever the size of the burr and of the volume.
+ * The work (CarvingCost) after which a tick begins no further brick. It takes about a fifth of a
+ * millisecond, whatever the size of the burr and of the volume.
  */
 constexpr std::size_t MostBurrWork = 20480;
 
@@ -49,10 +49,10 @@ struct BurrHand
 {
   Vector3 Position; ///< m
   bool IsSpinning = false;
-  double Step = 0.0; ///< s, since the last tick; without a step nothing is removed
+  double Step = 0.0; ///< s, since the last tick; with 0, nothing is removed
 };
 
-/** What passes from tick to tick and grows with the tool. */
+/** The memory that grows with the tool, from tick to tick. */
 struct BurrMemory
 {
   ShellMemory& Shell;
@@ -66,13 +66,11 @@ struct BurrRecord
   Vector3 Force;              ///< N, on the hand, with the vibration
   double Energy = 0.0;        ///< J, spent on removal
   double RemovedVolume = 0.0; ///< mm^3
-  std::size_t Work = 0;       ///< of removal; less than MostBurrWork and that of one brick
+  std::size_t Work = 0;       ///< work of the removal; less than MostBurrWork plus one brick's work
   bool IsUnfinished = false;  ///< the head has moved farther than tissue could be removed
 };
 
-/**
- * Advances the state of the burr of a model by one tick: first the forces, then what they remove.
- */
+/** Advances the burr of a model by one tick: first the forces, then the removal. */
 void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell, BurrState& state,
   const BurrMemory& memory, BurrRecord& record) noexcept;
 

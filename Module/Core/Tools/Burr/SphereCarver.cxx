@@ -16,14 +16,14 @@ namespace
 constexpr std::int64_t BrickSide = CarvedBricks::Side;
 ///@{
 /**
- * Work (CarvingCost), as measured: of a brick, and what a row takes beyond the 1 of each. It
- * follows from the shares and the sphere alone, and not from what is remembered, so that a replay
- * ends its parts where the recording did.
+ * Work (CarvingCost), as measured: of a brick, and of a row in addition to 1 each. It depends only
+ * on the shares and the sphere, not on remembered values, so that a replay ends its parts where the
+ * recording did.
  */
 constexpr std::size_t WorkOfPlace = 1;
-constexpr std::size_t WorkOfSolid = 40;  ///< of a brick that is not in use
-constexpr std::size_t WorkOfEmpty = 100; ///< the same, without anything solid
-constexpr std::size_t KnownPart = 5;     ///< of both: they count a fifth after the first sphere
+constexpr std::size_t WorkOfSolid = 40;  ///< for a brick that is not in use
+constexpr std::size_t WorkOfEmpty = 100; ///< for such a brick without solid samples
+constexpr std::size_t KnownPart = 5;     ///< for both: they count a fifth after the first sphere
 constexpr std::size_t WorkOfShares = 8;
 constexpr std::size_t WorkOfChange = 12;
 ///@}
@@ -31,15 +31,15 @@ static_assert(SphereCarver::MostWorkOfBrick ==
     WorkOfPlace + WorkOfSolid + CarvedBricks::Rows * (1 + WorkOfShares + WorkOfChange),
   "the sum of all");
 
-/** The larger part of what a sphere, or a box around it, reaches. */
+/** The reach in index steps along an axis, on either side, of a sphere and its bounding box. */
 double ReachAlong(const Vector3& row, double radius) noexcept
 {
   return radius * Norm(row);
 }
 
-/** Half of a share, as a part of all of them. */
+/** Half a step of the shares, as a fraction of the whole. */
 constexpr double HalfShare = 0.5 / CarvedBricks::Whole;
-/** The part of a voxel's volume that a share leaves, if `edge` is the share at the surface. */
+/** The fraction of a voxel's volume that a share leaves, if `edge` is the share at the surface. */
 double FindLeft(std::int32_t share, double edge) noexcept
 {
   const double rho = static_cast<double>(share) / CarvedBricks::Whole;
@@ -50,21 +50,21 @@ double FindLeft(std::int32_t share, double edge) noexcept
 
 } // namespace
 
-/** A sphere that is tried, with what each row of samples needs. */
+/** A trial sphere, with the values that each row of samples needs. */
 struct SphereCarver::Sphere
 {
   Vector3 Centre; ///< m
-  Vector3 Index;  ///< of the centre
+  Vector3 Index;  ///< the centre's
   double Radius;
   double Width;
-  double Outer;       ///< m^2: everything remains beyond
-  double Ramp;        ///< m^2: what has the level with half of its share, or more, remains beyond
-  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep what they have
+  double Outer;       ///< m^2: samples beyond keep everything
+  double Ramp;        ///< m^2: samples whose level share r is at least 1/2 remain beyond
+  bool HasFrom;       ///< samples that are no nearer to Centre than to From keep their shares
   Vector3 Way;        ///< m, from From to Centre
-  double Middle;      ///< m^2, of the middle between them along Way, from Centre
+  double Middle;      ///< m^2, of the middle between both along Way, from Centre
   double BrickRadius; ///< m, from a brick's middle to its farthest corner
-  CarvedBox Box;      ///< of the samples that are here
-  CarvedBox Bricks;   ///< all that it reaches, whatever is here
+  CarvedBox Box;      ///< the resident samples
+  CarvedBox Bricks;   ///< the sphere's whole reach, resident or not
 };
 
 SphereCarver::SphereCarver()
@@ -93,7 +93,7 @@ void SphereCarver::SetTissue(const HapticModel& model, const CarvedTissue& tissu
   std::copy(columns.Row, columns.Row + 3, this->Step);
   const double volume = std::abs(Dot(this->Step[0], Cross(this->Step[1], this->Step[2])));
   this->Voxel = std::cbrt(volume);
-  // Of a cube's sides, rounding does not choose.
+  // Rounding must not choose between a cube's sides.
   constexpr double cube = 1.0 - 1e-9;
   this->Longest = this->Voxel;
   for (const Vector3& step : this->Step)
@@ -306,7 +306,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         }
       }
       cost.Work += WorkOfShares;
-      // All at once: the compiler takes several of them together.
+      // All at once: the compiler vectorises this loop.
       double ramp[BrickSide]; // from the surface, in widths
       for (int i = 0; i < BrickSide; ++i)
       {
@@ -339,7 +339,8 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
         {
           const double volume = this->Volume * (FindLeft(old, edge) - FindLeft(share, edge));
           cost.Volume += volume;
-          if (volume > 0.0) // nothing takes no energy, even of what nothing can remove
+          if (volume > 0.0) // removing nothing takes no energy, even in tissue that can't be
+                            // removed
           {
             const Vector3 index{ static_cast<double>(bases[0] + i), static_cast<double>(j),
               static_cast<double>(k) };
@@ -360,7 +361,7 @@ bool SphereCarver::LookAt(const CarvedBricks& bricks, const Sphere& sphere, cons
 double SphereCarver::FindEdge(double value) const noexcept
 {
   const double share = (this->Tissue.Level - this->Air) / (value - this->Air);
-  // No share of a sample that is not solid has the level: it keeps all but half a step.
+  // A sample that is not solid has the level with no share: it keeps all but half a step.
   return share >= 0.0 && share < 1.0 - HalfShare ? std::max(share, HalfShare) : 1.0 - HalfShare;
 }
 

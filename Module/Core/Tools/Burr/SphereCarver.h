@@ -2,29 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Removes a sphere from a volume, and tells first what that costs.
+ * Removes a sphere from a volume, after computing its cost.
  *
- * A sphere of radius a around c leaves at x no more than the share
+ * A sphere of radius a around c leaves at x at most the share
  *
  *   rho = r + (|x - c| - a)/w,   from 0 to 1,   r = (V_c - V_air)/(V - V_air),
  *
- * with w three voxels, or the length of three where they are longest. With the share r the sample
- * of value V has the level V_c. So the surface that is left lies at |x - c| = a to a small part of
- * a voxel, whatever the tissue is, and has smooth normals.
+ * with w three voxels, or the length of three where they are longest. With the share r a sample of
+ * value V has the level V_c. So the remaining surface lies at |x - c| = a to a small part of a
+ * voxel, in any tissue, and has smooth normals.
  *
- * The volume that is removed is that which the surface passes, where rho = r: what is left of each
- * voxel falls from 1 to 0 between rho = r + 1/12 and r - 1/12, as far as there are such shares.
- * (The sum of rho itself is that of a sphere whose surface is three voxels wide: of a cap
- * that is h deep, it has pi w^2 (a + h)/12 more, in a CT several times the cap's volume.) It costs
- * the energy U of the label at its samples, or U(V) where that has none; samples that are not
- * solid cost nothing. Bricks in which, and around which, no sample is solid stay as they are: there
- * is nothing to remove.
+ * The removed volume is the one that the surface, at rho = r, passes: the rest of each voxel falls
+ * from 1 to 0 between rho = r + 1/12 and r - 1/12, as far as shares reach. (The sum of rho itself
+ * belongs to a sphere whose surface is three voxels wide: for a cap that is h deep, it has pi w^2
+ * (a + h)/12 more, in a CT several times the cap's volume.) It costs the energy U of the label at
+ * its samples, or U(V) if the label has none; samples that are not solid cost nothing. Bricks
+ * without solid samples in and around them stay as they are.
  *
- * Where a brick is needed and none is left, nothing of the sphere, or of that part, is removed.
+ * If a brick is needed and none is left, the sphere, or the part of it, is not removed at all.
  *
- * A sphere that takes more time than a tick has is removed in parts: bricks in the order of their
- * places. Each sample's share depends on the sphere alone, so that the parts leave what the whole
- * leaves.
+ * A sphere that takes longer than a tick is removed in parts: bricks in the order of their places.
+ * Each sample's share depends on the sphere alone, so that the parts leave the same shares as the
+ * whole.
  */
 #ifndef SphereCarver_h
 #define SphereCarver_h
@@ -42,16 +41,16 @@ namespace VolumeHaptics
 /** Which tissue is carved. */
 struct CarvedTissue
 {
-  double Level = 0.0;   ///< samples beyond it are solid
+  double Level = 0.0;   ///< samples beyond the level are solid
   bool IsBelow = false; ///< samples below the level are solid
   const SpecificEnergyTable* SpecificEnergy = nullptr;
 };
 
-/** Which part of a sphere is removed: all of it, if there is the time. */
+/** The part of a sphere to remove: all of it, if there is time. */
 struct CarvingPart
 {
-  std::uint32_t First = 0; ///< of the sphere's places of bricks; where the last part has ended
-  std::size_t MostWork = ~std::size_t{ 0 }; ///< after which no further brick is begun
+  std::uint32_t First = 0; ///< among the sphere's places of bricks; where the last part has ended
+  std::size_t MostWork = ~std::size_t{ 0 }; ///< after this work, no further brick is begun
 };
 
 /** The cost of a sphere, or of a part of one, and how much it removes. */
@@ -59,7 +58,7 @@ struct CarvingCost
 {
   double Energy = 0.0;     ///< J
   double Volume = 0.0;     ///< mm^3, of solid tissue
-  std::size_t Work = 0;    ///< time: 1 is that of a row of samples that stays as it is
+  std::size_t Work = 0;    ///< time: 1 for a row of samples that does not change
   std::size_t Changes = 0; ///< rows of samples
   std::uint32_t Next = 0;  ///< where the next part begins; 0: the sphere is complete
   bool IsUsedUp = false;   ///< needs more bricks than there are
@@ -73,32 +72,32 @@ public:
   static constexpr double RampWidth = 3.0;
   /** The largest part of the ramp in which a voxel loses its volume. */
   static constexpr double CountedPart = 1.0 / 6.0;
-  /** A part does no more work than CarvingPart::MostWork and that of one brick. */
+  /** A part does at most CarvingPart::MostWork and the work of one brick. */
   static constexpr std::size_t MostWorkOfBrick = 1385;
 
   SphereCarver();
 
-  /** Must be called first in each tick. Reads the samples of the model without what was removed. */
+  /** Call it first in each tick. Reads the samples of the model as if nothing was removed. */
   void SetTissue(const HapticModel& model, const CarvedTissue& tissue) noexcept;
-  /** m: of a cube with the volume of a voxel. */
+  /** m: the side of a cube with the volume of a voxel. */
   double GetVoxel() const noexcept { return this->Voxel; }
   /** m */
   double GetRampWidth() const noexcept { return RampWidth * this->Longest; }
 
   /**
-   * Finds what changes, and what it costs.
-   * @param centre in m, of the device's space
+   * Computes the changes and their cost.
+   * @param centre in m, in the device's space
    * @param from if not null, a sphere of the same radius that was removed before
    */
   CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
     const Vector3* from = nullptr, const CarvingPart& part = {}) noexcept;
   /** The memory that a tick writes. */
   void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
-  /** Removes what was tried last. */
+  /** Removes the tissue of the last trial. */
   void Carve(TissueRemoval& removal) const noexcept;
 
 private:
-  /** A row of shares that is written anew. */
+  /** A row of new shares. */
   struct Change
   {
     std::uint64_t Key;
@@ -117,26 +116,26 @@ private:
     CarvingCost& cost) noexcept;
   template <typename T>
   bool IsAnySolid(const BrickPlace& place) noexcept;
-  /** The share with which a sample has the level: what is left of it at the sphere's surface. */
+  /** The share with which a sample has the level: its rest at the sphere's surface. */
   double FindEdge(double value) const noexcept;
-  /** U, J/mm^3, of the sample at an index. */
+  /** U, J/mm^3, at the sample of an index. */
   double FindEnergy(double value, const Vector3& index) const noexcept;
 
   VolumeView View; ///< Data points to the volume's first sample
   Affine3 ToIndex;
-  Vector3 Step[3]; ///< m, of an index along each axis
+  Vector3 Step[3]; ///< m, an index step along each axis
   double Voxel = 0.0;
-  double Longest = 0.0; ///< m, of the sides of a voxel
+  double Longest = 0.0; ///< m, the longest side of a voxel
   double Volume = 0.0;  ///< mm^3, of a voxel
-  double Reach = 1.0;   ///< ramps: how far from its surface a sphere changes any sample
+  double Reach = 1.0;   ///< ramps: the farthest change from a sphere's surface
   double Air = 0.0;     ///< the value of a sample without tissue
   CarvedTissue Tissue;
-  const BakedLabels* Labels = nullptr; ///< null: none has an energy of its own
+  const BakedLabels* Labels = nullptr; ///< null: no label has its own energy
   Affine3 ToLabel;                     ///< from an index of the volume
   std::uint64_t Model = 0;
   std::vector<Change> Changes;
   std::size_t Count = 0;
-  /** Keys, plus one, of bricks without anything solid; only saves time. */
+  /** Keys, plus one, of bricks without solid samples; for speed only. */
   std::vector<std::uint64_t> Empty;
 };
 

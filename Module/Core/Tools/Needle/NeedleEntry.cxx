@@ -14,21 +14,24 @@ namespace VolumeHaptics
 namespace
 {
 
-/** By this share the lag falls at least if the needle breaks through a surface. */
+/** If the needle breaks through a surface, the lag falls at least by this fraction. */
 constexpr double BreakShare = 1e-3;
-/** A surface that still holds is punctured if the proxy was pushed so far: kernel lengths. */
+/** Kernel lengths: a surface that still holds is punctured when the proxy was pushed this far. */
 constexpr double MostPushed = 2.0;
 constexpr double SmallestLag = 1e-9; // m
-/** A surface gives way at this share of its strength at least. */
+/** A surface gives way at this fraction of its strength at least. */
 constexpr double WholeShare = 0.99;
-/** The hand's direction is that of its motion over so much of its way (m). */
+/** The hand's direction is averaged over this way of its motion (m). */
 constexpr double MotionLength = 1e-3;
-/** A hand that moves along a surface, by this cosine at most, does not tell the axis. */
+/**
+ * A motion whose cosine to the normal is smaller runs along the surface, and does not give the
+ * axis.
+ */
 constexpr double LeastPush = 0.2;
-/** Steps; a track begins no farther behind the tip. */
+/** Steps: the farthest beginning of a track behind the tip. */
 constexpr double MostBack = 64.0;
 
-/** The hand's motion (m) goes on: older motions count less. */
+/** Adds a step to the hand's motion (m): older motions count less. */
 void FollowMotion(const Vector3& step, Vector3& motion) noexcept
 {
   const double kept = std::max(0.0, 1.0 - Norm(step) / MotionLength);
@@ -42,7 +45,7 @@ Vector3 HeadingOf(const Vector3& v) noexcept
 }
 
 /**
- * The unit direction in which a needle goes that is inserted now; 0 if there is none.
+ * The unit direction of a needle that is inserted now; 0 if there is none.
  * @param normal of the surface that holds it; 0 if there is none
  */
 Vector3 FindAxis(const ServoState& state, const Vector3& lag, const Vector3& normal) noexcept
@@ -72,13 +75,13 @@ void Begin(ServoState& state, const Vector3& entry, const Vector3& axis, const V
 /** A surface that holds a free needle, in the tick that may break through it. */
 struct HeldAt
 {
-  Vector3 Normal;        ///< unit, into the structure; 0: none holds
-  double Push = 0.0;     ///< N, of the spring against it
-  NeedleTissue Behind;   ///< the tissue that it belongs to; not read without a push
+  Vector3 Normal;        ///< unit, into the structure; 0: no surface holds
+  double Push = 0.0;     ///< N, the spring's push against the surface
+  NeedleTissue Behind;   ///< the tissue of the surface; not read without a push
   double Strength = 0.0; ///< T W_d, N
   bool IsWhole() const noexcept
   {
-    // With all that the label behind it holds, whatever W_d is.
+    // With all the strength of the label behind it, independent of W_d.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeShare * this->Behind.Puncture;
   }
 };
@@ -87,7 +90,7 @@ HeldAt FindHeld(const HapticModel& model, const NeedleTissueReader& reader,
   const NeedleState& needle, const FreeTick& before, const TickRecord& record) noexcept
 {
   HeldAt held;
-  // PRECISE is through within a tick, and free after it.
+  // PRECISE passes through within a tick, and is free after it.
   held.Normal = record.NormalForce > Law::ForceEpsilon ? record.Normal : needle.Normal;
   held.Push = before.Stiffness * Dot(record.Tip - before.Proxy, held.Normal);
   if (held.Push > 0.0)
@@ -117,8 +120,8 @@ bool IsThrough(const HapticModel& model, const HeldAt& held, const FreeTick& bef
 }
 
 /**
- * What holds at the puncture of a surface beside R at the entry, which may be behind the boundary:
- * with it, as the free law, T and R in front of the surface.
+ * Sets the force of a surface at its puncture, beside R at the entry, which may be behind the
+ * boundary: as the free law, it uses T and R in front of the surface.
  */
 void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, const HeldAt& held,
   NeedleState& needle) noexcept
@@ -134,7 +137,7 @@ void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, con
   }
 }
 
-/** The first place on a way that resists; its end is known to, its beginning is not. */
+/** The first place on a way that resists; its end is known to resist, its beginning is not. */
 Vector3 FindFirstResistance(
   const NeedleTissueReader& reader, const Vector3& from, const Vector3& to) noexcept
 {
@@ -151,7 +154,8 @@ Vector3 FindFirstResistance(
 
 /**
  * A surface of the scalars holds over some voxels, so that a needle that breaks through it is in
- * tissue already: this begins its track where that begins, no farther back than it was pushed.
+ * tissue already: begins the track where the tissue begins, at most as far back as the needle was
+ * pushed.
  */
 void BeginTrack(const NeedleTissueReader& reader, double pushed, NeedleState& needle) noexcept
 {
@@ -206,7 +210,7 @@ void EnterNeedle(
     return;
   }
   const NeedleTissue there = reader.At(record.Proxy);
-  // A label with a strength has a surface, if it has one at all, within a kernel length.
+  // A label with a strength has its surface, if any, within a kernel length.
   const Vector3 behind = record.Proxy - model.KernelLengthAlong(axis) * axis;
   const bool hasSurface = there.Puncture > 0.0 && reader.At(behind).Label != there.Label;
   const double stiffness = there.Resists() ? reader.Stiffness(record.Proxy) : 0.0;

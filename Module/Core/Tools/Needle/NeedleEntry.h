@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a free needle gets into tissue.
+ * How a free needle enters tissue.
  *
- * It has to come from a place where nothing resists. A surface is punctured by the spring that
- * pushes with all that holds; then the lag falls. A surface that goes on holding, such as one
- * without an end, is punctured two kernel lengths deep.
+ * It has to come from a place where nothing resists. It punctures a surface when the spring pushes
+ * with the whole strength; then the lag falls. A surface that goes on holding, such as one without
+ * an end, is punctured two kernel lengths deep.
  */
 #ifndef NeedleEntry_h
 #define NeedleEntry_h
@@ -17,7 +17,7 @@
 namespace VolumeHaptics
 {
 
-/** What a tick of the free law began with. */
+/** The state at the beginning of a tick of the free law. */
 struct FreeTick
 {
   explicit FreeTick(const ServoState& state) noexcept
@@ -35,8 +35,8 @@ struct FreeTick
 };
 
 /**
- * After a tick of the method with a free needle: inserts it, and does the tick again from `before`,
- * if the tick has broken through a surface or has come into tissue that resists.
+ * Call it after a tick of the method with a free needle: if the tick has broken through a surface
+ * or has come into tissue that resists, inserts the needle and repeats the tick from `before`.
  */
 void EnterNeedle(
   const HapticModel& model, ServoState& state, const FreeTick& before, TickRecord& record) noexcept;

@@ -59,7 +59,7 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
     tissue.HasPuncture = label->IsSet[StrengthChannel];
     tissue.Puncture = tissue.HasPuncture ? label->Value[StrengthChannel] : 0.0;
   }
-  // Also false for NaN: the sample of a volume may be.
+  // Also false for NaN, which a volume may contain.
   tissue.Cutting = tissue.Cutting > 0.0 ? kept * tissue.Cutting : 0.0;
   tissue.Shaft = tissue.Shaft > 0.0 ? kept * tissue.Shaft : 0.0;
   tissue.Puncture = tissue.Puncture > 0.0 ? kept * tissue.Puncture : 0.0;

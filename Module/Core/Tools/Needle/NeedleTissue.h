@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a needle meets at a place: a label's numbers, or else the functions of the scalar.
+ * The tissue that a needle meets: a label's numbers, or else the functions of the scalar.
  */
 #ifndef NeedleTissue_h
 #define NeedleTissue_h
@@ -18,9 +18,9 @@ struct NeedleTissue
 {
   double Cutting = 0.0; ///< R, N
   double Shaft = 0.0;   ///< tau, N per metre
-  double Value = 0.0;   ///< of the scalars
+  double Value = 0.0;   ///< the scalars' value
   std::int64_t Label = NoLabel;
-  bool HasPuncture = false; ///< its label says how strong its boundary is, which is then Puncture
+  bool HasPuncture = false; ///< its label gives the strength of its boundary, as Puncture
   double Puncture = 0.0;    ///< T, N
 
   bool Resists() const noexcept { return this->Cutting > 0.0 || this->Shaft > 0.0; }
@@ -30,29 +30,29 @@ struct NeedleTissue
 class NeedleTissueReader
 {
 public:
-  /** The model has a tool, and lives longer. */
+  /** The model has a tool, and outlives the reader. */
   NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
 
   /** Nothing resists outside the volume, and where it is cut away. */
   NeedleTissue At(const Vector3& place) const noexcept;
 
   /**
-   * T W_d (N) of the surface through a place that holds a needle with this axis: 0 if its normal
-   * does not go with the axis, or if the label behind it has a strength of its own, which the
-   * boundary between labels has.
+   * T W_d (N) of the surface at a place, for a needle with this axis: 0 if the surface's normal is
+   * not along the axis, or if the label behind it has its own strength, which then belongs to the
+   * boundary between labels.
    */
   double SurfaceStrength(const Vector3& place, const Vector3& axis) const noexcept;
 
   /** The stiffness (N/m) of the tissue at a place. */
   double Stiffness(const Vector3& place) const noexcept;
 
-  /** Whether there are forbidden labels at all. */
+  /** Whether there are forbidden labels. */
   bool HasForbidden() const noexcept { return this->Model.Baked->GetZone() != nullptr; }
 
   /** Whether a place is within the stand-off of a forbidden label. */
   bool IsForbidden(const Vector3& place) const noexcept;
 
-  /** A quarter of a voxel (m) along a unit axis, of the finer image. */
+  /** The length (m) of a quarter voxel of the finer image, along a unit axis. */
   double FindStep(const Vector3& axis) const noexcept;
 
 private:

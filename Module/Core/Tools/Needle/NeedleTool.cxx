@@ -13,13 +13,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** In a tick; one that needs more ends at the force of the tissue it has come to. */
+/**
+ * The most steps in a tick; a needle that needs more ends with the force of the tissue that it has
+ * reached.
+ */
 constexpr int MostNeedleSteps = 64;
-/** In a tick, beyond those: a thousand voxels, after which the next tick goes on. */
+/** The most further steps in a tick: a thousand voxels, after which the next tick goes on. */
 constexpr int MostSkippedSteps = 4096;
-/** Boundaries are found to this share of a step: a millionth of a voxel. */
+/** The accuracy of boundaries, as a fraction of a step: a millionth of a voxel. */
 constexpr double BoundaryShare = 4e-6;
-/** The lateral hold is whole from this depth on (m). */
+/** The depth (m) from which on the lateral hold is complete. */
 constexpr double HoldDepth = 1e-3;
 
 /** A needle in the tissue, in one tick. */
@@ -87,7 +90,7 @@ private:
 
   Vector3 Ahead(double length) const noexcept { return this->Proxy + length * this->Axis; }
 
-  /** Forwards, into this tissue. */
+  /** Moves forwards, into this tissue. */
   void MoveBy(double length, const NeedleTissue& into) noexcept
   {
     this->Proxy = this->Ahead(length);
@@ -97,7 +100,7 @@ private:
     this->Here = into;
   }
 
-  /** Whether a boundary in front of the tip holds it; if not, the tip is through. */
+  /** Whether a boundary in front of the tip holds the needle; if not, the tip passes. */
   bool IsHeldAtBoundary(double pull, double shaft) noexcept
   {
     this->Strength = this->Needle.Puncture;
@@ -167,10 +170,10 @@ private:
 
   void Advance() noexcept
   {
-    // It may have slid into other tissue.
+    // The needle may have slid into other tissue.
     this->Needle.Track.Append(this->Needle.Depth, this->Here.Shaft, this->Here.Label);
     const double k = this->Stiffness;
-    double held = 0.0; // N, by what is here
+    double held = 0.0; // N, by the tissue here
     for (int i = 0; i < MostNeedleSteps; ++i)
     {
       const double pull = k * this->FindRest();
@@ -212,7 +215,10 @@ private:
     this->Skip(std::max(0.0, k * this->FindRest() - held) / k);
   }
 
-  /** The rest of a leap: no more than the tissue holds may be felt. Forbidden labels stop it. */
+  /**
+   * Skips the rest of a leap: at most the force that the tissue holds may be felt. Stops at
+   * forbidden labels.
+   */
   void Skip(double length) noexcept
   {
     const double part = this->Reader.HasForbidden() ? this->Step : length;
@@ -304,7 +310,7 @@ void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record)
   needle.Write(record);
   if (!state.Needle.IsInserted)
   {
-    // As the method begins.
+    // As at the method's beginning.
     state.Precise = PreciseState{};
     state.Precise.ReachedTip = record.Tip;
   }

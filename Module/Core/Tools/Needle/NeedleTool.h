@@ -4,11 +4,11 @@
  * @file
  * A needle: it feels surfaces with its point, punctures them, and is then held by the tissue.
  *
- * Its axis a points from the handle to the tip. A device that measures no orientation freezes it at
- * the direction of the hand's motion at the puncture, over the last millimetre.
+ * Its axis a points from the handle to the tip. If the device measures no orientation, the axis is
+ * frozen at the puncture, to the direction of the hand's motion over the last millimetre.
  *
  * **Free**, the method's own law applies. A surface is punctured when the spring breaks through it
- * along the axis. Tissue without a surface that holds is entered where something resists: R or tau.
+ * along the axis. Tissue without a surface that holds is entered where R or tau resists.
  *
  * **Inserted**, with the spring k that held before the puncture, x the proxy, y the device's tip:
  *
@@ -19,7 +19,7 @@
  *
  * All have one anchor, and their directions are parallel or at right angles: their composition is
  * the exact minimiser. So the force along the axis is -(T + R + F_s) inserting, F_s withdrawing,
- * anything between at rest; the one across it is k times the lag, up to s_l. The tip moves in
+ * anything between at rest; the force across it is k times the lag, up to s_l. The tip moves in
  * steps of a quarter voxel at most, which end at boundaries between labels, to the balance.
  *
  * A puncture from R1 to R2 loses (T + R1 - R2)^2/(2(k + tau)), and so does a fall of R, with T = 0.
@@ -35,16 +35,16 @@
 namespace VolumeHaptics
 {
 
-/** Where a stylus with a unit quaternion points: along its own -z. */
+/** The direction of a stylus with a unit quaternion: its own -z. */
 inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
 {
   return ToMatrix(q) * Vector3{ 0.0, 0.0, -1.0 };
 }
 
-/** A tick of a needle that is inserted. If it is withdrawn, the proxy ends at the tip, free. */
+/** One tick of an inserted needle. If it is withdrawn, the proxy ends at the tip, free. */
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
-/** Takes a needle along to another placement of the device, or lets go of it with another tool. */
+/** Moves a needle along to another placement of the device, or releases it with another tool. */
 void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& needle) noexcept;
 
 } // namespace VolumeHaptics

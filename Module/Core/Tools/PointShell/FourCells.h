@@ -52,7 +52,7 @@ VOLUME_HAPTICS_INLINE FourVectors Times(const double* m, const FourVectors& v)
     m[6] * v.X + m[7] * v.Y + m[8] * v.Z };
 }
 
-/** Positions in their cells along an axis: LocateCell of four at a time. */
+/** Positions in their cells along an axis: LocateCell for four at a time. */
 struct FourPlaces
 {
   Double4 Cell;
@@ -61,14 +61,14 @@ struct FourPlaces
 VOLUME_HAPTICS_INLINE FourPlaces LocateCells(const Double4& position, double first, double last)
 {
   const Double4 inside = Smaller(Larger(position, Spread(first)), Spread(last));
-  // Whole numbers: the smaller one of two is not beyond the last cell.
+  // Whole numbers: the smaller one is at most the last cell.
   const Double4 cell = Smaller(Floor(inside), Spread(last - 1.0));
   return { cell, inside - cell };
 }
 
 /**
- * Two neighbours along x, at a distance from each of four samples: the first ones, the second.
- * IsRow: samples along x follow each other in memory; sx is not used then.
+ * Two neighbours along x, at a distance from each of four samples: the first ones and the second
+ * ones. IsRow: samples along x are adjacent in memory, and sx is not used.
  */
 template <bool IsRow, typename T>
 VOLUME_HAPTICS_INLINE void LoadFourPairs(
@@ -129,7 +129,7 @@ VOLUME_HAPTICS_INLINE void LoadFourPairs(
   LoadFourPairs<IsRow>(at.First, distance, at.Step, first, second);
 }
 
-/** Whether samples along x follow each other in memory. */
+/** Whether samples along x are adjacent in memory. */
 VOLUME_HAPTICS_INLINE bool HasRows(const FieldView& view)
 {
   return view.Volume.Stride[0] == 1;

@@ -25,7 +25,7 @@ const PointShell* ShellOf(const BakedVolume& baked) noexcept
   return baked.HasShape() ? baked.Tool->Shell.get() : nullptr;
 }
 
-/** From the frame of one model's device to that of another's. */
+/** Maps from the frame of one model's device to that of another. */
 class Carrier
 {
 public:
@@ -45,7 +45,7 @@ public:
       (1.0 / std::sqrt(SquaredNorm(turned))) * turned };
   }
 
-  /** Lengths are scaled; stiffness and strength of an area are those of the new lengths. */
+  /** Scales lengths; stiffness and strength per area are adapted to the new lengths. */
   void Carry(ShellContact& contact) const noexcept
   {
     const double square = this->Scale * this->Scale;
@@ -67,13 +67,13 @@ private:
   const double Scale;
 };
 
-/** Brings the tool so near to the hand that the springs have this share of their energy. */
+/** Brings the tool towards the hand until the springs have this fraction of their energy. */
 void Relax(ShellState& state, double share) noexcept
 {
   const double nearer = std::sqrt(share);
   const ShellPose& hand = state.Hand;
   state.Tool.Position = hand.Position + nearer * (state.Tool.Position - hand.Position);
-  // Their energy of the turn goes with sin^2(theta/2).
+  // The energy of the turn is proportional to sin^2(theta/2).
   const Quaternion turn = state.Tool.Orientation * Conjugate(hand.Orientation);
   const Vector3 axis = nearer * Vector3{ turn.X, turn.Y, turn.Z };
   const double cosine = std::copysign(std::sqrt(std::max(1.0 - Dot(axis, axis), 0.0)), turn.W);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape from one model to the next.
+ * Carries a tool with a shape from one model to the next.
  */
 #ifndef ShellCarry_h
 #define ShellCarry_h
@@ -13,11 +13,11 @@ namespace VolumeHaptics
 {
 
 /**
- * Takes the tool and its contacts to another material, other settings, or another placement of the
+ * Moves the tool and its contacts to another material, other settings, or another placement of the
  * device. The contacts rest on the volume: if it moves under the hand, so does the tool, and each
- * contact keeps its energy at most. Stiffer springs find the tool nearer to the hand, so that they
- * have no more energy. With another shell or another volume, the state is disabled: the tool begins
- * in the hand with no force.
+ * contact keeps at most its energy. Stiffer springs begin with the tool nearer to the hand, so that
+ * they have no more energy than before. With another shell or another volume, the state is
+ * disabled: the tool begins in the hand with no force.
  */
 void CarryShell(
   const HapticModel& from, const HapticModel& to, ShellState& state, ShellMemory* memory) noexcept;

@@ -13,14 +13,14 @@ namespace
 {
 
 /**
- * Voxels: a foot that is farther from the level was not followed, it is still searched. How deep
- * the point is, is no work of the hand then.
+ * Voxels: a foot farther from the level was not followed, but is still searched. The depth of its
+ * point is then no work of the hand.
  */
 constexpr double FarthestFollowed = 0.75;
 
-/** Voxels: what sums of ways, and the map to indices, may lose to rounding. */
+/** Voxels: an allowance for the rounding of sums of ways, and of the map to indices. */
 constexpr double LeastClearance = 1e-4;
-/** Voxels: where a look is farther from the tool, its marks would not hold for long. */
+/** Voxels: marks read farther from the tool would not last. */
 constexpr double MostWayOfMarks = 0.2;
 
 void SetRows(const Matrix3& matrix, double* rows) noexcept
@@ -50,7 +50,9 @@ Vector3 Get(const double (*numbers)[ShellBatch::Most], std::size_t i) noexcept
   return { numbers[0][i], numbers[1][i], numbers[2][i] };
 }
 
-/** Moves the points of these bits, and what the law needs of them, to the beginning of a batch. */
+/**
+ * Moves the points of these bits, with the numbers that the law needs, to the beginning of a batch.
+ */
 void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
 {
   std::uint8_t from[ShellBatch::Most];
@@ -89,14 +91,14 @@ void Compact(ShellBatch& batch, std::uint64_t chosen) noexcept
 
 } // namespace
 
-/** Points that may be in contact, until there are enough of them to be read together. */
+/** Collects points that may be in contact, until there are enough to read them together. */
 struct ShellContactFinder::Candidates
 {
   ShellBatch Batch;
   ShellLaw Law;
-  MixMemory Labels; ///< only saves time
+  MixMemory Labels; ///< for speed only
   ShellPushes Forces;
-  std::size_t Pushing = 0; ///< of how many points Forces has those that press
+  std::size_t Pushing = 0; ///< the number of points whose pressing ones are in Forces
 };
 
 ShellContactFinder::ShellContactFinder(
@@ -122,7 +124,7 @@ ShellContactFinder::ShellContactFinder(
 
 double ShellContactFinder::FindWay(const ShellPose& from, const ShellPose& to) const noexcept
 {
-  // A point at r moves by 2 sin(theta/2) |r| at most.
+  // A point at r moves by at most 2 sin(theta/2) |r|.
   const Quaternion turn = to.Orientation * Conjugate(from.Orientation);
   const double chord = 2.0 * Norm({ turn.X, turn.Y, turn.Z });
   return (Norm(to.Position - from.Position) + chord * (this->Scale * this->Shell.GetReach())) /
@@ -136,7 +138,7 @@ double ShellContactFinder::FindPerValue(const Vector3& centre, const Vector3& ha
   {
     return 0.0;
   }
-  // |sum of g_a r_a|, of slopes up to these, r_a the rows of the map to indices.
+  // |sum of g_a r_a|, for slopes up to these; r_a are the rows of the map to indices.
   double square = 0.0;
   for (int a = 0; a < 3; ++a)
   {
@@ -147,7 +149,7 @@ double ShellContactFinder::FindPerValue(const Vector3& centre, const Vector3& ha
   return 1.0 / std::max(std::sqrt(square), flattest);
 }
 
-/** Finds again what the clearance has of a block, if the tool has moved too far since. */
+/** Computes a block's clearance again, if the tool has moved too far since. */
 void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, double way,
   ShellClearance& clearance) const noexcept
 {
@@ -156,7 +158,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     return;
   }
   const double from = clearance.Travelled;
-  // One voxel, and what rounding may take.
+  // One voxel, with an allowance for rounding.
   constexpr double margin = 1.001;
   const ShellBlock& at = this->Shell.GetBlocks()[block];
   const Vector3& voxels = this->Model.VoxelsPerMeter;
@@ -166,8 +168,8 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
     radius * voxels.Z + margin };
   const bool isClear = !this->Reader.MayBeSolid(centre, half);
   const double perValue = isClear || way > MostWayOfMarks ? 0.0 : this->FindPerValue(centre, half);
-  // With these slopes, the values at the points come to the level elsewhere. The tool has come from
-  // a place in this box.
+  // With these slopes, the values at the points reach the level elsewhere. The tool has come from a
+  // place in this box.
   const bool isKnown = clearance.Until[block] >= 0.0 && perValue > 0.0;
   const double share = isKnown ? perValue / clearance.PerValue[block] : HUGE_VAL;
   double* const until = clearance.MarksUntil.data() + block * ShellBlock::Size;
@@ -177,7 +179,7 @@ void ShellContactFinder::Survey(std::size_t block, const Affine3& toolToIndex, d
   }
   clearance.IsClear[block] = isClear ? 1 : 0;
   clearance.PerValue[block] = perValue;
-  // What is not clear may be so soon.
+  // A block that is not clear may become clear soon.
   clearance.Until[block] = clearance.Travelled + way + (isClear || perValue > 0.0 ? 1.0 : 0.5);
 }
 
@@ -226,7 +228,7 @@ void ShellContactFinder::Find(const ShellPose& pose, double way, bool isStart,
     const std::size_t begin = block * ShellBlock::Size;
     const std::uint64_t solid = this->Mark(block, placement.ToolToIndex, way, clearance);
     const std::uint64_t held = from.Count > 0 ? from.Marks[block] : 0;
-    // Those that are not in contact will be taken away.
+    // Points that are not in contact are removed later.
     to.Marks[block] = solid | held;
     for (std::uint64_t rest = solid | held; rest != 0; rest &= rest - 1)
     {

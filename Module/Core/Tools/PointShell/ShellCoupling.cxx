@@ -10,19 +10,25 @@ namespace VolumeHaptics
 namespace
 {
 
-/** No hand is farther away (m). */
+/** The farthest hand (m). */
 constexpr double FarthestHand = 1e9;
-/** What a servo has time for: looks, and points in all looks of a tick. */
+/** The limits of a servo tick: looks, and points in all looks. */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
 /** Where a burr has removed tissue, reading a point takes about this many times as long. */
 constexpr std::size_t PointsOfCarved = 5;
-/** A tick ends if the next step would change the force by less than this share of it, and N. */
+/**
+ * A tick ends if the next step would change the force by less than this fraction, and by less than
+ * this (N).
+ */
 constexpr double ForceShare = 5e-3;
 constexpr double ForceTolerance = 5e-4;
-/** A step may raise the energy by this share, as noise in the data does. */
+/** A step may raise the energy by this fraction, as noise in the data does. */
 constexpr double EnergyTolerance = 0.02;
-/** The energy that a contact has lost pays for later rises up to this share of what is stored. */
+/**
+ * The energy that a contact has lost pays for later rises, up to this fraction of the stored
+ * energy.
+ */
 constexpr double MostReserve = 0.1;
 
 struct Step
@@ -100,7 +106,7 @@ Step FindStep(const Coupling& coupling, const Coupling::Pull& pull, const ShellS
   return { { b[0], b[1], b[2] }, { b[3], b[4], b[5] } };
 }
 
-/** A pose after a share of a step; its turn is by 2 atan(|Turn|/2) < |Turn|. */
+/** The pose after a fraction of a step; its turn is by 2 atan(|Turn|/2) < |Turn|. */
 ShellPose Moved(const ShellPose& pose, const Step& step, double share) noexcept
 {
   const Vector3 half = (0.5 * share) * step.Turn;
@@ -123,7 +129,7 @@ std::size_t FindMostLooks(const HapticModel& model, const PointShell& shell) noe
   return std::clamp<std::size_t>(MostPointsRead / points, 2, MostLooks);
 }
 
-/** One tick of a tool that is enabled. */
+/** One tick of an enabled tool. */
 class Advance
 {
 public:
@@ -174,7 +180,7 @@ public:
       pull = this->Springs.At(next, hand);
       if (this->IsTooMuch(before, pull) && this->Looks < this->Most)
       {
-        // The step has met contacts of which it did not know: now it knows them.
+        // The step has met unknown contacts: now they are known.
         next = this->Corrected(next, pull);
         this->Look(next, false);
         pull = this->Springs.At(next, hand);
@@ -212,7 +218,10 @@ public:
   }
 
 private:
-  /** With another model: what presses now. The tool rests, and no contact has more energy. */
+  /**
+   * After a change of the model: computes which points press. The tool rests, and no contact gains
+   * energy.
+   */
   void Resume() noexcept
   {
     ShellState& s = this->State;
@@ -235,7 +244,7 @@ private:
     this->IsAway = true;
     ++this->Looks;
   }
-  /** From a pose that was looked at and not taken. */
+  /** Returns from a pose that was read but not taken. */
   void GoBack() noexcept
   {
     if (this->IsAway)
@@ -250,7 +259,7 @@ private:
     return pull.Energy + this->Sum.Energy > (1.0 + EnergyTolerance) * before;
   }
 
-  /** The share of a step in which no point goes farther than feet are followed. */
+  /** The fraction of a step in which no point goes farther than feet can be followed. */
   double FindShare(const Step& step) const noexcept
   {
     const double way = Norm(step.Move) + this->Reach * Norm(step.Turn);
@@ -258,14 +267,17 @@ private:
     return way > farthest ? farthest / way : 1.0;
   }
 
-  /** A pose from the contacts at another one, no farther from the tool than feet are followed. */
+  /**
+   * Corrects a pose by the contacts at another pose; it stays as near to the tool as feet can be
+   * followed.
+   */
   ShellPose Corrected(const ShellPose& from, const Coupling::Pull& pull) const noexcept
   {
     const Step step = FindStep(this->Springs, pull, this->Sum);
     return Moved(from, step, this->FindShare(step));
   }
 
-  /** Whether one step turns a tool that nothing holds to the hand's orientation. */
+  /** Whether one step turns a free tool to the hand's orientation. */
   bool IsNearlyTurned(const ShellPose& hand) const noexcept
   {
     const Quaternion turn = this->State.Tool.Orientation * Conjugate(hand.Orientation);
@@ -273,7 +285,7 @@ private:
     return std::abs(turn.W) > least;
   }
 
-  /** Takes the pose that was looked at last, if the budget pays for its pull. */
+  /** Takes the pose of the last look, if the budget pays for its pull. */
   bool Take(const ShellPose& next, const Coupling::Pull& pull) noexcept
   {
     ShellState& s = this->State;
@@ -310,7 +322,7 @@ private:
   bool IsFar(const Step& step, const Coupling::Pull& pull) const noexcept
   {
     const double tolerance = ForceTolerance + ForceShare * Norm(pull.Force);
-    // A torque that this change of the force would have at the arm of the tool.
+    // The torque of this force change at an arm of this length.
     constexpr double leastArm = 1e-3; // m
     const double torque = std::max(this->Reach, leastArm) * tolerance;
     return this->Springs.Stiffness * Norm(step.Move) > tolerance ||

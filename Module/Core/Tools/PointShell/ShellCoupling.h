@@ -8,18 +8,18 @@
  *
  *   U = k/2 |x - y|^2 + 2 k_r sin^2(theta/2),
  *
- * theta the angle between both. The tool is where U and the contacts' energy E
- * (ShellContacts.h) together are least: it has no mass (a quasi-static coupling). A tick takes
- * Gauss-Newton steps towards that pose, from where the tool was; usually one is enough. No point
+ * theta being the angle between both. The tool is where the sum of U and the contacts' energy E
+ * (ShellContacts.h) is smallest: it has no mass (a quasi-static coupling). A tick takes
+ * Gauss-Newton steps towards that pose, from the tool's last pose; usually one is enough. No point
  * moves farther than a quarter of a voxel between two looks, so that thin walls hold fast tools.
  *
  * The hand feels f = k (x - y), and the torque k_r sin(theta) about the axis of the turn.
  *
- * Passivity. A budget S has the energy that the hand has put in: while the tool rests and the hand
- * moves, S changes by as much as U. No step is taken after which U + E > S; if nothing else helps,
- * the contacts lose energy. So U <= S always, and the hand gets back no more than it has put in,
- * whatever the volume and its materials are, and however inexact the steps are. What a contact has
- * lost pays for later rises, but only a tenth of what is stored, and none after the contact.
+ * Passivity. A budget S holds the energy that the hand has put in: while the tool rests and the
+ * hand moves, S changes by as much as U. Steps keep U + E <= S; if nothing else helps, the contacts
+ * lose energy. So U <= S always, and the hand gets back at most what it has put in, for any volume,
+ * materials and accuracy of the steps. The energy that a contact has lost pays for later rises, but
+ * only up to a tenth of the stored energy, and not after the contact.
  */
 #ifndef ShellCoupling_h
 #define ShellCoupling_h
@@ -43,18 +43,18 @@ public:
 
   ShellContacts& GetCurrent() noexcept { return this->Contacts[this->Current]; }
   ShellContacts& GetNext() noexcept { return this->Contacts[1 - this->Current]; }
-  /** The next ones are the current ones from now on. */
+  /** Makes the next contacts the current ones. */
   void Swap() noexcept { this->Current = 1 - this->Current; }
   std::size_t GetPoints() const noexcept { return this->Points; }
 
   ///@{
-  /** Copies the current contacts, and tells the copy: a recording begins with them. */
+  /** Copies the current contacts (Keep), and returns the copy: a recording begins with them. */
   void Keep() noexcept;
   const ShellContacts& GetKept() const noexcept { return this->Kept; }
   ///@}
   /**
-   * Goes on with contacts that were kept, by ascending number of the point. False, and it is left
-   * as it is, if they can't be of this shell.
+   * Continues with contacts of a copy, in ascending order of their points. If they can't belong to
+   * this shell, returns false and changes nothing.
    */
   bool Restore(const std::vector<ShellContact>& contacts, double share) noexcept;
   /** The memory that a tick writes. */
@@ -78,26 +78,25 @@ struct ShellRecord
   ShellPose Tool;
   Vector3 Force;              ///< N, on the hand
   Vector3 Torque;             ///< N m, on the hand, about the origin of the tool
-  double Stiffness = 0.0;     ///< N/m, of the coupling
-  double Energy = 0.0;        ///< J, of the contacts
-  std::uint32_t Contacts = 0; ///< points that are pressed
-  std::uint32_t Yielding = 0; ///< of these, those with the largest pressure of their material
+  double Stiffness = 0.0;     ///< N/m, the coupling's
+  double Energy = 0.0;        ///< J, in the contacts
+  std::uint32_t Contacts = 0; ///< pressed points
+  std::uint32_t Yielding = 0; ///< of these, points with the largest pressure of their material
   std::uint32_t Looks = 0;    ///< how often the volume was read at all points
-  bool IsUnfinished = false;  ///< the tool is still on its way
+  bool IsUnfinished = false;  ///< the tool has not reached its pose yet
 };
 
-/** Those of a model's tool with a shape, in the device's units of length. */
+/** The settings of a model's tool with a shape, in the device's units of length. */
 ShellSettings FindShellSettings(const HapticModel& model) noexcept;
 
-/** J, of the springs between hand and tool. */
+/** J, in the springs between hand and tool. */
 double FindCouplingEnergy(const ShellSettings& settings, const ForceCaps& caps,
   const ShellPose& tool, const ShellPose& hand) noexcept;
 
 /**
- * Advances the state by one tick. A hand that is not finite, far away, or whose orientation is no
- * unit quaternion, gives zero force and disables the state. So does another model than that of the
- * last tick, or a memory that was made for another shell; the tick after that begins at the hand.
- * Neither allocates, locks nor throws.
+ * Advances the state by one tick. A hand that is not finite, far away, or without a unit quaternion
+ * gives zero force and disables the state; so does another model than the last tick's, or a memory
+ * of another shell; the next tick then begins at the hand. It neither allocates, locks nor throws.
  */
 void TickShell(const HapticModel& model, const PointShell& shell, const ShellSettings& settings,
   const ShellPose& hand, ShellState& state, ShellMemory& memory, ShellRecord& record) noexcept;

@@ -41,8 +41,8 @@ VOLUME_HAPTICS_OUTLINE void ReadFootAtBorder(
 }
 
 /**
- * The seven interpolations of a value and its central differences share their weights, since the
- * differences reach over one sample to either side: 32 samples are enough.
+ * The value and its central differences are seven interpolations with the same weights, since the
+ * differences reach over one sample on either side: 32 samples are enough.
  */
 template <typename T>
 VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, double z, double* to)
@@ -68,7 +68,7 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   const double fz = az.Fraction;
   const double ey = 1.0 - fy;
   const double ez = 1.0 - fz;
-  // Four lines along x each: those of the cell, those beside it along y, and those along z.
+  // Four lines along x each: the cell's, those beside it along y, and those along z.
   const T* const inner[4] = { p, p + sy, p + sz, p + sy + sz };
   const T* const besideY[4] = { p - sy, p - sy + sz, p + 2 * sy, p + 2 * sy + sz };
   const T* const besideZ[4] = { p - sz, p - sz + sy, p + 2 * sz, p + 2 * sz + sy };
@@ -102,7 +102,7 @@ VOLUME_HAPTICS_INLINE void ReadFoot(const FieldView& view, double x, double y, d
   {
     if (!IsNumber(to[0] + to[1] + to[2] + to[3]))
     {
-      // A sample that is not a number but has no weight does not count.
+      // A sample that is not a number does not count without a weight.
       ReadFootAtBorder<T>(view, x, y, z, to);
     }
   }
@@ -114,7 +114,7 @@ void ReadOneFoot(const ShellReading& reading, double x, double y, double z, doub
   ReadFoot<T>(reading.View, x, y, z, to);
 }
 
-/** What ReadFoot has in a lane of its sums, of four points at a time. */
+/** One lane of ReadFoot's sums, for four points at a time. */
 struct FourFeet
 {
   Double4 Of[7];
@@ -125,7 +125,9 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
     a.Of[4] + b.Of[4], a.Of[5] + b.Of[5], a.Of[6] + b.Of[6] } };
 }
 
-/** A line along x of each cell, with those beside it along y and z; IsRow: its samples touch. */
+/**
+ * A line along x of each cell, with its neighbours along y and z; IsRow: its samples are adjacent.
+ */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64_t* stride,
   const Double4& fy, const Double4& fz, bool isSecondY, bool isSecondZ)
@@ -134,7 +136,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
   const Double4 ey = one - fy;
   const Double4 ez = one - fz;
   const auto minus = [](const Double4& a) { return -1.0 * a; };
-  // Weights of this line, of the one across y, and of the one across z.
+  // Weights of this line, of the line across y, and of the line across z.
   const Double4 wy = isSecondY ? fy : ey;
   const Double4 wz = isSecondZ ? fz : ez;
   const Double4 own = wy * wz;
@@ -142,7 +144,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
   const Double4 acrossZ = wy * (isSecondZ ? ez : fz);
   const std::int64_t sx = IsRow ? 1 : stride[0];
   const std::int64_t line = (isSecondY ? stride[1] : 0) + (isSecondZ ? stride[2] : 0);
-  // The lanes of ReadFoot have the lines beside in another order along y.
+  // The lanes of ReadFoot have the neighbour lines in another order along y.
   const bool isBehind = isSecondZ;
   const Double4 outer = (isSecondZ ? fy : ey) * (isSecondY ? fz : ez);
   const std::int64_t besideY =
@@ -171,7 +173,7 @@ VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64
     (isSecondY ? wz : minus(wz)) * a, (isSecondZ ? wy : minus(wy)) * a } };
 }
 
-/** As ReadFoot, of four points at a time. False if one of them is at the border. */
+/** As ReadFoot, for four points at a time. False if one of them is at the border. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, ShellBatch& batch)
 {
@@ -190,7 +192,7 @@ VOLUME_HAPTICS_INLINE bool ReadFourFeet(const FieldView& view, std::size_t i, Sh
   const Double4 fy = at.Y.Fraction;
   const Double4 fz = at.Z.Fraction;
   const std::int64_t* const stride = view.Volume.Stride;
-  // As AddLanes does.
+  // In the order of AddLanes.
   FourFeet sum = AddFeet(ReadLine<T, IsRow>(at, stride, fy, fz, false, false),
     ReadLine<T, IsRow>(at, stride, fy, fz, false, true));
   sum = AddFeet(sum,
@@ -227,7 +229,7 @@ void ReadFeet(const ShellReading& reading, ShellBatch& batch) noexcept
                               : ReadFourFeet<T, false>(reading.View, i, batch);
     for (std::size_t n = i; n < i + 4; ++n)
     {
-      // ReadFoot knows what to do with samples that are no numbers.
+      // ReadFoot handles samples that are not numbers.
       const bool isDone = isRead &&
         (!std::is_floating_point_v<T> ||
           IsNumber(

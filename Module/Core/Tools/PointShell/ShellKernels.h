@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The reading of the volume at many points at once, as templates. Included by one translation unit
- * per instruction set only; the rules of FieldKernels.h hold here too.
+ * Reads the volume at many points at once, as templates. Included by one translation unit per
+ * instruction set only; the rules of FieldKernels.h hold here too.
  */
 #ifndef ShellKernels_h
 #define ShellKernels_h
@@ -54,15 +54,15 @@ void PlacePoints(
   }
 }
 
-/** The feet of four points from what was read, and which of them may be in contact. */
+/** Computes the feet of four points from the samples, and which of them may be in contact. */
 VOLUME_HAPTICS_INLINE std::uint64_t ComputeFeet(
   const ShellReading& reading, const ShellFrame& frame, std::size_t i, ShellBatch& batch)
 {
   const FourVectors gradient = Times(frame.GradientToDevice, LoadVectors(batch.Gradient, i));
   const Double4 magnitude = Root(DotOf(gradient, gradient));
   const FourVectors normal = Scaled(Spread(reading.Sign) / magnitude, gradient);
-  // Differences over two samples are less steep than the edge of a mask: by the slope of the cell
-  // a step along the normal comes to the level.
+  // Differences over two samples are less steep than the edge of a mask: the slope of the cell
+  // gives the step along the normal to the level.
   const Double4 slope =
     reading.Sign * DotOf(normal, Times(frame.GradientToDevice, LoadVectors(batch.Cell, i)));
   const Double4 steepest = frame.UnitsPerMeter * Larger(slope, magnitude);
@@ -111,7 +111,7 @@ std::uint64_t FindFeet(
   return there & FirstBits(batch.Count);
 }
 
-/** Some rows of the sums of AddFunction: as many as there are registers for. */
+/** Some rows of AddFunction's sums: as many as there are registers for. */
 template <int First, int Last>
 VOLUME_HAPTICS_INLINE void AddRows(const ShellPushes& forces, double* gradient, double* curvature)
 {
@@ -162,7 +162,7 @@ void AddForces(const ShellPushes& forces, double* gradient, double* curvature) n
   AddRows<5, 6>(forces, gradient, curvature);
 }
 
-/** As Trilinear, of four indices at a time. */
+/** As Trilinear, for four indices at a time. */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE Double4 ReadFourValues(const FieldView& view, const FourVectors& indices)
 {
@@ -209,7 +209,7 @@ void ReadValues(const ShellReading& reading, const ShellNumbers& indices, double
     {
       if (!IsNumber(to[n]))
       {
-        readOne(n); // a sample that is not a number but has no weight does not count
+        readOne(n); // a sample that is not a number does not count without a weight
       }
     }
   }

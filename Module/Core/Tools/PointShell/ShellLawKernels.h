@@ -28,7 +28,7 @@ VOLUME_HAPTICS_INLINE std::uint32_t CountLanes(std::uint64_t bits)
     (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1));
 }
 
-/** Four of the eight numbers of four contacts: the first ones, or the last ones. */
+/** The first or the last four of the eight numbers of four contacts. */
 VOLUME_HAPTICS_INLINE void LoadContacts(const ShellContact* const* from, std::size_t first,
   Double4& a, Double4& b, Double4& c, Double4& d)
 {
@@ -46,8 +46,8 @@ template <typename Segment>
 struct FourSegments
 {
   const Segment* Of[4];
-  Double4 Way; ///< from their beginnings
-  bool IsOne;  ///< all are the same
+  Double4 Way; ///< from the segments' beginnings
+  bool IsOne;  ///< all are the same segment
 };
 /** A channel of a table. */
 template <typename Segment>
@@ -102,14 +102,14 @@ VOLUME_HAPTICS_INLINE Double4 FadeAtBorder(
   return ChooseAbove(one, fade, ChooseAbove(fade, zero, fade, zero), one);
 }
 
-/** The law of a contact: stiffness (N/m^3) and strength (N/m^2) of a unit of area. */
+/** The law of a contact: stiffness (N/m^3) and strength (N/m^2) per unit of area. */
 struct FourLaws
 {
   Double4 Stiffness;
   Double4 Strength;
-  Double4 IsFelt; ///< 1 if so, else 0
+  Double4 IsFelt; ///< 1 if felt, else 0
 
-  /** J/m^2, at depths u, of which some may yield; pull is the stiffness times u. */
+  /** J/m^2, at depths u, some of which may yield; pull is the stiffness times u. */
   Double4 EnergyAt(const Double4& u, const Double4& pull, std::uint64_t yielding) const
   {
     const Double4 stored = 0.5 * this->Stiffness * u * u;
@@ -196,7 +196,7 @@ VOLUME_HAPTICS_INLINE Double4 FindStretches(const ShellLaw& law, const FourLaws&
   return ChooseAbove(laws.IsFelt, zero, Larger(zero, kept + change), zero);
 }
 
-/** Four points with their law, ready to be told. */
+/** Four points with their law, ready to be appended. */
 struct FourHolds
 {
   FourVectors Normal;
@@ -204,11 +204,11 @@ struct FourHolds
   Double4 Force;
   Double4 Stiffness;
   std::uint64_t Held;     ///< a bit for each lane: the point is in contact
-  std::uint64_t Pressed;  ///< and pressed
+  std::uint64_t Pressed;  ///< and is pressed
   std::uint64_t Yielding; ///< with the largest pressure of its material
 };
 
-/** Appends the forces of those that are pressed. */
+/** Appends the forces of the pressed points. */
 VOLUME_HAPTICS_INLINE void Push(const FourHolds& holds, const FourVectors& arm, ShellPushes& to)
 {
   const FourVectors& n = holds.Normal;
@@ -244,7 +244,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
 {
   for (std::size_t i = batch.Count; i % 4 != 0; ++i)
   {
-    // As the last one: so no other material is searched.
+    // Repeats the last point, so that no other material is searched.
     const std::size_t last = batch.Count - 1;
     batch.Before[i] = batch.Before[last];
     batch.Magnitude[i] = batch.Magnitude[last];
@@ -271,7 +271,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
     const Double4 pull = laws.Stiffness * stretch;
     FourHolds holds;
     holds.Yielding = IsAbove(pull, laws.Strength);
-    // It has left a wall, and nothing or too much pulls it back.
+    // The point has left a wall, and the pull back is zero or too large.
     const std::uint64_t left = ~(batch.Solid >> i) & (IsEqual(stretch, zero) | holds.Yielding);
     const std::size_t rest = batch.Count - i;
     holds.Held = ~left & (rest < 4 ? AllLanes >> (4 - rest) : AllLanes);
@@ -290,7 +290,7 @@ std::uint64_t HoldPoints(const ShellReading& reading, ShellLaw& law, ShellBatch&
     Double4 second[4] = { holds.Energy, stretch, laws.Stiffness, laws.Strength };
     Transpose(first[0], first[1], first[2], first[3]);
     Transpose(second[0], second[1], second[2], second[3]);
-    // One after the other, as they are in the list.
+    // One by one, in the order of the list.
     const auto append = [&](int lane)
     {
       auto* const numbers = reinterpret_cast<double*>(next);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which points of a shell are solid, and what a box of samples has, for ShellKernels.h. The rules
- * of FieldKernels.h hold here too.
+ * Tests which points of a shell are solid, and what a box of samples contains, for ShellKernels.h.
+ * The rules of FieldKernels.h hold here too.
  */
 #ifndef ShellMarkKernels_h
 #define ShellMarkKernels_h
@@ -70,7 +70,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t MarkFour(
     {
       if (!IsNumber(values[lane]))
       {
-        // A sample that is not a number but has no weight does not count.
+        // A sample that is not a number does not count without a weight.
         values[lane] = Trilinear<T>(view, x[lane], y[lane], z[lane]);
       }
     }
@@ -119,7 +119,7 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
   const Double4 level = Spread(reading.Level);
   while (late != 0)
   {
-    // The last one may be repeated.
+    // The last point may be repeated.
     int at[4];
     const auto next = [&late](int last)
     {
@@ -136,9 +136,9 @@ VOLUME_HAPTICS_INLINE std::uint64_t UpdateLate(const ShellReading& reading,
     Double4 values;
     const std::uint64_t found =
       MarkFour<T, IsRow>(reading, { load(points.X), load(points.Y), load(points.Z) }, map, values);
-    // From the level, with what rounding may have taken.
+    // From the level, with an allowance for rounding.
     const Double4 distance = size(values - level) - 1e-12 * (size(values) + size(level));
-    // Without a number, or slopes that are known, not for long; and finite, since it is scaled.
+    // Only a short way if there is no number, or no known slope; and finite, since it is scaled.
     constexpr double farthest = 1e300;
     const Double4 from = Spread(before.From);
     double until[4];
@@ -166,7 +166,7 @@ std::uint64_t UpdateMarks(const ShellReading& reading, const ShellNumbers& point
                                : UpdateLate<T, false>(reading, points, map, before, late);
 }
 
-/** The largest size of differences, which have to be numbers. */
+/** The largest size of differences; they must be numbers. */
 class MostDifference
 {
 public:
@@ -174,7 +174,7 @@ public:
   {
     const Double4 difference = next - at;
     this->Most = Larger(Larger(difference, -1.0 * difference), this->Most);
-    // Not 0 any more if one is no number.
+    // No longer 0 if one is not a number.
     this->Odd = this->Odd + (difference - difference);
   }
   double Find() const
@@ -192,7 +192,7 @@ private:
   Double4 Odd = MakeDouble4(0.0, 0.0, 0.0, 0.0);
 };
 
-/** Of a box with rows, of at least four samples along x. */
+/** For a box with rows, of at least four samples along x. */
 template <typename T>
 VOLUME_HAPTICS_INLINE void FindMostSlopesOfRows(
   const ShellReading& reading, const std::int64_t* low, const std::int64_t* high, double* most)
@@ -205,12 +205,12 @@ VOLUME_HAPTICS_INLINE void FindMostSlopesOfRows(
     {
       const T* const row =
         static_cast<const T*>(reading.View.Volume.Data) + j * stride[1] + k * stride[2];
-      // The last ones have no neighbour: they are their own.
+      // The last samples have no neighbour: each counts as its own.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0];; i += 4)
       {
-        // Some of the last ones may be repeated.
+        // Some of the last samples may be repeated.
         const bool isLast = i + 3 >= high[0];
         const T* const at = row + (isLast ? high[0] - 3 : i);
         const Double4 here = LoadDouble4(at);
@@ -239,7 +239,7 @@ void FindMostSlopes(const ShellReading& reading, const std::int64_t* low, const 
     FindMostSlopesOfRows<T>(reading, low, high, most);
     return;
   }
-  // Differences of small numbers are found as whole ones.
+  // Differences of small integers are computed as integers.
   using Wide = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, std::int32_t, double>;
   const std::int64_t* const stride = reading.View.Volume.Stride;
   bool isFinite = true;
@@ -260,7 +260,7 @@ void FindMostSlopes(const ShellReading& reading, const std::int64_t* low, const 
     {
       const T* at = static_cast<const T*>(reading.View.Volume.Data) + low[0] * stride[0] +
         j * stride[1] + k * stride[2];
-      // The last ones have no neighbour: they are their own.
+      // The last samples have no neighbour: each counts as its own.
       const std::int64_t sy = j < high[1] ? stride[1] : 0;
       const std::int64_t sz = k < high[2] ? stride[2] : 0;
       for (std::int64_t i = low[0]; i <= high[0]; ++i, at += stride[0])

@@ -31,7 +31,7 @@ ShellFunctions SelectShellFunctions(ScalarType type, InstructionSet instructions
   return SelectBaselineShellFunctions(type);
 }
 
-/** The samples of all cells that a box around an index reaches. */
+/** The samples of all cells that a box around an index touches. */
 struct SampleBox
 {
   SampleBox(const Vector3& centre, const Vector3& half) noexcept
@@ -85,7 +85,7 @@ void ShellReader::ForEachCopy(const CarvedBox* boxes, std::size_t count, const F
 {
   double samples[MostCopied];
   ShellReading copy = this->Reading;
-  // Ends of halves that are still to do: points that follow each other are neighbours, mostly.
+  // Ends of pending halves: consecutive points are mostly neighbours.
   std::size_t ends[16] = { count };
   int rest = count > 0 ? 1 : 0;
   for (std::size_t begin = 0; rest > 0;)
@@ -166,8 +166,8 @@ void ShellReader::ReadCarved(ShellBatch& batch) const noexcept
     const auto isShort = [&](int a) { return boxes[i].Size(a) < 4; };
     if (isFloat || isShort(0) || isShort(1) || isShort(2))
     {
-      // At the border, and beside samples that are no numbers, places at a distance of a sample are
-      // read, which may be rounded up into the next cell.
+      // At the border, and beside samples that are not numbers, reads at a distance of a sample may
+      // be rounded up into the next cell.
       boxes[i] = FindBox(this->Given, at, 1, 2);
     }
   }
@@ -221,7 +221,7 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
     {
       return true;
     }
-    // Beyond the samples that are here, values are those of the nearest ones.
+    // Outside the resident samples, values repeat the nearest sample.
     const double first = view.First[axis];
     const double last = view.Last[axis];
     low[axis] = static_cast<std::int64_t>(std::min(std::max(box.From[axis], first), last));
@@ -234,7 +234,7 @@ bool ShellReader::MayBeSolid(const Vector3& centre, const Vector3& half) const n
 bool ShellReader::FindSlopes(
   const Vector3& centre, const Vector3& half, double* slopes) const noexcept
 {
-  // More take longer than the points of a block, which would be read less often.
+  // More samples take longer than the points of a block that they would save.
   constexpr double mostSamples = 512.0;
   const SampleBox box(centre, half);
   const FieldView& view = this->Reading.View;

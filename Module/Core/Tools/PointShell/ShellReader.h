@@ -39,28 +39,27 @@ struct ShellNumbers
 };
 
 /**
- * Of up to 64 points, sets the bits of those that are within the volume and whose trilinear value
- * is solid; NaN is not. The map from the tool to indices: a matrix by rows, and an offset.
+ * Sets the bits of those of up to 64 points that are within the volume and whose trilinear value is
+ * solid; NaN is not solid. The map from the tool to indices is a matrix by rows, and an offset.
  */
 using MarkFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map) noexcept;
 /**
- * The marks of 1 to 64 points as they were found before, while the tool was near. Only those of
- * points are found anew that may have come to the level since. Lengths are those that any point has
- * travelled at most, in voxels.
+ * The last marks of 1 to 64 points, from when the tool was near. Only points that may have reached
+ * the level since are read anew. Lengths are the largest way of any point, in voxels.
  */
 struct ShellMarking
 {
-  std::uint64_t Marks; ///< as they were found
-  double* Until;       ///< for each of 64 points: up to where its mark stays
-  double Now;          ///< where the tool is
-  double From;         ///< with what is found now, lengths count from here
-  double PerValue;     ///< voxels that a value takes at least to change by 1; 0 if that is unknown
+  std::uint64_t Marks; ///< the last marks
+  double* Until;       ///< for each of 64 points: the length up to which its mark is valid
+  double Now;          ///< the tool's length now
+  double From;         ///< new marks count their lengths from here
+  double PerValue;     ///< the fewest voxels over which a value changes by 1; 0 if that is unknown
 };
 /** As MarkFunction. Writes to ShellMarking::Until. */
 using MarkingFunction = std::uint64_t (*)(
   const ShellReading&, const ShellNumbers&, const double* map, const ShellMarking&) noexcept;
-/** Whether any sample in a box of indices is solid; NaN is not. */
+/** Whether any sample in a box of indices is solid; NaN is not solid. */
 using BoxFunction = bool (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high) noexcept;
 /**
@@ -70,16 +69,16 @@ using BoxFunction = bool (*)(
 using SlopeFunction = void (*)(
   const ShellReading&, const std::int64_t* low, const std::int64_t* high, double* most) noexcept;
 
-/** From Position and Before, where the points and their feet are. */
+/** Computes the places of the points and their feet from Position and Before. */
 using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBatch&) noexcept;
 /** Value, gradient and derivatives in the cell at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
-/** The same of a batch, at Place. */
+/** Reads the same for a batch, at Place. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
- * From these, Index, Offset and Solid, the rest of what is found. Sets the bits of points that may
- * be in contact: there is a gradient, and they are deep enough, which in a thin wall they may be
+ * Computes the other results from these, Index, Offset and Solid. Sets the bits of points that may
+ * be in contact: there is a gradient, and they are deep enough; in a thin wall they may still be
  * after they have come out of its other side.
  */
 using FeetFunction = std::uint64_t (*)(
@@ -88,15 +87,15 @@ using FeetFunction = std::uint64_t (*)(
 using ValuesFunction = void (*)(
   const ShellReading&, const ShellNumbers& indices, double* to) noexcept;
 /**
- * The law of ShellContacts.h: appends the contacts, and the forces of those that are pressed, and
- * adds to the energy and the numbers of contacts. The batch is not empty. Sets the bits of points
- * that are in contact.
+ * The law of ShellContacts.h: appends the contacts, and the forces of pressed points, and adds to
+ * the energy and the numbers of contacts. The batch must not be empty. Sets the bits of points that
+ * are in contact.
  */
 using HoldFunction = std::uint64_t (*)(const ShellReading&, ShellLaw&, ShellBatch&,
   ShellContact*& next, ShellPushes&, ShellSum&) noexcept;
 /**
- * Of the wrenches w: adds the sums of force w to the six numbers, and those of stiffness w w^T to
- * the 21 of a lower triangle, by rows.
+ * For the wrenches w: adds the sum of force w to the six numbers, and the sum of stiffness w w^T to
+ * the 21 numbers of a lower triangle, by rows.
  */
 using AddFunction = void (*)(const ShellPushes&, double* gradient, double* curvature) noexcept;
 
@@ -117,12 +116,12 @@ struct ShellFunctions
 };
 
 ///@{
-/** Not inline, for the kernels: see FieldKernels.h. */
+/** Not inline, because of the kernels: see FieldKernels.h. */
 const MaterialTable::Segment* FindSegmentOf(const MaterialTable& table, double x) noexcept;
 const DistinctnessTable::Segment* FindSegmentOf(const DistinctnessTable& table, double x) noexcept;
 ///@}
 
-/** A volume, ready to be read, and what was removed of it. */
+/** A volume, ready to be read, with its removed tissue. */
 class ShellReader
 {
 public:
@@ -134,34 +133,34 @@ public:
   ShellReader(const VolumeView& view, double level, bool isBelow, const CarvedView& carved,
     InstructionSet instructions = DetectInstructionSet()) noexcept;
 
-  /** See MarkFunction. Where tissue was removed, no place is solid that was not so before. */
+  /** See MarkFunction. Removal of tissue never makes a place solid. */
   std::uint64_t Mark(const ShellNumbers& points, const double* toolToIndex) const noexcept
   {
     return this->Unmark(
       points, toolToIndex, this->Functions.Mark(this->Reading, points, toolToIndex));
   }
-  /** The same of points that were marked before: without what was removed. */
+  /** As Mark, for points with earlier marks: as if nothing was removed. */
   std::uint64_t MarkWhole(const ShellNumbers& points, const double* toolToIndex,
     const ShellMarking& before) const noexcept
   {
     return this->Functions.Marking(this->Reading, points, toolToIndex, before);
   }
-  /** Takes away what was removed. */
+  /** Clears the marks of removed tissue. */
   std::uint64_t Unmark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept
   {
     return marks != 0 && this->Carved.HasAny() ? this->Remark(points, toolToIndex, marks) : marks;
   }
   /**
-   * False if no position in a box around an index (half its size along each axis, in samples) is
-   * solid. True if one may be, or if the box has too many samples for a look. What was removed
-   * does not count: so no answer changes while tissue is only removed.
+   * Returns false if no position in a box around an index (half its size along each axis, in
+   * samples) is solid. Returns true if one may be, or if the box has too many samples to check.
+   * Ignores removal: so the answer stays while tissue is only removed.
    */
   bool MayBeSolid(const Vector3& centre, const Vector3& half) const noexcept;
   /**
-   * The largest slopes along each axis, per sample, in such a box. False if it has too many samples
-   * for a look, reaches beyond those that are here, or has one that is not finite. Without what was
-   * removed.
+   * The largest slopes along each axis, per sample, in such a box. False if the box has too many
+   * samples to check, reaches beyond the resident samples, or has one that is not finite. Ignores
+   * removal.
    */
   bool FindSlopes(const Vector3& centre, const Vector3& half, double* slopes) const noexcept;
   void Place(
@@ -197,19 +196,19 @@ public:
   }
 
 private:
-  /** Samples that are copied at a time: 32 KiB. */
+  /** The most samples that are copied at a time: 32 KiB. */
   static constexpr std::int64_t MostCopied = 4096;
-  /** If points need more samples each, they have copies of their own, which then take less time. */
+  /** If points need more samples each, each has its own copy, which then takes less time. */
   static constexpr std::int64_t WorthOfPoint = 40;
 
   /** Calls f(copy, i) for the boxes in which tissue was removed, and for some beside them. */
   template <typename F>
   void ForEachCopy(const CarvedBox* boxes, std::size_t count, const F& f) const noexcept;
-  /** Takes the marks away of which the tissue was removed. */
+  /** Clears the marks of points whose tissue was removed. */
   std::uint64_t Remark(
     const ShellNumbers& points, const double* toolToIndex, std::uint64_t marks) const noexcept;
   ///@{
-  /** Where tissue was removed, what is left in place of what was read. */
+  /** Replaces values by those of the remaining tissue where tissue was removed. */
   void ReadCarved(ShellBatch& batch) const noexcept;
   void ReadCarved(const ShellNumbers& indices, double* to) const noexcept;
   ///@}
@@ -218,7 +217,7 @@ private:
   VolumeView Given;
   CarvedView Carved;
   ShellFunctions Functions;
-  ShellFunctions OfCopies; ///< of doubles
+  ShellFunctions OfCopies; ///< for doubles
 };
 
 } // namespace VolumeHaptics
