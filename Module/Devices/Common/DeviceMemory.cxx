@@ -47,7 +47,7 @@ std::string WriteNumber(double number)
   return out.str();
 }
 
-/** A serial number may have spaces, with which words of a line end. */
+/** Replaces spaces, which end words of a line: a serial number may have them. */
 std::string MakeWord(const std::string& identity)
 {
   std::string word;
@@ -85,7 +85,7 @@ bool IsDay(const std::string& text)
   return true;
 }
 
-/** False if there is something in the line that does not belong there. */
+/** False if the line contains something that does not belong there. */
 bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
 {
   std::string word;
@@ -108,7 +108,7 @@ bool ReadFacts(std::istringstream& words, DeviceFacts& facts)
       return false;
     }
   }
-  return !facts.Calibrated.empty() || facts.Scale == 1.0; // else half of the line is missing
+  return !facts.Calibrated.empty() || facts.Scale == 1.0; // else the line is incomplete
 }
 
 std::string MakeLine(const std::string& word, const DeviceFacts& facts)
@@ -122,7 +122,7 @@ std::string MakeLine(const std::string& word, const DeviceFacts& facts)
   return line;
 }
 
-/** No lines if there is no file; false, with the reason, if it can't be read. */
+/** No lines if there is no file; false, with the reason, if the file can't be read. */
 bool ReadLines(const std::string& file, std::vector<std::string>& lines, std::string& error)
 {
   std::error_code trouble;

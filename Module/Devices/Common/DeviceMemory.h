@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The facts about each device in the user's file of devices: that its signs were confirmed, and how
- * many newtons it really gives.
+ * The facts about each device in the user's file of devices: whether its signs were confirmed, and
+ * how many newtons it really gives.
  *
- * The file is plain text, a line a device:
+ * The file is plain text, one line per device:
  *
  *   wooden:1234:0006:SN1 confirmed=2026-11-22 scale=0.83 calibrated=2026-11-22
  *
@@ -24,14 +24,14 @@ namespace VolumeHaptics
 struct DeviceFacts
 {
   ///@{
-  /** Scales outside of this range are mistakes. */
+  /** Scales outside this range are mistakes. */
   static constexpr double LeastScale = 0.1;
   static constexpr double MostScale = 10.0;
   ///@}
 
   std::string Confirmed;  ///< the day on which its signs were confirmed; empty: never
-  double Scale = 1.0;     ///< newtons that it gives for each one that it is asked for
-  std::string Calibrated; ///< the day on which that was measured; empty: never
+  double Scale = 1.0;     ///< newtons given per newton asked for
+  std::string Calibrated; ///< the day of the calibration; empty: never
 
   /** "calibrated 0.83 on 2026-11-22" or "uncalibrated". */
   std::string DescribeScale() const;
@@ -47,13 +47,12 @@ public:
 
   /**
    * The facts of a device by its identity (DeviceBackend::GetIdentity); none if there is no file. A
-   * damaged line counts as none. The error then names file and line, and the cure; else it is
-   * empty.
+   * damaged line is ignored. The error then names file and line, and the cure; else it is empty.
    */
   static DeviceFacts Read(const std::string& identity, std::string& error);
   /**
-   * Replaces the facts of a device, and leaves all other lines as they are. The file is replaced as
-   * a whole. False, with the reason and the cure; the old file is then unchanged.
+   * Replaces the facts of a device, and keeps all other lines. The file is replaced as a whole.
+   * False, with the reason and the cure; the old file is then unchanged.
    */
   static bool Write(const std::string& identity, const DeviceFacts& facts, std::string& error);
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What all kinds of devices read of an id, and say if a device can't be opened.
+ * Shared texts of all kinds of devices: reads ids, and explains why a device can't be opened.
  */
 #ifndef DeviceTexts_h
 #define DeviceTexts_h
@@ -20,8 +20,7 @@ namespace VolumeHaptics
  */
 int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string& error);
 /**
- * The cure if this user may not open a device: the text of the udev rule. The subsystem is "usb" or
- * "hidraw".
+ * The cure if this user may not open a device: the udev rule. The subsystem is "usb" or "hidraw".
  */
 std::string PermissionCure(const char* subsystem, std::uint16_t vendor, std::uint16_t product);
 ///@}

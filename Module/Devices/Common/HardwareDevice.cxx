@@ -80,7 +80,7 @@ void HardwareDevice::Run()
   }
   catch (const std::exception& e)
   {
-    // For example if memory runs out: only the device's own watchdog is left.
+    // For example if memory runs out: only the device's own watchdog remains.
     this->Exchange.SetCondition(DeviceStage::Lost, e.what());
   }
 }

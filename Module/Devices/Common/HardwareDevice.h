@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device with a thread of its own that talks to it.
+ * A device whose own thread talks to it.
  */
 #ifndef HardwareDevice_h
 #define HardwareDevice_h
@@ -29,8 +29,8 @@ public:
   virtual std::string GetName() const = 0;
   virtual DeviceLimits GetLimits() const = 0;
   /**
-   * DeviceBackend::GetIdentity, once it is connected or held by a guard; empty if it gives no
-   * force.
+   * DeviceBackend::GetIdentity, once the device is connected or held by a guard; empty if it gives
+   * no force.
    */
   virtual std::string GetIdentity() const { return {}; }
   /** DeviceBackend::KeepsIdentity, likewise. */
@@ -39,9 +39,10 @@ public:
   /** Finds the device and claims it for this process alone. False, with the reason and the cure. */
   virtual bool Connect(std::string& error) = 0;
   /**
-   * Runs on the device's thread until the exchange must stop: homes, sends forces, tells positions.
-   * Every wait has a time limit. After a loss it keeps quiet until it is stopped; if homing is
-   * requested and the device is there, it homes. At its end it sends zero force, if it can.
+   * Runs on the device's thread until the exchange must stop: homes, sends forces, reports
+   * positions. Every wait has a time limit. After a loss it does nothing until it is stopped; if
+   * homing is requested and the device is connected, it homes. At its end it sends zero force, if
+   * it can.
    */
   virtual void Serve(HardwareExchange& exchange) = 0;
   /** Releases the device. Called after Serve. */
@@ -88,16 +89,16 @@ public:
 
 private:
   void Run();
-  /** Seeks a real-time class for the thread, which does not wait for it. */
+  /** Requests a real-time class for the thread, which does not wait for it. */
   void SeekPriority();
 
   std::unique_ptr<HardwareDriver> Driver;
   HardwareExchange Exchange;
   TrueNewtons Newtons;
   std::thread Thread;
-  std::unique_ptr<ServoPriority> Priority; // of Thread
-  std::thread Request;                     // of SeekPriority; may be missing
-  std::int64_t Process = 0;                // the process that the threads belong to
+  std::unique_ptr<ServoPriority> Priority; // for Thread
+  std::thread Request;                     // runs SeekPriority's request; may be missing
+  std::int64_t Process = 0;                // the process of the threads
   bool IsAbandoned = false;                // in a forked child
 };
 

@@ -169,7 +169,7 @@ void HardwareExchange::SetCondition(DeviceStage stage, const char* text) noexcep
   std::snprintf(condition.Text.data(), condition.Text.size(), "%s", text);
   if (stage == DeviceStage::Ready && this->Stage.load() != DeviceStage::Ready)
   {
-    // Before the stage: the device may also have been ready before, when the servo looks.
+    // Before the stage: when the servo polls, the device may also have been ready before.
     this->TimesReady.fetch_add(1, std::memory_order_release);
   }
   this->Stage.store(stage, std::memory_order_release);
@@ -191,8 +191,8 @@ bool HardwareExchange::HasSlept() noexcept
 {
   const std::int64_t slept = this->ReadAsleep();
   const bool has = slept - this->SleptBefore > ShortestSleep;
-  // If this thread is held up between the two clocks, it sees too little sleep, and would count the
-  // rest as a new one.
+  // If this thread is held up between the two clocks, it measures too little sleep, and would count
+  // the rest as a new sleep.
   this->SleptBefore = std::max(this->SleptBefore, slept);
   if (has)
   {
@@ -228,7 +228,7 @@ DeviceState HardwareExchange::Take(DeviceSample& sample) noexcept
     this->TimeSeen = sample.Time;
     sample.Fresh = isNew;
     sample.Alive = isTold;
-    // The zero may have changed, so the positions from before mean nothing.
+    // The zero may have changed: earlier positions are invalid.
     sample.Begins = isNew && (sample.Begins || !this->IsUnderWay);
     this->IsUnderWay = true;
   }

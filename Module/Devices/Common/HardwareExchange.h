@@ -4,13 +4,12 @@
  * @file
  * The exchange between the servo and the thread that talks to a device.
  *
- * Libraries for USB and HID lock and allocate, so a thread of its own calls them. It hands
- * positions to the servo and takes forces from it through single-producer buffers: the servo never
- * waits, and the device always gets the latest force. A force that the servo stops renewing falls
- * to zero.
+ * Libraries for USB and HID lock and allocate, so a separate thread calls them. It passes positions
+ * to the servo and receives forces from it through single-producer buffers: the servo never waits,
+ * and the device always gets the latest force. A force that the servo stops renewing falls to zero.
  *
- * If this lies in memory that two processes share, that thread may be in the other process
- * (Devices/Guard): this holds values, atomics and a file descriptor of the same number in both.
+ * If the exchange is in memory that two processes share, that thread may be in the other process
+ * (Devices/Guard): it has values, atomics and a file descriptor with the same number in both.
  */
 #ifndef HardwareExchange_h
 #define HardwareExchange_h
@@ -27,7 +26,7 @@ class HardwareExchange
 {
 public:
   /**
-   * After this time (s) without a new force, the last one falls to zero, within the same time
+   * After this time (s) without a new force, the last force falls to zero, within the same time
    * again.
    */
   static constexpr double WatchdogTime = 0.03;
@@ -36,8 +35,8 @@ public:
   using Clock = std::int64_t (*)();
 
   /**
-   * `asleep` tells how long (ns) the computer has been asleep since it was started; null stands for
-   * GetTimeAsleep, which has another address in another process.
+   * `asleep` returns how long (ns) the computer has been asleep since it was started; null stands
+   * for GetTimeAsleep, whose address differs between processes.
    */
   explicit HardwareExchange(Clock asleep = nullptr);
   ~HardwareExchange();
@@ -47,7 +46,7 @@ public:
   ///@{
   /**
    * Called by the servo. The first sample since the device became ready has Begins set. If the
-   * device was not ready for a moment between two calls, the next one still returns NotReady.
+   * device was not ready for a moment between two calls, the next call still returns NotReady.
    */
   DeviceState Take(DeviceSample& sample) noexcept;
   DeviceState Give(const Vector3& force, const Vector3& torque = {}) noexcept;
@@ -63,7 +62,7 @@ public:
   ///@}
 
   ///@{
-  /** Called by the owner. Begin forgets everything, before the device's thread starts. */
+  /** Called by the owner. Begin resets everything, before the device's thread starts. */
   void Begin() noexcept;
   void RequestStop() noexcept;
   DeviceCondition GetCondition() noexcept;
@@ -73,13 +72,13 @@ public:
 
   ///@{
   /**
-   * Called by the device's thread: the requests to it. Lights are below zero if the device shows
-   * its own condition.
+   * Requests to the device, read by its thread. Lights are negative if the device shows its own
+   * condition.
    */
   bool MustStop() const noexcept { return this->StopRequested.load(std::memory_order_acquire); }
   /**
    * Whether homing was requested since the last call. From then on the device is Homing, which the
-   * servo sees even if it is ready again at once; forces from before no longer count.
+   * servo sees even if the device is ready again at once; earlier forces no longer count.
    */
   bool TakeHomeRequest() noexcept;
   /**
@@ -90,34 +89,34 @@ public:
   int GetLights() const noexcept { return this->Lights.load(); }
   /** The order to send now: zero unless the device is ready and the servo alive. */
   DeviceCommand GetCommand() noexcept;
-  /** Its force (N), for a device without torque. */
+  /** The force of the order (N), for a device without torque. */
   Vector3 GetForce() noexcept { return this->GetCommand().Force; }
   /**
-   * The device has that force: it took what was sent, or held the same one already. By this the
-   * servo measures how old positions are in the forces (LoopTiming.h).
+   * Records that the device has this force: it took what was sent, or already held the same force.
+   * From this the servo measures how old positions are in the forces (LoopTiming.h).
    */
   void NoteTaken() noexcept;
   /**
-   * A file descriptor that becomes readable with a force, a stop or a homing request; below zero if
-   * the system has none. ClearWake makes it wait for the next one.
+   * A file descriptor that becomes readable on a force, a stop or a homing request; negative if the
+   * system has none. ClearWake resets it for the next one.
    */
   int GetWakeDescriptor() const noexcept { return this->Wake; }
   void ClearWake() noexcept;
-  /** Waits for one of these, or for a time (ms), and clears it. */
+  /** Waits for one of these events, or for a time (ms), and clears it. */
   void WaitForWake(int time) noexcept;
   ///@}
 
   ///@{
   /**
-   * Called by the device's thread: its news. A sample is a new measurement, of now unless its Time
-   * says when; one with the Time of the last is the same as Confirm. Samples are passed on only
-   * while the device is ready, so tell one before the stage becomes Ready. The first one then has
-   * Begins set, because the hand may have moved before.
+   * Called by the device's thread. A sample is a new measurement, of now unless its Time says when;
+   * a sample with the last one's Time counts as Confirm. Samples are passed on only while the
+   * device is ready, so report one before the stage becomes Ready. The first sample then has Begins
+   * set, because the hand may have moved before.
    */
   void Tell(const DeviceSample& sample) noexcept;
   /**
-   * The device has nothing new to tell and was seen to be alive: the sample told last is where the
-   * tip is now. Only after a Tell since Begin.
+   * Reports that the device is connected and has nothing new: the tip is still at the last sample.
+   * Only after a Tell since Begin.
    */
   void Confirm() noexcept { this->Samples.Write(this->Told); }
   /**
@@ -125,11 +124,11 @@ public:
    * another stage is set, so that nothing resumes by itself.
    */
   void SetCondition(DeviceStage stage, const char* text) noexcept;
-  /** The same with the device's name before a text that is not empty. */
+  /** As above, with the device's name before a text that is not empty. */
   void SetCondition(DeviceStage stage, const char* name, const char* text) noexcept;
   /**
-   * Call it once in every round. True if the computer has slept since the last call: the hand may
-   * have moved unseen, so the device is then Lost.
+   * Call it once in every round. Returns true if the computer has slept since the last call: the
+   * hand may have moved unseen, so the device is then Lost.
    */
   bool HasSlept() noexcept;
   ///@}
@@ -157,8 +156,8 @@ private:
   std::int64_t SleptBefore = 0; ///< used by the device's thread
   bool IsUnderWay = false; ///< used by the servo: it took a sample since the device became ready
   std::uint32_t TimesReadySeen = 0;           ///< used by the servo
-  std::int64_t TimeSeen = 0;                  ///< used by the servo: of the last sample
-  DeviceSample Told;                          ///< used by the device's thread: the last one
+  std::int64_t TimeSeen = 0;                  ///< used by the servo: Time of the last sample
+  DeviceSample Told;                          ///< used by the device's thread: the last sample
   std::atomic<std::uint32_t> TimesReady{ 0 }; ///< how often the device became ready
   TripleBuffer<DeviceSample> Samples;
   TripleBuffer<TimedForce> Forces;

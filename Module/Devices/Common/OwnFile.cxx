@@ -38,7 +38,7 @@ std::string ReasonAgainst(const std::string& path, gid_t trusted, bool isAbove)
       "your own.";
   }
   const mode_t open = trusted != NoGroup && info.st_gid == trusted ? S_IWOTH : S_IWGRP | S_IWOTH;
-  // The mode of a link means nothing: its folder says who can replace it.
+  // The mode of a link does not count: its folder determines who can replace it.
   const bool isOpen = !S_ISLNK(info.st_mode) && (info.st_mode & open) != 0;
   const bool isSticky = S_ISDIR(info.st_mode) && (info.st_mode & S_ISVTX) != 0;
   return !isOpen || (isAbove && isSticky)
@@ -122,7 +122,7 @@ gid_t FindPrivateGroup()
 std::string FindOwnFile(const std::string& path, gid_t trusted, std::string& error)
 {
   namespace fs = std::filesystem;
-  // Others may neither add links to the folder that is searched nor replace the file.
+  // Others may neither add links to the searched folder nor replace the file.
   const std::string folder = Resolve(fs::path(path).parent_path().string(), trusted, error);
   const std::string real = error.empty() ? Resolve(path, trusted, error) : std::string();
   std::error_code ignored;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A virtual tip that is led by its speed, for devices that are pushed rather than moved.
+ * A virtual tip whose speed a device controls, for devices that are pushed rather than moved.
  *
- * In the tip's frame x is to the right, y up and z towards the hand. The tip stays in a ball about
- * the origin, in which it begins.
+ * In the tip's frame x is to the right, y up and z towards the hand. The tip starts at the origin
+ * and stays in a ball around it.
  */
 #ifndef RateTip_h
 #define RateTip_h
@@ -18,22 +18,22 @@ namespace VolumeHaptics
 class RateTip
 {
 public:
-  static constexpr double FullSpeed = 0.1; ///< m/s, of the tip at a full push
+  static constexpr double FullSpeed = 0.1; ///< m/s, the tip's at a full push
   static constexpr double FullTurn = 1.0;  ///< rad/s, at a full turn
-  static constexpr double Radius = 0.1;    ///< m: of the ball in which the tip stays
+  static constexpr double Radius = 0.1;    ///< m: radius of the ball
 
-  /** To the origin, at rest. */
+  /** Puts the tip at the origin, at rest. */
   void Begin(HardwareExchange& exchange) noexcept;
   /**
-   * Moves it by the time since the last call, and tells where it is. Pushes and turns are of norm 0
-   * to 1 each. A device that is let go may say nothing: where the tip stays is known all the same,
-   * since nothing but this moves it.
+   * Moves the tip by the time since the last call, and reports it. The norms of push and turn are 0
+   * to 1. A released device may send nothing: the tip's place is known all the same, since only
+   * this function moves it.
    */
   void Move(HardwareExchange& exchange, const Vector3& push, const Vector3& turn,
     std::uint32_t buttons) noexcept;
 
 private:
-  DeviceSample Told; ///< the last one
+  DeviceSample Told; ///< the last sample
   std::int64_t LastRound = 0;
 };
 

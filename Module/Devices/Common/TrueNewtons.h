@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From true newtons to those that a driver is asked for: the last step before a device.
+ * Converts true newtons to a driver's newtons: the last step before a device.
  */
 #ifndef TrueNewtons_h
 #define TrueNewtons_h
@@ -25,7 +25,7 @@ public:
     this->MostAsked.store(most);
     this->Scale.store(scale);
   }
-  /** A device that is stronger than its driver thinks stays within what the driver allows. */
+  /** The limits of a device in true newtons, within what the driver allows. */
   DeviceLimits LimitsOf(DeviceLimits limits) const noexcept
   {
     limits.MaximumForce *= std::min(1.0, this->Scale.load());

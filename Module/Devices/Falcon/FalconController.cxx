@@ -120,7 +120,7 @@ void FalconController::FollowHoming(const FalconReport& report) noexcept
   DeviceSample sample;
   sample.Tip = pose.Position - FalconMiddle;
   sample.Buttons = FalconButtonsOf(report.Buttons);
-  // Before the stage becomes Ready, so that no older sample is taken for this one.
+  // Before the stage becomes Ready, so that no older sample is used instead of this one.
   this->Exchange.Tell(sample);
 }
 

@@ -49,12 +49,12 @@ public:
 
   /** Takes the latest report, and the time (s) since the last call of this or of Miss. */
   void Take(const FalconReport& report, double elapsed) noexcept;
-  /** Notes that a packet was not answered in time. `why` may be nullptr. */
+  /** Records that a packet was not answered in time. `why` may be nullptr. */
   void Miss(double elapsed, const char* why) noexcept;
 
   /** From now on all commands are zero, until Restart. `text` says what is wrong, and the cure. */
   void Lose(const char* text) noexcept;
-  /** The same, if the exchange has been told why. */
+  /** As Lose, if the exchange already has the reason. */
   void Stop() noexcept { this->IsStopped = true; }
   bool IsLost() const noexcept { return this->IsStopped; }
 
@@ -62,9 +62,9 @@ public:
   void Restart() noexcept;
 
   /**
-   * The packet to send now. Motors get the servo's force while the device is ready, else zero. The
-   * colours are those of homing; then green, blue while there is force, red after a loss. SetLights
-   * replaces them except while homing, when they guide the hand.
+   * The packet to send now. Motors get the servo's force while the device is ready, else zero.
+   * While homing, the colours show its progress; then green, blue while there is force, red after a
+   * loss. SetLights replaces them except while homing, when they guide the hand.
    */
   FalconOrder GetOrder() noexcept;
 
@@ -75,7 +75,7 @@ private:
 
   HardwareExchange& Exchange;
   FalconHoming Homing;
-  FalconHomingState Told = FalconHomingState::Ready; ///< the last state that the condition told
+  FalconHomingState Told = FalconHomingState::Ready; ///< the last state in the condition
   FalconPose Pose;
   double SincePose = 0.0; ///< s
   int Missed = 0;         ///< in a row

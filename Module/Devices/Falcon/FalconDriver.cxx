@@ -46,7 +46,7 @@ FalconDriver::FalconDriver(int number, DeviceOptions options)
 
 std::vector<std::string> FalconDriver::MakeWords(int number, const DeviceOptions& options)
 {
-  // Integers are written alike in all languages. Centuries are as good as for ever.
+  // Integers are written alike in all locales. Centuries are as good as for ever.
   const double time = std::clamp(options.HomingTime, 0.0, 1e9) * MicrosecondsPerSecond;
   return { "falcon", std::to_string(number), std::to_string(std::llround(time)),
     options.FirmwareFile };
@@ -73,7 +73,7 @@ DeviceLimits FalconDriver::GetLimits() const
 
 std::string FalconDriver::GetIdentity() const
 {
-  // A guard may have the device: it is looked for anew.
+  // A guard may have the device: look for it anew.
   std::string error;
   const UsbContext context = MakeUsbContext(error);
   const std::vector<UsbDevice> devices =
@@ -121,7 +121,7 @@ void FalconDriver::Serve(HardwareExchange& exchange)
     {
       exchange.SetCondition(DeviceStage::Lost, GoneText);
     }
-    // A device that is unplugged does not come back by homing.
+    // Homing does not bring back an unplugged device.
     while (!exchange.MustStop() && (end == End::Gone || !exchange.TakeHomeRequest()))
     {
       if (end == End::Gone)

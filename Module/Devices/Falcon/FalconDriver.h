@@ -23,7 +23,7 @@ public:
   FalconDriver(int number, DeviceOptions options);
 
   ///@{
-  /** The same as words on a command line, there and back. Null, with the reason. */
+  /** Converts the arguments to words on a command line, and back. Null, with the reason. */
   static std::vector<std::string> MakeWords(int number, const DeviceOptions& options);
   static std::unique_ptr<HardwareDriver> MakeFromWords(
     const std::vector<std::string>& words, std::string& error);
@@ -32,13 +32,13 @@ public:
   std::string GetName() const override { return this->Name; }
   DeviceLimits GetLimits() const override;
   std::string GetIdentity() const override;
-  /** If the firmware does not run, the image has to exist; Serve loads it. */
+  /** If the firmware does not run, the image must exist; Serve loads it. */
   bool Connect(std::string& error) override;
   void Serve(HardwareExchange& exchange) override;
   void Disconnect() noexcept override { this->Usb.Close(); }
 
 private:
-  /** The end of a part of a session. */
+  /** How a part of a session ended. */
   enum class End
   {
     Done,
@@ -52,7 +52,7 @@ private:
   const DeviceOptions Options;
   std::string Name;
   UsbInterface Usb;
-  std::vector<std::uint8_t> Firmware; ///< empty if it runs already
+  std::vector<std::uint8_t> Firmware; ///< empty if the firmware runs already
 };
 
 } // namespace VolumeHaptics

@@ -21,14 +21,14 @@ namespace VolumeHaptics
 
 enum class FalconHomingState : std::uint8_t
 {
-  OutAndIn, ///< the hand is asked to pull the grip fully out, then to push it fully in
-  Out,      ///< homed; the hand is asked to pull the grip out
+  OutAndIn, ///< the hand must pull the grip fully out, then push it fully in
+  Out,      ///< homed; the hand must pull the grip out
   Ready,
   TimedOut, ///< until Restart
   Lost      ///< the encoders lost their zero after homing; until Restart
 };
 
-/** The request to the hand, in words, for a status. */
+/** What the hand has to do, in words. */
 const char* FalconHomingText(FalconHomingState state) noexcept;
 
 /** The distance (m) from the base beyond which the grip is ready. */
@@ -43,7 +43,7 @@ public:
   {
   }
 
-  /** Begins again. Needed after a time-out, and always after the device was gone. */
+  /** Begins again. Necessary after a time-out, and always after the device was disconnected. */
   void Restart() noexcept;
 
   /**
@@ -53,7 +53,7 @@ public:
   void Update(double elapsed, const FalconReport* report) noexcept;
 
   FalconHomingState GetState() const noexcept { return this->State; }
-  /** The encoders that are not homed, a bit each. */
+  /** The encoders that are not homed, one bit each. */
   std::uint8_t GetMissing() const noexcept { return this->Missing; }
   /**
    * The packet to send: zero for the motors, the homing bit, and a colour that shows the progress.

@@ -211,7 +211,7 @@ bool FalconInverse(const Vector3& position, Vector3& angles) noexcept
     {
       return false;
     }
-    // By the quotient's two parts, so that a vanishing l2 is no division by zero.
+    // As a quotient of two parts, so that a vanishing l2 is no division by zero.
     const double over = -l1 - std::sqrt(square);
     found[i] = 2.0 * std::atan2(std::copysign(1.0, l2) * over, 2.0 * std::fabs(l2));
   }

@@ -36,7 +36,7 @@ enum class FalconReach : std::uint8_t
   NotConverged ///< FalconMostSteps did not suffice
 };
 
-constexpr int FalconMostSteps = 20; ///< of Newton's iteration; within the workspace it takes 4 to 8
+constexpr int FalconMostSteps = 20; ///< of Newton's iteration; within the workspace, 4 to 8
 
 /** The position of the grip; meaningless unless Reach is Reached, but always finite. */
 struct FalconPose

@@ -11,7 +11,7 @@ namespace
 {
 constexpr FtdiRequest PrepareRequests[] = { FtdiPurgeTransmit, FtdiPurgeReceive, FtdiLatency(16),
   FtdiBaud(FalconGreetingBaud), Ftdi8N1, FtdiNoFlowControl, FtdiRtsLow, FtdiDtrLow, FtdiDtrHigh };
-// A late answer to the last greeting must not be taken for one to the next.
+// A late answer to the last greeting must not count as the answer to the next.
 constexpr FtdiRequest GreetAgainRequests[] = { FtdiPurgeReceive };
 constexpr FtdiRequest SpeedUpRequests[] = { FtdiDtrLow, FtdiBaud(FalconLoadingBaud) };
 

@@ -5,8 +5,8 @@
  * The dialogue that loads the Novint Falcon's firmware, as a state machine without a transport.
  *
  * The firmware is not part of this project and must not be: the user names a file. A device that
- * already runs it needs no loading, so probe first: send FalconRunRequests and a run packet, and
- * see whether a report comes back.
+ * already runs the firmware needs no loading, so probe first: send FalconRunRequests and a run
+ * packet, and see whether a report comes back.
  *
  * Not verified on hardware.
  */
@@ -23,7 +23,7 @@ namespace VolumeHaptics
 constexpr std::uint16_t FalconGreetingBaud = 0x4138; ///< 9600 baud
 constexpr std::uint16_t FalconLoadingBaud = 0x0015;  ///< about 140 000 baud
 constexpr std::uint16_t FalconRunBaud = 0x0002;
-constexpr std::size_t FalconBlockSize = 62; ///< of the image: the room beside the status bytes
+constexpr std::size_t FalconBlockSize = 62; ///< bytes of the image that fit beside the status bytes
 constexpr int FalconMostGreetings = 100;
 
 /** The steps before run packets go back and forth. */
@@ -33,27 +33,27 @@ constexpr std::array<FtdiRequest, 4> FalconRunRequests = { FtdiLatency(1), FtdiB
 enum class FalconLoaderFault : std::uint8_t
 {
   None,
-  NoImage,        ///< there is nothing to load
+  NoImage,        ///< the image is empty
   Refused,        ///< a request or a write did not go through
-  NoGreeting,     ///< FalconMostGreetings without an answer to the last one
-  WrongGreeting,  ///< the last greeting had another answer
+  NoGreeting,     ///< no answer to any of FalconMostGreetings greetings
+  WrongGreeting,  ///< wrong answer to the last greeting
   NoHandshake,    ///< no answer at the loading rate
-  WrongHandshake, ///< another answer
+  WrongHandshake, ///< wrong answer at the loading rate
   NoEcho,         ///< a block of the image did not come back in time
-  WrongEcho       ///< it came back different, or with more behind it
+  WrongEcho       ///< a block came back different, or with more bytes behind it
 };
 
-/** In words, for a status. */
+/** The fault in words. */
 const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept;
 
-/** The step that the transport has to take now. */
+/** The transport's next step. */
 struct FalconLoaderStep
 {
   enum class Kind : std::uint8_t
   {
-    Request, ///< send Request, then say Done
-    Write,   ///< write Size Bytes, then say Done
-    Read,    ///< read; Size bytes are still due; say Receive or TimeOut
+    Request, ///< send Request, then call Done
+    Write,   ///< write Size Bytes, then call Done
+    Read,    ///< read; Size bytes are still due; call Receive or TimeOut
     Finished,
     Failed
   };
@@ -114,12 +114,12 @@ private:
 
   FtdiPayload Image;
   std::size_t NextRequest = 0;
-  std::size_t Offset = 0;  ///< of the block in the image
+  std::size_t Offset = 0;  ///< the block's, in the image
   std::size_t Matched = 0; ///< bytes of the answer so far
   std::size_t Confirmed = 0;
   int Greetings = 0;
   bool Reading = false;
-  bool ZeroTaken = false; ///< the one that may come before the answer to a greeting
+  bool ZeroTaken = false; ///< the zero that may precede the answer to a greeting
   Stage Now = Stage::Prepare;
   FalconLoaderFault Fault = FalconLoaderFault::None;
 };

@@ -7,8 +7,8 @@
  *
  * Byte 0 is '<' and byte 15 is '>'. Each byte between them is 0x41 plus a payload. Bytes 1 to 12
  * are three 16-bit numbers of four nibbles each, the low nibble first: motor commands to the
- * device, encoder counts back. Byte 13 carries bits. Byte 14 carries nothing that is known: 'A' is
- * sent, and any value is accepted.
+ * device, encoder counts back. Byte 13 carries bits. Byte 14 has no known meaning: 'A' is sent, and
+ * any value is accepted.
  *
  * Pure functions for the servo loop: no allocation, no exception. Not verified on hardware.
  */
@@ -76,7 +76,7 @@ enum class FalconFlaw : std::uint8_t
   End     ///< no '>' at the end
 };
 
-/** In words, for a status. */
+/** The fault in words. */
 const char* FalconFlawText(FalconFlaw flaw) noexcept;
 
 /** The fault in a byte (0 to 255) at an index (0 to 15) in a packet. */
@@ -89,11 +89,10 @@ FalconPacket FalconEncode(const FalconReport& report) noexcept;
 ///@}
 
 /**
- * An order as it goes to a running device: always with FalconHome. libnifalcon also sets that bit
- * in every packet while its homing mode is on (formatInput() in
- * src/firmware/FalconFirmwareNovintSDK.cpp). Its FalconFirmwareNovintSDK.h describes the bits of
- * homed encoders with "(If homing mode on)": no source says what they mean after a packet without
- * FalconHome.
+ * An order for a running device: always with FalconHome. libnifalcon also sets that bit in every
+ * packet while its homing mode is on (formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp).
+ * Its FalconFirmwareNovintSDK.h describes the bits of homed encoders with "(If homing mode on)": no
+ * source says what they mean after a packet without FalconHome.
  */
 FalconPacket FalconRunPacket(FalconOrder order) noexcept;
 

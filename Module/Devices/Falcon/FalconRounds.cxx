@@ -45,7 +45,7 @@ FalconRounds::~FalconRounds()
   this->Finish();
   if (this->Flight->AreFlying())
   {
-    // The system still holds them: closing the device takes them away, not before.
+    // The system still uses them: only closing the device releases them.
     static_cast<void>(this->Flight.release());
   }
 }
@@ -142,7 +142,7 @@ void FalconRounds::TransferEnded(UsbTransfer& transfer, UsbOutcome outcome) noex
   this->InStalled = this->InStalled || (!isOut && outcome == UsbOutcome::Stalled);
   if (outcome > UsbOutcome::Cancelled)
   {
-    // There is no answer to wait for: zero goes out at once.
+    // No answer is expected: zero goes out at once.
     this->Turns.Abandon();
   }
   if (isOut && outcome == UsbOutcome::Done)

@@ -26,11 +26,11 @@ public:
   /** The longest time (ns) without a packet. */
   static constexpr std::int64_t IdleTime = 2000000;
 
-  /** Both outlive this. */
+  /** Both must outlive this object. */
   FalconRounds(UsbInterface& usb, HardwareExchange& exchange);
   /**
-   * If the device is there, sends zero commands and waits until they are sent, for a fraction of a
-   * second at most.
+   * If the device is connected, sends zero commands and waits until they are sent, for a fraction
+   * of a second at most.
    */
   ~FalconRounds();
 
@@ -41,7 +41,7 @@ public:
   /** The event that ended the last Wait. */
   bool HasReport() const noexcept { return this->Reported; }
   const FalconReport& GetReport() const noexcept { return this->Report; }
-  /** A packet was not answered in time; GetGarbage says why, or is nullptr. */
+  /** Whether a packet was not answered in time; GetGarbage says why, or is nullptr. */
   bool HasMissed() const noexcept { return this->Missed; }
   const char* GetGarbage() const noexcept;
   /**
@@ -81,7 +81,7 @@ private:
   std::unique_ptr<Transfers> Flight;
   FalconStream Stream;
   FalconReport Report;
-  std::uint32_t DroppedBefore = 0; ///< the count at the last report
+  std::uint32_t DroppedBefore = 0; ///< GetDropped at the last report
   FalconTurns Turns;
   std::int64_t SentAt = 0;
   bool Woken = false;

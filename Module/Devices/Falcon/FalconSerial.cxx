@@ -23,7 +23,7 @@ constexpr unsigned int AnswerTime = 500;
 constexpr int PacketsAfterLoading = 40;
 constexpr std::int64_t NanosecondsPerMillisecond = 1000000;
 
-/** The trouble is why the try before failed. */
+/** `trouble` is why the last try failed. */
 void TellProgress(HardwareExchange& exchange, int attempt, const std::string& trouble, int percent)
 {
   char text[160];
@@ -72,7 +72,7 @@ bool IsOver(const FalconLoader& loader) noexcept
   return what == FalconLoaderStep::Kind::Finished || what == FalconLoaderStep::Kind::Failed;
 }
 
-/** Loaded says that the whole image came back, not that it runs. */
+/** Loaded means that the whole image came back, not that it runs. */
 FalconLoading TryToLoad(FalconSerial& serial, const std::vector<std::uint8_t>& image, int attempt,
   HardwareExchange& exchange, std::string& trouble)
 {
@@ -193,7 +193,7 @@ bool FalconSerial::Runs(int packets) noexcept
     std::array<std::uint8_t, FtdiPacketSize + FtdiStatusSize> transfer{};
     std::array<std::uint8_t, FtdiPacketSize> bytes;
     FalconReport report;
-    // Limits the time even if it sends something else than a report.
+    // Limits the time even if the device sends other bytes than a report.
     const std::int64_t end = ServoClock::Now() + ReportTime * NanosecondsPerMillisecond;
     for (int size = 1; size > 0 && ServoClock::Now() < end;)
     {

@@ -16,7 +16,7 @@ namespace VolumeHaptics
 {
 
 ///@{
-/** The endpoints of its serial converter. */
+/** The endpoints of the Falcon's serial converter. */
 constexpr std::uint8_t FalconOut = 0x02;
 constexpr std::uint8_t FalconIn = 0x81;
 ///@}
@@ -29,7 +29,7 @@ public:
   {
   }
 
-  /** Closes the device and opens it again. False, with GetError. */
+  /** Closes the device and opens it again. False on failure, see GetError. */
   bool Reopen() noexcept;
   bool IsOpen() const noexcept { return this->Usb.IsOpen(); }
 
@@ -40,7 +40,7 @@ public:
   ///@}
   /**
    * Reads the first bytes that come within a time (ms), without the converter's status bytes.
-   * Returns their number, 0 for none, below zero if the transfer failed.
+   * Returns their number, 0 if none came, negative if the transfer failed.
    */
   int Read(std::array<std::uint8_t, FtdiPacketSize>& bytes, unsigned int time) noexcept;
   /** The last error of libusb. */
@@ -60,7 +60,7 @@ private:
 enum class FalconLoading : std::uint8_t
 {
   Loaded,
-  Stopped, ///< the exchange must stop, or has been told the reason
+  Stopped, ///< the exchange must stop, or already has the reason
   Failed,
   Gone
 };
@@ -69,8 +69,8 @@ enum class FalconLoading : std::uint8_t
 constexpr int FalconLoadingTries = 10;
 
 /**
- * Loads the firmware, on the device's thread. This takes seconds: it tells the exchange its
- * progress and waits for the firmware to run. After a failure it closes the device, opens it and
+ * Loads the firmware, on the device's thread. This takes seconds: it reports its progress to the
+ * exchange and waits for the firmware to run. After a failure it closes the device, opens it and
  * loads again. If the last try fails, the text says why.
  */
 FalconLoading LoadFalcon(FalconSerial& serial, const std::vector<std::uint8_t>& image,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Reports out of the bulk IN transfers of a Novint Falcon, for the servo loop.
+ * Extracts reports from the bulk IN transfers of a Novint Falcon, for the servo loop.
  */
 #ifndef FalconStream_h
 #define FalconStream_h
@@ -13,9 +13,9 @@ namespace VolumeHaptics
 {
 
 /**
- * Assembles packets that are split across transfers, and finds the next packet behind bytes that
- * belong to none. A byte that can't be at its index drops all bytes before the next '<', also among
- * those that wait: a packet that was cut off never spoils the following one.
+ * Assembles packets that are split across transfers, and skips bytes that belong to no packet. A
+ * byte that can't be at its index drops all bytes before the next '<', also among waiting bytes: a
+ * packet that was cut off never spoils the following one.
  *
  * Needs a fixed 16 bytes; the work is proportional to the bytes that arrive.
  */
@@ -23,17 +23,17 @@ class FalconStream
 {
 public:
   /**
-   * Takes a bulk IN transfer with the converter's status bytes. Returns how many reports were
+   * Processes a bulk IN transfer with the converter's status bytes. Returns how many reports were
    * completed; `report` becomes the last of them, and is unchanged if there is none.
    */
   int Take(const std::uint8_t* transfer, std::size_t size, FalconReport& report) noexcept;
 
-  /** Forgets the waiting bytes, as after a purge, and the counts. */
+  /** Drops the waiting bytes, as after a purge, and resets the counts. */
   void Restart() noexcept { *this = {}; }
 
   /** How many bytes were dropped since the start; saturates. */
   std::uint32_t GetDropped() const noexcept { return this->Dropped; }
-  /** Why the last ones were dropped. */
+  /** Why the last bytes were dropped. */
   FalconFlaw GetFlaw() const noexcept { return this->Flaw; }
 
 private:

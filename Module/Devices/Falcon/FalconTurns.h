@@ -6,11 +6,11 @@
  *
  * The device answers every packet with one report, and the host sends the next packet after that.
  * If an answer is late, the host has to send again without it, and then two answers are on their
- * way. If the host took the first of them for the answer to its latest packet, it would be one
- * round behind from then on, and would read each position a round late. So after a missed answer
- * the host drains the line: once an answer comes, it sends nothing until the line has been silent
- * for SilentTime. It does so until as many answers have come as packets were sent, or for
- * MostDoubts rounds; missing answers then count as lost.
+ * way. If the host took the first one for the answer to its latest packet, it would be one round
+ * behind from then on, and would read each position a round late. So after a missed answer the host
+ * drains the line: once an answer comes, it sends nothing until the line has been silent for
+ * SilentTime. It does so until as many answers have come as packets were sent, or for MostDoubts
+ * rounds; missing answers then count as lost.
  *
  *   turns.Sent(now);
  *   ...
@@ -40,11 +40,11 @@ public:
   static constexpr int MostDoubts = 3;
   ///@}
 
-  /** Notes that a packet was sent (ns). */
+  /** Records that a packet was sent (ns). */
   void Sent(std::int64_t now) noexcept;
-  /** Notes that reports came. */
+  /** Records that reports came. */
   void Answered(std::int64_t now, int reports) noexcept;
-  /** Notes that the transfer failed: there is no answer to wait for. */
+  /** Records that the transfer failed: there is no answer to wait for. */
   void Abandon() noexcept;
 
   /**
@@ -70,7 +70,7 @@ private:
   static constexpr int MostOwed = 1000;
 
   Side Turn = Side::Host;
-  int Owed = 0;           ///< answers that have not come
+  int Owed = 0;           ///< answers still due
   int Doubts = 0;         ///< the largest number of rounds that still drain the line
   std::int64_t Since = 0; ///< ns: the last packet or answer
 };

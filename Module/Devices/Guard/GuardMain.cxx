@@ -55,7 +55,10 @@ void CloseOthers(std::vector<int> kept)
 #endif
 }
 
-/** Signals for all threads from here on; a file descriptor that SIGTERM makes readable. */
+/**
+ * Blocks signals for all threads from here on; returns a file descriptor that SIGTERM makes
+ * readable.
+ */
 int TakeSignals()
 {
   // Before there are threads. A crash still ends the process.
@@ -68,8 +71,8 @@ int TakeSignals()
 
 /**
  * Waits for the end of the program, in any way: the link hangs up when its last file descriptor is
- * closed, by exit or exec, and a process that is gone makes its own descriptor readable even if a
- * child of it still holds the link.
+ * closed, by exit or exec, and an ended process makes its own descriptor readable even if one of
+ * its children still holds the link.
  */
 void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange)
 {
@@ -77,7 +80,8 @@ void WaitForParent(int link, int parent, int signals, HardwareExchange& exchange
 #if defined(SYS_pidfd_open)
   process = static_cast<int>(syscall(SYS_pidfd_open, parent, 0u));
 #endif
-  // It may have died before its descriptor was opened, and its number may be another's by now.
+  // The program may have died before its descriptor was opened, and its number may belong to
+  // another process by now.
   const bool isGone = getppid() != parent;
   std::array<pollfd, 3> watched{ { { link, 0, 0 }, { process, POLLIN, 0 },
     { signals, POLLIN, 0 } } };
@@ -149,7 +153,7 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (Answer(link, '+', driver->GetName()))
   {
     ServoPriority::RaiseThread();
-    // As far as the user may: without it a page may have to be read from the disk first.
+    // As far as the user may: otherwise a page may have to be read from the disk first.
     mlockall(MCL_CURRENT);
     Serve(*driver, exchange);
   }

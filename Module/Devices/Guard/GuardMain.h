@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The guard's own side: what its program does between its first line and its last.
+ * The guard's own side: everything that its program does.
  */
 #ifndef GuardMain_h
 #define GuardMain_h
@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** Makes a driver of the words of GuardedDevice. Null, with the reason. */
+/** Makes a driver from the words of GuardedDevice. Null, with the reason. */
 using GuardedDriverMaker = std::function<std::unique_ptr<HardwareDriver>(
   const std::vector<std::string>& words, std::string& error)>;
 

@@ -14,7 +14,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Changes with what the two sides say to each other beside the exchange. */
+/** Changes whenever the two sides exchange something new in addition to the exchange. */
 constexpr int Protocol = 1;
 
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The memory that a program and its guard share: an exchange, and nothing else.
+ * The memory that a program and its guard share: an exchange only.
  *
- * It has no name in the file system. The guard gets it as an inherited file descriptor, and it goes
- * away with the last of the two processes.
+ * It has no name in the file system. The guard inherits it as a file descriptor, and it disappears
+ * with the last of the two processes.
  */
 #ifndef GuardMemory_h
 #define GuardMemory_h
@@ -24,19 +24,18 @@ public:
   GuardMemory& operator=(const GuardMemory&) = delete;
 
   /**
-   * The program's side: new memory with an exchange that was never used. It takes the place of the
-   * old one, whose address stays the same, so that a guard of before reaches nothing any more.
-   * False, with the reason.
+   * The program's side: new memory with an unused exchange. It replaces the old memory, at the same
+   * address, so that an earlier guard no longer reaches it. False, with the reason.
    */
   bool Renew(std::string& error);
   /** The guard's side: the memory behind an inherited file descriptor. False, with the reason. */
   bool Adopt(int descriptor, std::string& error);
 
-  /** Below zero without memory. */
+  /** Negative without memory. */
   int GetDescriptor() const noexcept { return this->Descriptor; }
   HardwareExchange& GetExchange() noexcept { return *this->Exchange; }
 
-  /** The layout of the memory as this build has it. A guard with another layout does not start. */
+  /** The layout of the memory in this build. A guard with another layout does not start. */
   static std::string GetLayout();
 
 private:
@@ -46,7 +45,7 @@ private:
   int Descriptor = -1;
   void* Address = nullptr;
   HardwareExchange* Exchange = nullptr;
-  bool IsOwner = false; ///< the program's, which made the exchange
+  bool IsOwner = false; ///< the program, which made the exchange
 };
 
 } // namespace VolumeHaptics

@@ -27,7 +27,7 @@ namespace
 
 const char* const Variable = "VOLUMEHAPTICS_GUARD";
 const char* const ProgramName = "volumehaptics-guard";
-/** ms: opening a device that answers nothing takes a few seconds. */
+/** ms: opening a device that does not answer takes a few seconds. */
 constexpr int OpeningTime = 20000;
 constexpr int MostFoldersUp = 6;
 
@@ -49,7 +49,8 @@ public:
     posix_spawnattr_setsigmask(&this->Attributes, &signals);
     sigfillset(&signals);
     posix_spawnattr_setsigdefault(&this->Attributes, &signals);
-    // A group of its own: Ctrl+C and Ctrl+Z in a terminal go to the program, not to its guard.
+    // A separate process group: Ctrl+C and Ctrl+Z in a terminal go to the program, not to its
+    // guard.
     posix_spawnattr_setpgroup(&this->Attributes, 0);
     posix_spawnattr_setflags(
       &this->Attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
@@ -120,7 +121,7 @@ std::string FindGuardProgram(std::string& error)
   {
     program = FindGuardNear(info.dli_fname, obstacle);
   }
-  // This library may be part of the program itself, which is known by its first argument only.
+  // This library may be part of the program itself: then only its first argument identifies it.
   program = program.empty() ? FindGuardNear("/proc/self/exe", obstacle) : program;
   if (program.empty())
   {
@@ -194,7 +195,7 @@ bool GuardProcess::Spawn(
 
 bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
 {
-  // One line: '+' and the name, or '-' and what is wrong.
+  // One line: '+' and the name, or '-' and the fault.
   std::string answer;
   const std::int64_t end = ServoClock::Now() + OpeningTime * ServoClock::Millisecond;
   pollfd watched = { this->Link, POLLIN, 0 };
@@ -226,7 +227,7 @@ bool GuardProcess::ReadAnswer(std::string& name, std::string& error)
 
 bool GuardProcess::HasEnded(int time) const noexcept
 {
-  pollfd watched = { this->Link, 0, 0 }; // a hangup is always told
+  pollfd watched = { this->Link, 0, 0 }; // poll always reports a hangup
   return this->Link < 0 || (poll(&watched, 1, time) > 0 && watched.revents != 0);
 }
 
@@ -254,7 +255,7 @@ bool GuardProcess::End(std::string& how)
     {
       result = waitpid(this->Process, &status, 0);
     } while (result < 0 && errno == EINTR);
-    // The program may have asked the system not to keep it, or have taken it itself.
+    // The program may have asked the system to discard the status, or have read it itself.
     isWell = result != this->Process || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
     if (!isWell)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The guard as a process of its own: found, started, waited for.
+ * The guard as a separate process: finds it, starts it, and waits for it.
  */
 #ifndef GuardProcess_h
 #define GuardProcess_h
@@ -17,14 +17,14 @@ namespace VolumeHaptics
 {
 
 /**
- * The guard's program: what the environment variable VOLUMEHAPTICS_GUARD names, else the one near
+ * The guard's program: the one in the environment variable VOLUMEHAPTICS_GUARD, else the one near
  * this library. Empty, with the reason and the cure.
  */
 std::string FindGuardProgram(std::string& error);
 /**
  * volumehaptics-guard in or above the folder of a file, or in a folder "bin" there. It runs with
- * all rights of the user, so one that another user could have written is passed over: then the
- * obstacle says why, unless it says something already.
+ * all rights of the user, so a program that another user could have written is skipped: then the
+ * obstacle says why, unless it has a text already.
  */
 std::string FindGuardNear(const std::string& file, std::string& obstacle);
 
@@ -32,28 +32,28 @@ class GuardProcess
 {
 public:
   GuardProcess() = default;
-  /** Ends it. */
+  /** Ends the process. */
   ~GuardProcess();
   GuardProcess(const GuardProcess&) = delete;
   GuardProcess& operator=(const GuardProcess&) = delete;
 
   /**
-   * Starts it and waits until it has the device: then its name for people. False, with the reason
-   * and the cure. The device is what the guard makes a driver of.
+   * Starts the process and waits until it has the device; returns the device's name for people.
+   * False, with the reason and the cure. The guard makes the driver of the device from the words.
    */
   bool Start(GuardMemory& memory, const std::vector<std::string>& device, std::string& name,
     std::string& error);
 
-  /** Whether it has ended; waits for that for a time (ms). */
+  /** Whether the process has ended; waits for that for a time (ms). */
   bool HasEnded(int time) const noexcept;
-  /** Whether it was stopped by a signal since the last call. */
+  /** Whether a signal has stopped the process since the last call. */
   bool HasStopped() const noexcept;
   /**
-   * Kills it if it goes on. Whether it had ended by itself, as it does when it is asked to; and how
-   * it ended, in words.
+   * Kills the process if it goes on. Returns whether it had ended by itself, as it does on request;
+   * and how it ended, in words.
    */
   bool End(std::string& how);
-  /** In a forked child: the process is the parent's. */
+  /** In a forked child: the guard belongs to the parent. */
   void Abandon() noexcept;
 
 private:

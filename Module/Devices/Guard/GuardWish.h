@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Whether the user wants a guard. On all systems, unlike the guard itself.
+ * Whether the user wants a guard. Available on all systems, unlike the guard itself.
  */
 #ifndef GuardWish_h
 #define GuardWish_h

@@ -101,7 +101,7 @@ void GuardedDevice::Watch()
   this->EndedCondition = this->GetExchange().GetCondition();
   if (!hasEndedByItself || this->EndedCondition.Stage != DeviceStage::Lost)
   {
-    // It has not said why.
+    // The guard has given no reason.
     this->EndedCondition.Stage = DeviceStage::Lost;
     std::snprintf(this->EndedCondition.Text.data(), this->EndedCondition.Text.size(),
       "The guard process, which talks to the device, %s. Zero force was sent in its place, if that "
@@ -119,7 +119,7 @@ void GuardedDevice::Rescue() noexcept
   {
     std::string ignored;
     bool isDone = false;
-    // The system may take a moment until it lets another process have the device.
+    // The system may take a moment until it gives the device to another process.
     for (int attempt = 0; attempt < RescueAttempts && !isDone; ++attempt)
     {
       isDone = this->Driver->Connect(ignored);
@@ -129,7 +129,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // Such as no memory: there is nothing more that could be done.
+    // Such as no memory: nothing more can be done.
   }
 }
 
@@ -139,7 +139,7 @@ void GuardedDevice::Close()
   {
     if (!this->IsAbandoned)
     {
-      // The thread is not here, and the guard goes on for the parent.
+      // The thread does not exist in this process, and the guard goes on for the parent.
       static_cast<void>(new std::thread(std::move(this->Watcher)));
       this->Guard.Abandon();
       static_cast<void>(this->Driver.release());

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that a guard talks to: a small process of its own, which outlives this one.
+ * A device that a guard talks to: a small separate process, which outlives this one.
  *
  * A device without a watchdog keeps its last force if the program that talks to it dies, or is
  * stopped. So the program does not talk to it: the guard does, and the two share an exchange
- * (HardwareExchange.h) in memory. To the servo that is the same as a thread of its own: it neither
- * waits nor locks. A force that is not renewed within 50 ms becomes zero in the guard, whatever the
- * reason; if the program is gone, by whatever end, the guard is told by the system, sends zero at
- * once, lets go of the device and ends.
+ * (HardwareExchange.h) in memory. For the servo this is the same as a separate thread: it neither
+ * waits nor locks. A force that is not renewed within 50 ms becomes zero in the guard, for any
+ * reason; if the program ends in any way, the system notifies the guard, which sends zero at once,
+ * releases the device and ends.
  *
  *   program                          guard (volumehaptics-guard)
  *   servo ---- force ---> exchange ---> driver ---> device
@@ -17,7 +17,7 @@
  *   socket, hangs up at the end of either side
  *
  * If the guard itself ends, the device is Lost, and this process sends zero in its place. A guard
- * that is stopped (SIGSTOP) is ended for that.
+ * that is stopped (SIGSTOP) is killed for this.
  */
 #ifndef GuardedDevice_h
 #define GuardedDevice_h
@@ -32,9 +32,9 @@ class GuardedDevice final : public DeviceBackend
 {
 public:
   /**
-   * The guard gets the words of the device on its command line, and makes a driver of them. The
-   * driver here says the limits, and is connected only if the guard has ended: that connecting
-   * sends zero is up to it. Null, with the reason.
+   * The guard gets the words of the device on its command line, and makes a driver from them. The
+   * driver here gives the limits, and connects only if the guard has ended: its Connect must send
+   * zero. Null, with the reason.
    */
   static std::unique_ptr<GuardedDevice> Make(
     std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words, std::string& error);
@@ -66,8 +66,8 @@ private:
   enum class Side : std::uint8_t
   {
     Guard,  ///< has the device
-    Rescue, ///< the guard has ended, and zero is being sent from here
-    None    ///< that is done
+    Rescue, ///< the guard has ended, and this process sends zero
+    None    ///< zero was sent
   };
 
   GuardedDevice(std::unique_ptr<HardwareDriver> driver, std::vector<std::string> words);
@@ -83,9 +83,9 @@ private:
   GuardProcess Guard;
   TrueNewtons Newtons;
   std::thread Watcher;
-  std::int64_t Process = 0;       ///< whose guard it is
+  std::int64_t Process = 0;       ///< the process that started the guard
   bool IsAbandoned = false;       ///< in a forked child
-  DeviceCondition EndedCondition; ///< once the guard does not have the device any more
+  DeviceCondition EndedCondition; ///< once the guard no longer has the device
   std::atomic<Side> HasDevice{ Side::Guard };
   std::atomic<bool> IsClosing{ false };
 };

@@ -25,7 +25,7 @@ constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
 constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond; // as HardwareExchange::WatchdogTime
 constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
 constexpr int LostWait = 10;     // ms
-constexpr int MostStates = 1000; // that lie there at a time; some seconds of them
+constexpr int MostStates = 1000; // the most queued states; some seconds of them
 
 constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
@@ -195,7 +195,7 @@ void HaplyDriver::Restart(HardwareExchange& exchange)
     {
       this->Disconnect();
     }
-    // The service may not yet have dropped the session that was closed just now.
+    // The service may not yet have dropped the session that was just closed.
     tries = !isOpen && this->IsTaken() && ServoClock::Now() < end && !exchange.MustStop();
     if (tries)
     {
@@ -435,7 +435,7 @@ void HaplyDriver::Rest() noexcept
       this->Send({});
       const std::int64_t end =
         ServoClock::Now() + static_cast<std::int64_t>(LastTime * ServoClock::NanosecondsPerSecond);
-      // Its state shows that the service has it. A service that hangs is not waited for.
+      // The state shows that the service has the message. Do not wait for a service that hangs.
       while (this->Awaited > 0 &&
         this->States.Receive(this->Text, end) == WebSocketClient::Outcome::Message)
       {
@@ -445,13 +445,13 @@ void HaplyDriver::Rest() noexcept
   }
   catch (const std::exception&)
   {
-    // No memory for a message: the connection is closed after this, which ends the session.
+    // No memory for a message: closing the connection ends the session.
   }
 }
 
 void HaplyDriver::Lose(HardwareExchange& exchange, const std::string& text)
 {
-  // Before sending anything, which may take long: the servo is told first.
+  // Before sending anything, which may take long: notify the servo first.
   this->Tell(exchange, DeviceStage::Lost, text);
   this->IsLost = true;
   this->IsReady = false;

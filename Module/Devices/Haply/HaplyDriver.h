@@ -8,18 +8,18 @@
  * servo gives a force, or after 2 ms without one, and waits for its state: so the servo sets the
  * pace, and it never waits. At most one message waits for its state, and after the time of the
  * servo's watchdog one more, with zero force; when both are answered, work goes on. If more states
- * come than were asked for, the newest one counts, so that positions never fall behind.
+ * come than messages were sent, the newest one counts, so that positions never fall behind.
  *
- * The arm is ready after the service has told that it is calibrated and ready. A flag that is left
- * out stays as it was told last.
+ * The arm is ready after the service has reported it as calibrated and ready. A flag that is left
+ * out keeps its last value.
  *
  * The first message and the last one have zero force. The documentation says that a force holds for
  * a tick and that a device becomes idle if no more come, but neither after how long, nor what
  * happens if the program ends or stands still between two messages. So the limits are low: 2 N is
- * the limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg), of
- * which half is the default force here. The radii of the workspaces are those of Haply's tutorials
- * 05 and 06. The stiffness and the speed are those of WoodenHaptics, a device of the same size.
- * Not verified on a device.
+ * the limit in NVIDIA Isaac Lab's published driver (isaaclab/devices/haply, HaplyDeviceCfg); the
+ * default force here is half of it. The radii of the workspaces come from Haply's tutorials 05 and
+ * 06. The stiffness and the speed are WoodenHaptics', a device of the same size. Not verified on a
+ * device.
  *
  * If the service is of 3.5 or later, the session's origin is the middle of the workspace. Before
  * that it is a fixed place in front of the arm's base.
@@ -38,11 +38,11 @@ namespace VolumeHaptics
 class HaplyDriver final : public HardwareDriver
 {
 public:
-  /** How long (s) the service may leave the arm's position untold. */
+  /** How long (s) the service may omit the arm's position. */
   static constexpr double SilenceTime = 0.1;
-  /** The least number of waits in that time: if this computer was late, the service is not. */
+  /** The least number of waits in that time: if this computer was late, the service was not. */
   static constexpr int SilentWaits = 4;
-  /** m: the tip is led by a hand, so it makes no such step; at rest in time. */
+  /** m: a hand leads the tip, so it makes no such step; at rest in time. */
   static constexpr double FarthestStep = 0.02;
   /** Positions in a row without such a step before the device is ready: presets move the origin. */
   static constexpr int SettledStates = 50;
@@ -66,9 +66,9 @@ private:
   /** Opens the connection and takes the inventory. */
   bool OpenConnection(std::string& error);
   bool Choose(std::string& error);
-  /** Whether a session has the arm, by the last message. */
+  /** Whether a session has the arm, judging by the last message. */
   bool IsTaken() const;
-  /** Begins the session of the chosen arm, if that is free. */
+  /** Begins the session of the chosen arm, if it is free. */
   bool SendFirstMessage(std::string& error);
   void Restart(HardwareExchange& exchange);
   void Work(HardwareExchange& exchange);
@@ -77,7 +77,7 @@ private:
   void TakeState(HardwareExchange& exchange, const HaplyArm& arm);
   void TakeGrips(DeviceSample& sample) const;
   void TakeEvents(HardwareExchange& exchange);
-  /** Keeps those that are not told. */
+  /** Keeps flags that the message omits. */
   void TakeFlags(const HaplyArm& arm);
   void FollowStatus(HardwareExchange& exchange, const HaplyArm& arm);
   void CheckSilence(HardwareExchange& exchange);
@@ -88,7 +88,7 @@ private:
 
   const std::string Wanted;
   ///@{
-  /** Set by Connect, and not by the device's thread. */
+  /** Set by Connect, not by the device's thread. */
   std::string Label = "Haply";
   std::string Id;
   std::string Type;
@@ -97,29 +97,29 @@ private:
   HaplyAddress Address;
   WebSocketClient States;
   WebSocketClient Events;
-  bool HasEvents = false; ///< until people were told that their connection has ended
+  bool HasEvents = false; ///< until the user was told that the events' connection has ended
 
-  HaplyMessage Message; ///< the last one
+  HaplyMessage Message; ///< the last message
   std::string Text;
   std::string Newest; ///< state, as text
   bool IsLost = false;
   bool IsReady = false; ///< the device may give force
   ///@{
-  /** As the service told it last; false until it does. */
+  /** As the service last reported; false until then. */
   bool IsCalibrated = false;
   bool IsArmReady = false;
   ///@}
   bool HasSentRelief = false; ///< a message of zero force follows one that waits for its state
   int Awaited = 0;            ///< messages without a state
   std::int64_t SentAt = 0;
-  std::int64_t ToldAt = 0; ///< when the position was told last
+  std::int64_t ToldAt = 0; ///< when the position last came
   int EmptyWaits = 0;
   int Settled = 0; ///< positions in a row without a step
-  Vector3 Tip;     ///< of the last position, in the device's axes
+  Vector3 Tip;     ///< last position, in the device's axes
   bool HasTip = false;
-  HaplyTransform Transform;      ///< the last one that was told
+  HaplyTransform Transform;      ///< the last transform received
   std::string Note;              ///< the last warning of the service
-  const char* Request = nullptr; ///< to the hand, the last one
+  const char* Request = nullptr; ///< last request to the hand
 };
 
 } // namespace VolumeHaptics

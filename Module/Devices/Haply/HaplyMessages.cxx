@@ -25,7 +25,7 @@ constexpr const char* NoVersion = "does not tell its version";
 constexpr std::size_t MostDevices = 64;
 /** Brackets in brackets; the documentation's messages have seven. */
 constexpr int DeepestBrackets = 64;
-/** By which transforms may differ and count as the same: float arithmetic of the service. */
+/** Transforms that differ by at most this count as equal: the service uses float arithmetic. */
 constexpr double TransformTolerance = 1e-5;
 
 /** Names the session in Haply's Hub, as the documentation recommends it. */
@@ -56,7 +56,7 @@ std::string Text(const Json& object, const char* name)
 }
 
 ///@{
-/** Keep the value if it is left out. False if it is there and is something else. */
+/** Keep the value if the member is missing. False if it is there with another type. */
 bool Take(const Json& object, const char* name, bool& value)
 {
   const auto found = object.find(name);
@@ -98,7 +98,7 @@ bool Take(const Json& object, const char* name, HaplyTransform& value)
 }
 ///@}
 
-/** Nothing if it is left out, or is something else. */
+/** Nothing if the member is missing, or has another type. */
 template <typename Value>
 std::optional<Value> Told(const Json& object, const char* name)
 {
@@ -178,7 +178,7 @@ const char* ReadFamily(const Json& message, const char* family,
   return nullptr;
 }
 
-/** Whether the brackets outside of strings are nested no deeper than is allowed. */
+/** Whether the brackets outside of strings are nested at most as deeply as allowed. */
 bool IsShallow(const std::string& text) noexcept
 {
   int depth = 0;
@@ -194,8 +194,8 @@ bool IsShallow(const std::string& text) noexcept
 }
 
 /**
- * An object; nullptr, or why it is refused. The depth is limited before anything is made, as the
- * library copies values by recursion, and so would end the thread by an overflow of its stack.
+ * Parses an object; returns nullptr, or why it is refused. The depth is checked first, since the
+ * library copies values by recursion, which could overflow the thread's stack.
  */
 const char* Parse(const std::string& text, Json& value)
 {
@@ -207,7 +207,7 @@ const char* Parse(const std::string& text, Json& value)
   return value.is_object() ? nullptr : NoObject;
 }
 
-/** Answers by HTTP may be in an envelope: "Standard response envelope" of the documentation. */
+/** Answers by HTTP may be in an envelope: "Standard response envelope" in the documentation. */
 const Json& Unwrap(const Json& answer)
 {
   const Json& data = At(answer, "data");
@@ -224,7 +224,7 @@ Json MakeForce(const HaplyAddress& address, const Vector3& force)
 
 std::string Dump(const Json& message)
 {
-  // An identifier came from the service, as JSON; still no exception for a broken one.
+  // The identifier came from the service, as JSON; still no exception for a broken one.
   return message.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

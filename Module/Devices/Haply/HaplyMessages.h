@@ -10,13 +10,13 @@
  *
  * The service sends a message for each one that it gets. Fields come in any order. A field that has
  * its default may be missing: a number is then 0, the w of an orientation 1, a button not pressed.
- * A position that is missing as a whole counts as not told, because the documentation says so of
- * the parts of a transform only. A coordinate that is there and is no number has no default: its
- * vector counts as not told, and an arm's position or transform as spoilt. Services of 3.0 have
- * maps from identifiers to devices where later ones have lists.
+ * A position that is missing as a whole counts as not reported, because the documentation gives
+ * defaults only for the parts of a transform. A coordinate that is there and is no number has no
+ * default: its vector counts as not reported, and an arm's position or transform as spoilt.
+ * Services of 3.0 have maps from identifiers to devices where later ones have lists.
  *
  * JSON is read by nlohmann's library: headers only. Its copies recurse, so input that is nested
- * deeper than any message is refused. VTK's jsoncpp is of no use here: this room does not know VTK,
+ * deeper than any message is refused. VTK's jsoncpp is not used: this room does not depend on VTK,
  * whose copy has other names in Debian than in its wheels.
  *
  * Haply's axes point right (x), forward (y) and up (z). ToDevice and FromDevice turn them into
@@ -36,7 +36,7 @@
 namespace VolumeHaptics
 {
 
-/** From the device's space to that of the session. */
+/** From the device's space to the session's. */
 struct HaplyTransform
 {
   Vector3 Position; ///< m
@@ -45,26 +45,26 @@ struct HaplyTransform
 
   /** Whether it changes lengths, and so the work of a force. */
   bool IsScaled() const noexcept;
-  /** Within what the service's float arithmetic makes of the same one. */
+  /** Whether two transforms are equal up to the service's float arithmetic. */
   bool IsNear(const HaplyTransform& other) const noexcept;
 };
 
-/** An Inverse3, Inverse3x or Minverse, as a message tells it; vectors in Haply's axes. */
+/** An Inverse3, Inverse3x or Minverse, as in a message; vectors in Haply's axes. */
 struct HaplyArm
 {
-  std::string Family; ///< the name of the list it is in, which its commands have to name, too
+  std::string Family; ///< the name of its list, which its commands must name, too
   std::string Id;
-  std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if it is told
-  std::string Handedness;                ///< "left" or "right", if it is told
+  std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if reported
+  std::string Handedness;                ///< "left" or "right", if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
-  std::optional<Vector3> Force;          ///< N: the one that the service commands
-  std::optional<Quaternion> Orientation; ///< of its body
+  std::optional<Vector3> Force;          ///< N: the force that the service commands
+  std::optional<Quaternion> Orientation; ///< its body's
   std::optional<HaplyTransform> Transform;
-  /** The position or the transform is there, but not in numbers: NaN is written as null. */
+  /** The position or the transform is there, but not as numbers: NaN is written as null. */
   bool IsSpoilt = false;
   ///@{
-  /** Only if it is told. */
+  /** Only if reported. */
   std::optional<bool> IsCalibrated;
   std::optional<bool> IsReady;
   std::optional<bool> IsInUse;
@@ -76,7 +76,7 @@ struct HaplyGrip
 {
   std::string Id;
   std::optional<Quaternion> Orientation; ///< in Haply's axes
-  std::uint32_t Buttons = 0;             ///< bits 0 to 3: a or the only one, b, c, home
+  std::uint32_t Buttons = 0;             ///< bits 0 to 3: a (or the only button), b, c, home
   bool IsAwake = true;
 };
 
@@ -101,7 +101,7 @@ struct HaplyEvent
 {
   std::string Name; ///< such as "device-disconnected"
   HaplyLevel Level = HaplyLevel::Info;
-  std::string Device; ///< the identifier, if it is about one
+  std::string Device; ///< the device's identifier, if the event is about one
   std::string Safety; ///< data.safety_type, such as "ebrake_triggered"
   std::string Text;   ///< for people
 };
@@ -116,7 +116,10 @@ struct HaplyVersion
 };
 
 ///@{
-/** Reads a text. Nullptr, or the reason for refusing it; the result is then unspecified. */
+/**
+ * Reads a text. Returns nullptr, or the reason for refusing the text; the result is then
+ * unspecified.
+ */
 const char* ReadHaplyMessage(const std::string& text, HaplyMessage& message);
 const char* ReadHaplyEvent(const std::string& text, HaplyEvent& event);
 const char* ReadHaplyVersion(const std::string& text, HaplyVersion& version);
@@ -130,11 +133,12 @@ struct HaplyAddress
   std::string Id;
 };
 
-/** The message that asks for a force (N, in Haply's axes) and for a state. */
+/** The message that sets a force (N, in Haply's axes) and requests a state. */
 std::string WriteHaplyForce(const HaplyAddress& address, const Vector3& force);
 /**
  * The first message: no force, and from 3.5 on the session's profile, Haply's own axes and the
- * arm's origin. For a profile that the user has changed in Haply's Hub, they would be others.
+ * arm's origin. For a profile that the user has changed in Haply's Hub, axes and origin would
+ * differ.
  */
 std::string WriteHaplyGreeting(const HaplyAddress& address);
 
@@ -148,7 +152,7 @@ constexpr Vector3 FromDevice(const Vector3& device) noexcept
 {
   return { device.X, -device.Z, device.Y };
 }
-/** Of a stylus that points along its -z, for a grip that points along its y. */
+/** From a grip that points along its y to a stylus that points along its -z. */
 constexpr Quaternion ToDevice(const Quaternion& haply) noexcept
 {
   return { haply.W, haply.X, haply.Z, -haply.Y };

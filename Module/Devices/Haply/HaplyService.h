@@ -25,16 +25,16 @@ extern const char* const HowToStartHaply;
  */
 struct HaplyPorts
 {
-  std::uint16_t States = 10001; ///< and HTTP, of later services
+  std::uint16_t States = 10001; ///< and HTTP, in later services
   std::uint16_t Events = 10020;
-  std::uint16_t Http = 10000; ///< of earlier services
+  std::uint16_t Http = 10000; ///< in earlier services
 
   /** False, with the reason and the cure. */
   static bool Read(HaplyPorts& ports, std::string& error);
 };
 
 /**
- * Asks the service by HTTP: "/version", or "/devices", at either port, and with the prefix of a
+ * Asks the service by HTTP: "/version", or "/devices", at either port, with the prefix of a
  * version. False, with the reason.
  */
 bool AskHaply(
@@ -43,7 +43,7 @@ bool AskHaply(
 /** Asks the service for its version. False, with the reason and the cure. */
 bool FindHaplyService(const HaplyPorts& ports, HaplyVersion& version, std::string& error);
 
-/** As people see it: maker, product, the service's name of it, and the hand it is built for. */
+/** For people: maker, product, the service's name of the arm, and the hand that it is built for. */
 std::string NameOfHaply(const HaplyArm& arm);
 
 } // namespace VolumeHaptics

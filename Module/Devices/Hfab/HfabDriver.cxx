@@ -15,7 +15,7 @@ namespace
 constexpr int HfabRoundPause = 2; // ms, between messages if the servo gives no force
 constexpr int HfabLostPause = 10; // ms
 constexpr int WriteTime = 20;     // ms
-/** ms. If an answer is later, the message is taken for lost, and the next one is sent. */
+/** ms. If an answer is later, the message counts as lost, and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 
@@ -147,7 +147,7 @@ void HfabDriver::Disconnect() noexcept
 
 HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexcept
 {
-  // An answer that came too late must not be taken for the next one.
+  // An answer that came too late must not count as the next one.
   char bytes[128];
   int late = 0;
   while ((late = this->Port.Read(bytes, sizeof(bytes), 0)) > 0)
@@ -165,7 +165,7 @@ HfabDriver::Reply HfabDriver::Ask(const std::array<int, 3>& milliamperes) noexce
     return this->Port.Read(&byte, 1, 0) < 0 ? Reply::Gone : Reply::None;
   }
   const std::int64_t begin = ServoClock::Now();
-  // Once in any case: if this computer was late, the controller was not.
+  // At least once: if this computer was late, the controller was not.
   do
   {
     const int size = this->Port.Read(bytes, sizeof(bytes), 5);
@@ -385,7 +385,7 @@ void HfabDriver::FollowHand(HardwareExchange& exchange)
 
 void HfabDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: the servo is told first.
+  // Before sending anything, which may take long: notify the servo first.
   this->Lost = true;
   this->Tell(exchange, DeviceStage::Lost, text);
   if (!this->Gone)

@@ -4,18 +4,18 @@
  * @file
  * Arms with an hfab controller: WoodenHaptics, Polhem, re-driven PHANToMs, through a serial port.
  *
- * The controller answers each message with its counts, and says which arm it drives. It gets
- * currents with each force of the servo, or every 2 ms without one; its firmware takes them away
- * after 100 ms without a message.
+ * The controller answers each message with its counts and the model of its arm. It gets currents
+ * with each force of the servo, or every 2 ms without one; its firmware sets them to zero after 100
+ * ms without a message.
  *
- * It does not know where its arm is: its counts begin at 0 when power comes, and at the push of its
- * button, and it never tells whether that has happened. So it is calibrated whenever it is opened,
- * and after every fault: with the arm in its pose for calibration, Home() notes the counts, as the
- * published host does with those of the button. A jump that no hand makes is a fault, so that a
- * push of the button elsewhere is one, too.
+ * The controller does not know where its arm is: its counts begin at 0 at power-up, and when its
+ * button is pushed, and it never reports either. So it is calibrated whenever it is opened, and
+ * after every fault: with the arm in its pose for calibration, Home() stores the counts, as the
+ * published host does when the button is pushed. A jump that no hand makes is a fault; so is a push
+ * of the button in another pose.
  *
- * No current flows without a force: unlike the published host, this does not hold up the weight of
- * the arm. Not verified on a device.
+ * No current flows without a force: unlike the published host, the driver does not compensate the
+ * weight of the arm. Not verified on a device.
  */
 #ifndef HfabDriver_h
 #define HfabDriver_h
@@ -33,18 +33,18 @@ class HfabDriver final : public HardwareDriver
 public:
   ///@{
   /**
-   * The boards of published controllers have this word in their names. So have Haply's arms, which
-   * take other messages, and have the second word, too: ID_VENDOR Teensyduino, ID_MODEL
+   * Published controllers' boards have this word in their names. Haply's arms, which need other
+   * messages, have it, too, together with the second word: ID_VENDOR Teensyduino, ID_MODEL
    * Haply_inverse3 (chohh7391/lerobot_teleoperator_inverse3 99063dc, SETUP.md).
    */
   static constexpr const char* Board = "Teensyduino";
   static constexpr const char* OtherBoard = "Haply";
   ///@}
-  /** s, to wait for the first answer. */
+  /** s, the wait for the first answer. */
   static constexpr double HandshakeTime = 1.5;
   /**
-   * s without an answer, after which the device is lost. Force is gone long before: the servo takes
-   * it away after 30 ms without positions, and the firmware after 100 ms without messages.
+   * s without an answer, after which the device is lost. Force has ended long before: the servo
+   * ends it after 30 ms without positions, and the firmware after 100 ms without messages.
    */
   static constexpr double SilenceTime = 0.5;
   ///@{
@@ -55,11 +55,14 @@ public:
   static constexpr double FarthestStep = 0.02;
   static constexpr double FastestHand = 2.5;
   ///@}
-  /** s, in which the arm has to be still to be calibrated, and counts by which it may move. */
+  /**
+   * s, for which the arm has to be still to be calibrated, and counts by which it may move
+   * meanwhile.
+   */
   static constexpr double StillTime = 0.2;
   static constexpr int StillCounts = 40;
 
-  /** The port, such as /dev/ttyACM0; empty: that of the board, if there is one only. */
+  /** The port, such as /dev/ttyACM0; empty: the port of the only board. */
   explicit HfabDriver(std::string port, std::string folder = SerialPort::NamesFolder);
 
   std::string GetName() const override { return this->Label; }
@@ -103,7 +106,7 @@ private:
   void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;
 
   const std::string Wanted;
-  const std::string Folder; ///< where ports are named
+  const std::string Folder; ///< the folder that names ports
   std::string Label = "hfab controller";
   std::string Identity;
   SerialPort Port;
@@ -114,14 +117,14 @@ private:
   Phase Now = Phase::Waiting;
   bool Lost = false;
   bool Gone = false;        ///< unplugged
-  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, less those that it should have
+  HfabModel::Counts Zero{}; ///< counts in the pose for calibration, minus the nominal ones
   HfabModel::Counts Raw{};
   HfabModel::Counts StillAt{};
   std::int64_t StillSince = 0;
   bool HasTip = false;
   Vector3 Tip; ///< in the arm's axes
   HfabModel::Angles JointAngles{};
-  int Refusals = 0; ///< messages in a row that the controller did not take
+  int Refusals = 0; ///< messages in a row that the controller refused
   std::int64_t LastAnswer = 0;
   double Pause = 0.0; ///< s, between the last two answers
 };

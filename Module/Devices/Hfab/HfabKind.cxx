@@ -9,7 +9,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Nothing is sent to a board while it is listed: other programs of it have the same name. */
+/** Sends nothing to a listed board: boards with other programs have the same name. */
 std::vector<DeviceListing> ListBoards()
 {
   std::vector<DeviceListing> all;
@@ -21,7 +21,7 @@ std::vector<DeviceListing> ListBoards()
   return all;
 }
 
-/** A board cannot be asked what it is; permission is told by its listing. */
+/** A board can't be identified before it is opened; its listing reports the permission. */
 std::string WhyNoBoards()
 {
   return HfabDriver::FindBoards().empty() ? std::string("no serial port of a board named \"") +

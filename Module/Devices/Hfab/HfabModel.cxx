@@ -97,7 +97,7 @@ struct Linkage
     {
       return;
     }
-    // From b to c is the opposite of U(l).
+    // The direction from b to c is opposite to U(l).
     this->Angle = std::atan2(way.Y, way.X) - std::acos(cosine) - 0.5 * Circle;
     const Point u = U(this->Angle);
     this->Tip = b + L5 * u;
@@ -118,7 +118,7 @@ struct Linkage
 };
 
 ///@{
-/** Turns about the arm's x, y, z. */
+/** Rotations about the arm's x, y, z. */
 Quaternion AboutX(double angle) noexcept
 {
   return { std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0 };

@@ -5,7 +5,7 @@
  * The arms that hfab controllers drive: from encoder counts to the tip, and from a force to the
  * motors' currents.
  *
- * Lengths, gears, counts, torque constants, poses and signs are those of hfabapi's tables
+ * Lengths, gears, counts, torque constants, poses and signs come from hfabapi's tables
  * (forsslund/hfabapi, commit cf00e97, which has the signs and the home position of WoodenHaptics as
  * of 4224b75). The arm's axes are x towards the hand, y to the right, z up.
  *
@@ -14,8 +14,9 @@
  *
  * Polhem has a five-bar linkage in the plane that A turns. With u(q) = (cos q, sin q), the cranks
  * about (-L0/2, 0) and (L0/2, 0) end in a = (-L0/2, 0) + L2 u(C) and b = (L0/2, 0) + L1 u(B). A rod
- * of L3 joins a to c = b - L4 u(l), and the tip is b + L5 u(l). The angle l is that of the triangle
- * a, b, c whose turn from b to c lies clockwise of b to a. Its slopes are those of |c - a| = L3.
+ * of L3 joins a to c = b - L4 u(l), and the tip is b + L5 u(l). The angle l solves the triangle a,
+ * b, c whose direction from b to c is clockwise of the one from b to a. Its derivatives follow from
+ * |c - a| = L3.
  *
  * All of this is noexcept and free of allocation.
  */
@@ -37,12 +38,12 @@ struct HfabGeometry
   std::array<double, 3> Capstan;        ///< m, diameters at the motors
   std::array<double, 3> Body;           ///< m, diameters at the joints
   std::array<double, 3> Lengths;        ///< m, of a serial arm: base, upper arm, forearm
-  Vector3 Origin;                       ///< m, of the tip's position
+  Vector3 Origin;                       ///< m, origin of the tip's position
   std::array<double, 3> TorqueConstant; ///< N m/A
   double CountsPerTurn;                 ///< of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
   std::array<int, 6> Home;              ///< counts in the pose for calibration
-  /// mA of each motor, for which the controller's amplifiers are set up at the least
+  /// mA per motor: the lowest set-up of the controller's amplifiers
   double MaximumCurrent;
   bool TellsOrientation; ///< its handle has encoders
   DeviceLimits Limits;
@@ -54,16 +55,19 @@ public:
   using Angles = std::array<double, 3>; ///< rad, of A, B and C
   using Counts = std::array<int, 6>;    ///< after calibration
 
-  /** Null for a model that is not known: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
+  /** Null for an unknown model. Models: 1 Polhem, 2 PHANToM, 3 WoodenHaptics. */
   static const HfabGeometry* Find(int model) noexcept;
 
   static Angles ComputeAngles(const HfabGeometry& geometry, const Counts& counts) noexcept;
   /** The tip (m). False if the linkage can't have these angles. */
   static bool ComputeTip(const HfabGeometry& geometry, const Angles& angles, Vector3& tip) noexcept;
-  /** Its derivative by the angles (m/rad; columns). False as above, and where it has none. */
+  /**
+   * The tip's derivative by the angles (m/rad; columns). False as above, and where it does not
+   * exist.
+   */
   static bool ComputeJacobian(
     const HfabGeometry& geometry, const Angles& angles, Matrix3& jacobian) noexcept;
-  /** Of the handle, if it tells one, in the axes of all devices (DeviceBackend.h). */
+  /** The handle's orientation, if it reports one, in the axes of all devices (DeviceBackend.h). */
   static Quaternion ComputeOrientation(const HfabGeometry& geometry, const Counts& counts) noexcept;
 
   /**

@@ -9,7 +9,7 @@ namespace VolumeHaptics
 {
 namespace
 {
-/** Of a number: counts of any encoder fit. */
+/** In a number: enough for counts of any encoder. */
 constexpr int MostDigits = 9;
 } // namespace
 

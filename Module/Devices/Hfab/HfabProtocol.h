@@ -28,21 +28,21 @@ struct HfabAnswer
 ///@{
 /** Bits of HfabAnswer::Error, as the firmware sets them. */
 constexpr int HfabGimbalErrors = 1 | 2 | 4; ///< an encoder of the handle can't be read
-/// It did not take the message; the counts are those of the last one that it took.
+/// The controller refused the message; the counts belong to the last message that it took.
 constexpr int HfabMessageErrors = 8 | 128 | 256 | 512 | 1024;
 ///@}
 
-/** Takes bytes as they come, and finds the answers in them. No allocation. */
+/** Takes bytes as they come, and extracts the answers. No allocation. */
 class HfabReader
 {
 public:
-  /** Takes a byte. True if it ends an answer, which Get then tells. */
+  /** Takes a byte. Returns true if it ends an answer; Get then returns the answer. */
   bool Take(char byte) noexcept;
   const HfabAnswer& Get() const noexcept { return this->Answer; }
   /** How many lines were no answers. */
   int GetBadLines() const noexcept { return this->BadLines; }
   void Reset() noexcept;
-  /** Forgets the line under way. */
+  /** Drops the present line. */
   void Discard() noexcept { this->Field = -1; }
 
 private:
@@ -51,7 +51,7 @@ private:
   static constexpr int Fields = 8;
   std::array<int, Fields> Numbers{};
   HfabAnswer Answer;
-  int Field = -1; ///< of the number under way; below zero: waits for a bracket
+  int Field = -1; ///< the present number; negative: waits for a bracket
   int Digits = 0;
   bool IsNegative = false;
   int BadLines = 0;

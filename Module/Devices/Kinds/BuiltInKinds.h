@@ -13,8 +13,7 @@ namespace VolumeHaptics
 {
 
 /**
- * All of them. If this library was built without the one that a kind needs, that kind lists
- * nothing, and its Make says so.
+ * All of them. A kind whose library is missing from this build lists nothing, and its Make says so.
  */
 std::vector<DeviceKind> GetBuiltInKinds();
 

@@ -89,7 +89,7 @@ std::unique_ptr<DeviceBackend> MakeDevice(
 {
   const std::vector<DeviceKind> kinds = CopyKinds();
   std::string known = "\"virtual\", \"replay:FILE\"";
-  // A kind of one device only may have its whole id as its name, beside others that begin alike.
+  // A kind with a single device may have its whole id as its name, beside others that begin alike.
   for (const std::string& name : { id, id.substr(0, id.find(':')) })
   {
     for (const DeviceKind& kind : kinds)

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 {
 
 /**
- * False, with the reason, if the name is taken or is no name, or if the kind can't list or make
+ * False, with the reason, if the name is taken or invalid, or if the kind can't list or make
  * devices. Any thread.
  */
 bool AddDeviceKind(const DeviceKind& kind, std::string& error);
@@ -28,7 +28,7 @@ struct DeviceObstacle
   std::string Text; ///< the obstacle and its cure
 };
 
-/** The kinds that this computer can't have, in their order, by DeviceKind::Missing. */
+/** The kinds that this computer can't have, in order, by DeviceKind::Missing. */
 std::vector<DeviceObstacle> ListMissingKinds();
 
 /** A back end for an id, not open yet. Null, with the reason and the cure. */

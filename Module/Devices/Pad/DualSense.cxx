@@ -13,7 +13,7 @@ enum ReportId : std::uint8_t
 {
   CableIn = 0x01,
   CableOut = 0x02,
-  Wireless = 0x31 ///< both ways
+  Wireless = 0x31 ///< in and out
 };
 
 constexpr std::size_t CableInSize = 64;
@@ -22,10 +22,10 @@ constexpr std::size_t WirelessSize = 78;
 constexpr std::size_t CrcSize = 4;
 constexpr std::uint8_t InSeed = 0xA1;
 constexpr std::uint8_t OutSeed = 0xA2;
-constexpr std::uint8_t OutTag = 0x10; // of every output report on Bluetooth
+constexpr std::uint8_t OutTag = 0x10; // in every output report on Bluetooth
 
 ///@{
-/** Places in what is common to both links. */
+/** Byte places in the part common to both links. */
 enum InPlace
 {
   LeftX,
@@ -44,9 +44,9 @@ enum OutPlace
   MoreFlags = 38
 };
 ///@}
-constexpr std::uint8_t ClassicVibration = 1U << 0;      // of Flags
-constexpr std::uint8_t SelectVibration = 1U << 1;       // of Flags: motors, not sound
-constexpr std::uint8_t NewerClassicVibration = 1U << 2; // of MoreFlags
+constexpr std::uint8_t ClassicVibration = 1U << 0;      // bit of Flags
+constexpr std::uint8_t SelectVibration = 1U << 1;       // bit of Flags: motors, not sound
+constexpr std::uint8_t NewerClassicVibration = 1U << 2; // bit of MoreFlags
 constexpr std::size_t VersionPlace = 44;                // in the firmware's report
 constexpr unsigned NewerVersion = 2 << 8 | 21;
 
@@ -93,7 +93,7 @@ bool DualSense::IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept
 std::uint32_t DualSense::ComputeCrc(
   std::uint8_t first, const std::uint8_t* bytes, std::size_t size) noexcept
 {
-  constexpr std::uint32_t polynomial = 0xEDB88320; // of the lowest bit first
+  constexpr std::uint32_t polynomial = 0xEDB88320; // lowest bit first
   std::uint32_t crc = 0xFFFFFFFF;
   const auto add = [&crc](std::uint8_t byte)
   {

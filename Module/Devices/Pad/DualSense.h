@@ -5,8 +5,8 @@
  * The reports of Sony's DualSense and DualSense Edge.
  *
  * By cable, reports have the number 1 in and 2 out; by Bluetooth both have the number 0x31, and end
- * with a CRC-32 of themselves after a byte that tells their direction. A pad on Bluetooth sends
- * short reports until it is asked for its calibration once. The layout is that of Linux' driver,
+ * with their CRC-32, computed with a byte for their direction in front. A pad on Bluetooth sends
+ * short reports until it is asked for its calibration once. The layout follows Linux' driver,
  * drivers/hid/hid-playstation.c, by Sony.
  */
 #ifndef DualSense_h
@@ -26,8 +26,8 @@ public:
   static constexpr std::uint16_t Vendor = 0x054C;
   static constexpr std::uint16_t Product = 0x0CE6;
   static constexpr std::uint16_t EdgeProduct = 0x0DF2;
-  static constexpr std::uint8_t CalibrationReport = 0x05; ///< a feature; makes reports whole
-  static constexpr std::uint8_t FirmwareReport = 0x20;    ///< a feature
+  static constexpr std::uint8_t CalibrationReport = 0x05; ///< a feature; completes reports
+  static constexpr std::uint8_t FirmwareReport = 0x20;    ///< a feature report
   static constexpr std::size_t LongestReport = 78;
 
   enum class Link : std::uint8_t
@@ -40,7 +40,7 @@ public:
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
 
   /**
-   * Reads a report with sticks and buttons, and learns the link from it. Returns nullptr, or the
+   * Reads a report with sticks and buttons, and detects the link from it. Returns nullptr, or the
    * reason for refusing it, as a text that lasts; state and link are then unchanged. Other reports
    * are accepted and change nothing.
    */
@@ -48,8 +48,8 @@ public:
     const std::uint8_t* bytes, std::size_t size, Link& link, PadState& state) noexcept;
 
   /**
-   * Whether its firmware has the newer way of classic vibration: an Edge has, a DualSense from
-   * version 2.21 on. `firmware` is the feature report of that number, with its id.
+   * Whether the firmware has the newer classic vibration: an Edge has, a DualSense from version
+   * 2.21 on. `firmware` is the feature report of that number, with its id.
    */
   static bool HasNewerVibration(
     std::uint16_t product, const std::uint8_t* firmware, std::size_t size) noexcept;
@@ -62,7 +62,7 @@ public:
   /** Speeds of the motors, 0 to 255. `number` counts reports, for Bluetooth. */
   static Report Encode(Link link, bool isNewer, int strong, int weak, unsigned number) noexcept;
 
-  /** Of a first byte and then others: CRC-32 as in IEEE 802.3. */
+  /** CRC-32 as in IEEE 802.3, of a first byte and then others. */
   static std::uint32_t ComputeCrc(
     std::uint8_t first, const std::uint8_t* bytes, std::size_t size) noexcept;
 };

@@ -4,9 +4,9 @@
  * @file
  * A DualSense through hidapi, for systems whose own driver does not make it vibrate.
  *
- * Vibration, not force: see Vibration.h and PadState.h. By what link it is connected shows in its
- * first report. No watchdog of it is documented: on Linux a guard (Devices/Guard) sends the last
- * report if the program can't. Not verified on hardware.
+ * Vibration, not force: see Vibration.h and PadState.h. The first report shows its link. It has no
+ * documented watchdog: on Linux a guard (Devices/Guard) sends the last report if the program can't.
+ * Not verified on hardware.
  */
 #ifndef DualSenseDriver_h
 #define DualSenseDriver_h
@@ -25,11 +25,11 @@ class DualSenseDriver final : public HidDriver
 public:
   static constexpr double SendPeriod = 0.01; ///< s, between changes; silence does not wait
 
-  /** The number in Find. */
+  /** `number` counts in Find. */
   explicit DualSenseDriver(int number);
 
   ///@{
-  /** The same as words on a command line, there and back. Null for words of other drivers. */
+  /** Converts the number to words on a command line, and back. Null for words of other drivers. */
   static std::vector<std::string> MakeWords(int number);
   static std::unique_ptr<HardwareDriver> MakeFromWords(const std::vector<std::string>& words);
   ///@}
@@ -40,7 +40,7 @@ public:
 
 private:
   std::vector<HidDeviceInfo> Choose(std::string& error) const override;
-  /** Learns link and firmware, and sends zero. */
+  /** Detects link and firmware, and sends zero. */
   bool Prepare(const HidDeviceInfo& info, std::string& error) override;
   void Begin(HardwareExchange& exchange, bool isAnew) override;
   void Work(HardwareExchange& exchange) override;
@@ -52,13 +52,13 @@ private:
 
   const int Number;
   DualSense::Link Link = DualSense::Link::Unknown;
-  bool IsNewer = false; ///< its firmware's way of vibration
-  unsigned Reports = 0; ///< sent
+  bool IsNewer = false; ///< the firmware has the newer vibration
+  unsigned Reports = 0; ///< number of sent reports
   PadState State;
   RateTip Tip;
   Vibration Levels;
-  int Strong = 0; ///< as sent
-  int Weak = 0;   ///< as sent
+  int Strong = 0; ///< last sent level
+  int Weak = 0;   ///< last sent level
   int BadReports = 0;
   std::int64_t SentAt = 0;
   std::int64_t LastRound = 0;

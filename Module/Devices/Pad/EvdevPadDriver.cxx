@@ -230,7 +230,7 @@ bool EvdevPadDriver::Listen(const HardwareExchange& exchange) noexcept
 
 void EvdevPadDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: the servo is told first.
+  // Before sending anything, which may take long: notify the servo first.
   this->Lost = true;
   this->Tell(exchange, DeviceStage::Lost, text);
   this->Rumble.Silence();

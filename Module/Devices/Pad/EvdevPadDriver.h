@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A gamepad through Linux' evdev: its sticks lead a tip, its motors tell how the force changes.
+ * A gamepad through Linux' evdev: its sticks lead a tip, its motors show how the force changes.
  *
  * Vibration, not force: see Vibration.h and PadState.h. The node is grabbed, so that no other
- * program takes the sticks for its own meanwhile. A stick that is held still sends nothing, so that
- * silence is no fault; a pad that is gone ends its node. Not verified on hardware.
+ * program uses the sticks meanwhile. A stick that is held still sends nothing, so that silence is
+ * no fault; the node ends when the pad is disconnected. Not verified on hardware.
  */
 #ifndef EvdevPadDriver_h
 #define EvdevPadDriver_h
@@ -24,7 +24,7 @@ namespace VolumeHaptics
 class EvdevPadDriver final : public HardwareDriver
 {
 public:
-  /** The number in FindEvdevPads; below zero: the first one that is free and vibrates. */
+  /** The number in FindEvdevPads; negative: the first free pad that vibrates. */
   explicit EvdevPadDriver(int number);
   ~EvdevPadDriver() override { this->Disconnect(); }
 
@@ -36,11 +36,11 @@ public:
 
 private:
   bool Take(const EvdevPad& pad, std::string& error);
-  /** Asks for all axes and buttons. */
+  /** Reads all axes and buttons. */
   void ReadAll() noexcept;
   void Begin(HardwareExchange& exchange);
   void Round(HardwareExchange& exchange);
-  /** Waits for a moment; false if the pad is gone. */
+  /** Waits for a moment; false if the pad was disconnected. */
   bool Listen(const HardwareExchange& exchange) noexcept;
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
   void Tell(HardwareExchange& exchange, DeviceStage stage, const char* text) const noexcept;

@@ -126,7 +126,7 @@ std::string EvdevPad::GetState() const
   {
     return Explain(errno);
   }
-  // For a moment, as the only way to learn whether another program has grabbed it.
+  // For a moment: the only way to detect whether another program has grabbed it.
   const bool isFree = ioctl(node, EVIOCGRAB, 1) == 0;
   std::string state = isFree ? "available" : Explain(errno);
   ioctl(node, EVIOCGRAB, 0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The gamepads that Linux has drivers for, as sysfs lists them.
+ * The gamepads for which Linux has drivers, as sysfs lists them.
  */
 #ifndef EvdevPads_h
 #define EvdevPads_h
@@ -17,20 +17,20 @@ namespace VolumeHaptics
 struct EvdevPad
 {
   std::string Path; ///< its node, such as /dev/input/event5
-  std::string Name; ///< of the product
+  std::string Name; ///< the product's
   std::uint16_t Vendor = 0;
   std::uint16_t Product = 0;
-  bool Vibrates = false; ///< its driver knows FF_RUMBLE
+  bool Vibrates = false; ///< its driver supports FF_RUMBLE
 
   /** Name and path, as shown to the user. */
   std::string GetLabel() const;
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
-  /** Such an obstacle, from the error of open() or EVIOCGRAB. */
+  /** The obstacle for an error of open() or EVIOCGRAB. */
   static std::string Explain(int fault);
 };
 
-/** In the order of their numbers: all with a first button and a stick of two axes. */
+/** In the order of their numbers: all pads with a first button and a stick of two axes. */
 std::vector<EvdevPad> FindEvdevPads();
 
 /** The obstacle and its cure for a pad whose driver can't make it vibrate. */

@@ -25,7 +25,7 @@ constexpr ButtonCode Codes[] = { { BTN_SOUTH, PadSouth }, { BTN_EAST, PadEast },
   { BTN_SELECT, PadSelect }, { BTN_START, PadStart }, { BTN_THUMBL, PadLeftStick },
   { BTN_THUMBR, PadRightStick }, { BTN_MODE, PadMode } };
 
-/** Below zero if it is none. */
+/** Negative if the character is no hexadecimal digit. */
 int DigitOf(char c)
 {
   return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
@@ -97,7 +97,7 @@ EvdevReader::News EvdevReader::Take(const input_event& event) noexcept
   const bool isEnd = event.type == EV_SYN && event.code == SYN_REPORT;
   if (this->IsDropping)
   {
-    // The rest of a report of which a part was lost.
+    // Drop the rest of a report of which a part was lost.
     this->IsDropping = !isEnd;
     return isEnd ? News::MustRead : News::None;
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What Linux tells of a gamepad: its capabilities as sysfs writes them, and its events.
+ * A gamepad in Linux: its capabilities as sysfs writes them, and its events.
  *
  * The codes are those of the kernel's gamepad specification (gamepad.rst of its documentation of
  * input), with triggers at Z and RZ as the drivers of Xbox and PlayStation pads have them. Pads
- * without RX and RY may have their right stick there: it counts as a stick if it was in its middle
- * at first.
+ * without RX and RY may have their right stick at Z and RZ: it counts as a stick if it was in its
+ * middle at first.
  */
 #ifndef EvdevReader_h
 #define EvdevReader_h
@@ -28,7 +28,7 @@ namespace VolumeHaptics
  */
 bool HasEvdevBit(const std::string& words, unsigned bit);
 
-/** Follows the events of a pad. */
+/** Tracks the events of a pad. */
 class EvdevReader
 {
 public:
@@ -36,11 +36,11 @@ public:
   {
     None,
     Report,  ///< a report is complete, and Get is new
-    MustRead ///< events were lost: ask the device for all of its axes and buttons
+    MustRead ///< events were lost: read all axes and buttons from the device
   };
 
   ///@{
-  /** The state of an axis or a button that the device has; others do not count. */
+  /** The state of an axis or a button that the device has; others are ignored. */
   void SetAxis(unsigned code, const input_absinfo& axis) noexcept;
   void SetButton(unsigned code, bool isHeld) noexcept;
   ///@}
@@ -58,11 +58,11 @@ private:
     int Flat = 0;
   };
   double Stick(unsigned code) const noexcept;
-  /** The furthest of those that there are. */
+  /** The furthest of the existing axes. */
   double Trigger(unsigned code, unsigned other, std::uint32_t button) const noexcept;
 
   std::array<Axis, ABS_CNT> Axes{};
-  std::uint32_t Buttons = 0; ///< of PadButton, and two more bits for triggers that are buttons
+  std::uint32_t Buttons = 0; ///< PadButton bits, and two more for triggers that are buttons
   bool IsDropping = false;
 };
 

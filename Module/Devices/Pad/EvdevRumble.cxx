@@ -32,7 +32,7 @@ bool EvdevRumble::Begin(int node) noexcept
   *this = {};
   this->Node = node;
   int slots = 0;
-  // The gain stays as the last program has set it; drivers without one ignore this.
+  // The gain stays as the last program has set it; drivers without a gain ignore this.
   return ioctl(node, EVIOCGEFFECTS, &slots) >= 0 && slots > 0 && WriteEvent(node, FF_GAIN, 0xFFFF);
 }
 

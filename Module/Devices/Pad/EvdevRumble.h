@@ -6,13 +6,13 @@
  * input).
  *
  * An effect lasts for ReplayLength and is renewed after Vibration::RenewTime, so that the motors
- * stop if this process stands still. If its node is closed, by whatever end of the process, the
- * kernel erases the effect, which stops them (evdev_release or, before Linux 5.7, evdev_flush, then
- * flush_effects in ff-core.c).
+ * stop if this process stands still. If the node is closed, also by the end of the process, the
+ * kernel erases the effect, which stops the motors (evdev_release or, before Linux 5.7,
+ * evdev_flush, then flush_effects in ff-core.c).
  *
- * New levels change the effect and start it again at once. Only its start makes the kernel know
- * that it plays: an effect that was changed and is stopped or erased before the kernel's next timer
- * tick would leave the motors on (ml_ff_upload and ml_ff_playback in ff-memless.c).
+ * New levels change the effect and start it again at once. Only the start marks the effect as
+ * playing in the kernel: an effect that was changed and is stopped or erased before the kernel's
+ * next timer tick would leave the motors on (ml_ff_upload and ml_ff_playback in ff-memless.c).
  */
 #ifndef EvdevRumble_h
 #define EvdevRumble_h
@@ -28,16 +28,16 @@ class EvdevRumble
 {
 public:
   static constexpr int ReplayLength = static_cast<int>(Vibration::ReplayTime * 1e3 + 0.5); ///< ms
-  static constexpr int Steps = 255; ///< of a motor's level: as fine as pads take it
+  static constexpr int Steps = 255; ///< of a motor's level: the resolution of pads
 
-  /** For a node that is open, with the full gain. False if it holds no effects. */
+  /** For an open node, with the full gain. False if it holds no effects. */
   bool Begin(int node) noexcept;
   ///@{
-  /** False if the device does not take it. */
+  /** False if the device refuses it. */
   bool Show(const VibrationLevels& levels) noexcept;
   bool Silence() noexcept;
   ///@}
-  /** Silence, and no effects any more; before the node is closed. */
+  /** Stops the motors and erases the effect; call it before the node is closed. */
   void End() noexcept;
 
 private:

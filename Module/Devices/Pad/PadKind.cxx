@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* PadIds = "vibration:pad";
 
-/** A pad by the road on which it is reached, and its number among those of that road. */
+/** A pad with the driver that reaches it, and its number there. */
 struct ListedPad
 {
   bool IsHid = false;
@@ -50,7 +50,7 @@ std::vector<ListedPad> FindPads()
   {
     bool isKnown = false;
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
-    // The kernel's own road is better: it ends the vibration with the program.
+    // Prefer the kernel's driver: it ends the vibration with the program.
     isKnown = std::any_of(known.begin(), known.end(),
       [&info](const EvdevPad& pad)
       { return pad.Vibrates && pad.Vendor == info.Vendor && pad.Product == info.ProductId; });
@@ -131,7 +131,7 @@ std::unique_ptr<DeviceBackend> MakePad(
   {
     return MakeListed(pads[static_cast<std::size_t>(number)], options, error);
   }
-  // Without a number any pad that is free and vibrates will do.
+  // Without a number, take any free pad that vibrates.
 #if defined(VOLUME_HAPTICS_HAS_EVDEV)
   const bool hasEvdev = std::any_of(
     pads.begin(), pads.end(), [](const ListedPad& pad) { return !pad.IsHid && pad.Vibrates; });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The limits of gamepads, which all are alike to the servo.
+ * The limits of gamepads, which are the same for all of them.
  */
 #ifndef PadLimits_h
 #define PadLimits_h
@@ -12,7 +12,7 @@
 namespace VolumeHaptics
 {
 
-/** N: of the force whose changes are felt. No force leaves a pad. */
+/** N: the force whose changes are felt. A pad gives no force. */
 constexpr double MostPadForce = 8.0;
 
 inline DeviceLimits MakePadLimits() noexcept

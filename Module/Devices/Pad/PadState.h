@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The sticks and buttons of a gamepad, and the way in which they lead the tip.
+ * The sticks and buttons of a gamepad, and how they lead the tip.
  */
 #ifndef PadState_h
 #define PadState_h
@@ -33,7 +33,7 @@ enum PadButton : std::uint32_t
 struct PadState
 {
   ///@{
-  /** -1 to 1; right and down are positive, as drivers tell them. */
+  /** -1 to 1; right and down are positive, as drivers report them. */
   double LeftX = 0.0;
   double LeftY = 0.0;
   double RightX = 0.0;
@@ -47,7 +47,7 @@ struct PadState
   std::uint32_t Buttons = 0;
 };
 
-/** Speeds as shares of the largest, in the tip's frame: right, up, towards the hand. */
+/** Speeds as fractions of the largest, in the tip's frame: right, up, towards the hand. */
 struct PadMotion
 {
   Vector3 Push;
@@ -55,18 +55,18 @@ struct PadMotion
 };
 
 /**
- * The left stick moves the tip to the right and up, the right stick moves it forward and back, and
- * so do the triggers: the right one presses forward, the left one pulls back. The right stick turns
- * the volume to its sides. With the left shoulder held, the tip moves at a fifth of the speed. The
- * right shoulder is the clutch: while it is held, the tip stays.
+ * The left stick moves the tip to the right and up; the right stick moves it forward and back, and
+ * so do the triggers: the right trigger presses forward, the left one pulls back. The right stick
+ * turns the volume sideways. With the left shoulder held, the tip moves at a fifth of the speed.
+ * The right shoulder is the clutch: while it is held, the tip stays.
  */
 PadMotion Steer(const PadState& state) noexcept;
 
 ///@{
 /**
- * -1 to 1 for a stick, 0 to 1 for a trigger, from what it reports between two ends. Within a dead
- * zone about the rest it is 0, and nothing jumps at its border: 12 % of a stick's half and 5 % of a
- * trigger, or `flat`, the driver's own dead zone, if that is larger. If the ends are no range: 0.
+ * Maps a reported value between two ends to -1 to 1 for a stick, 0 to 1 for a trigger. Within a
+ * dead zone about the rest it is 0, continuous at its border: 12 % of a stick's half and 5 % of a
+ * trigger, or `flat`, the driver's own dead zone, if that is larger. 0 if the ends are no range.
  */
 double ScaleStick(int value, int least, int most, int flat = 0) noexcept;
 double ScaleTrigger(int value, int least, int most, int flat = 0) noexcept;

@@ -10,10 +10,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** N: none that a device is asked for, and none with which the sums overflow. */
+/** N: larger than any force that is sent; with it, the sums do not overflow. */
 constexpr double LargestForce = 1e6;
 
-/** A level on its way to another one. */
+/** Moves a level towards another. */
 double Follow(double level, double wanted, double elapsed) noexcept
 {
   return std::clamp(
@@ -24,7 +24,7 @@ double Follow(double level, double wanted, double elapsed) noexcept
 
 VibrationLevels Vibration::Advance(const Vector3& force, double elapsed) noexcept
 {
-  if (!(Norm(force) <= LargestForce)) // also if it is no number
+  if (!(Norm(force) <= LargestForce)) // also if it is not a number
   {
     this->Silence();
     return this->Levels;

@@ -25,14 +25,16 @@ public:
 
   /**
    * Finds X or the steering wheel, Y if there is one, and the buttons that have a bit each. False,
-   * with what is missing, if there is no axis.
+   * with the missing parts, if there is no axis.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
 
-  /** The smallest step of an axis that it tells, as a share of its logical range. */
+  /** The smallest reported step of an axis, as a fraction of its logical range. */
   double GetStep() const noexcept;
   bool HasSecondAxis() const noexcept { return this->Axes.size() > 1; }
-  /** For a device whose second axis has no motor: it may be a pedal's. State::Axes[1] stays 0. */
+  /**
+   * For a device without a motor on its second axis, which may be a pedal. State::Axes[1] stays 0.
+   */
   void UseOneAxis() { this->Axes.resize(1); }
 
   /**

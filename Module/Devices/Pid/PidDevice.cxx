@@ -76,7 +76,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
   }
-  // There is one angle, or several that are numbered.
+  // There is one angle, or there are several, numbered ones.
   const bool isNumbered =
     mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
   if (!isNumbered)
@@ -137,7 +137,7 @@ void PidDevice::Choose(HidReport& report, const Slot& slot) noexcept
   PidDevice::Put(report, slot, slot.Value);
 }
 
-// Of a bit; OpenFFBoard's descriptor of one axis says that the only value is 0.
+// Sets a bit; OpenFFBoard's descriptor of one axis says that the only value is 0.
 void PidDevice::SwitchOn(HidReport& report, const Slot& slot) noexcept
 {
   if (slot.Known)
@@ -194,11 +194,11 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
   // By the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
-  // disagree about the meaning of the direction.
+  // interpret the direction differently.
   const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
-  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle,
-  // whatever its unit. Of shares, it is the whole axis.
+  // Polar, clockwise from the north; as in Linux, the field's range is the whole circle, in any
+  // unit. For shares, it is the whole axis.
   const double circle = this->HasShares ? 1.0 : axis == 0 ? 0.25 : 0.0;
   const HidField& field = this->Direction.Field;
   PidDevice::Put(report, this->Direction,

@@ -5,10 +5,10 @@
  * The reports of a force-feedback stick or wheel, after the USB PID 1.0 specification (usage page
  * 0x0F): the places of the fields in a device's reports, and the values for them.
  *
- * Report ids, sizes and ranges differ from device to device: PidMapper finds everything by its
- * usage. PID knows no newtons: magnitudes are parts of a full scale that the user states. The order
- * of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and do not
- * allocate.
+ * Report ids, sizes and ranges differ from device to device: PidMapper locates everything by its
+ * usage. PID has no newtons: magnitudes are fractions of a full scale that the user states. The
+ * order of the reports is in PidDialogue.h. All functions that the servo calls are noexcept and do
+ * not allocate.
  */
 #ifndef PidDevice_h
 #define PidDevice_h
@@ -22,7 +22,7 @@
 namespace VolumeHaptics
 {
 
-/** Settings for turning forces into magnitudes. */
+/** Settings that turn forces into magnitudes. */
 struct PidSettings
 {
   /// N at full magnitude, for x and y. Only the user knows it. A value below zero reverses the
@@ -34,7 +34,7 @@ struct PidSettings
 
 enum class BlockLoadStatus : std::uint8_t
 {
-  Waiting, ///< unknown yet, or not understood
+  Waiting, ///< not known yet, or not understood
   Success,
   Full,
   Error
@@ -44,7 +44,7 @@ class PidDevice
 {
 public:
   /**
-   * Finds the reports. False, with a list of all that is missing, if they don't allow constant
+   * Finds the reports. False, with a list of the missing parts, if they don't allow constant
    * forces.
    */
   bool Map(const HidReportDescriptor& descriptor, std::string& error);
@@ -55,7 +55,7 @@ public:
   int GetNumberOfAxes() const noexcept { return this->Axes; }
   /** For a device without a motor on its second axis, although its descriptor has one. */
   void UseOneAxis() noexcept { this->Axes = 1; }
-  /** Its directions are shares of the axis that is enabled: see PidFirmware. */
+  /** Makes directions shares of the enabled axis: see PidFirmware. */
   void UseShares() noexcept { this->HasShares = true; }
 
   ///@{
@@ -65,8 +65,8 @@ public:
   HidReport CreateConstant() const noexcept;
   /**
    * A constant effect from 90 degrees for axis 0, from 0 for axis 1: a positive magnitude pushes to
-   * the left, or towards the hand, where a force comes from its direction (see PidFirmware).
-   * Firmwares of angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the other way.
+   * the left, or towards the hand, if a force comes from its direction (see PidFirmware). Firmwares
+   * with angles of 8 bits leak 0.6 % of axis 0 into axis 1, and nothing the other way.
    */
   HidReport SetEffect(std::int64_t block, int axis, double duration) const noexcept;
   HidReport Operate(std::int64_t block, PidUsage operation) const noexcept;

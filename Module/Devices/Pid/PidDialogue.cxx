@@ -9,7 +9,8 @@ namespace VolumeHaptics
 {
 namespace
 {
-// How long a device goes on without its host is limited to 50 to 100 ms, whatever the setting.
+// Limits the time for which a device goes on without its host to 50 to 100 ms, whatever the
+// setting.
 PidSettings Bounded(PidSettings settings)
 {
   constexpr double shortest = 0.05;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The dialogue of the host with a force-feedback stick or wheel, without a transport.
+ * The dialogue between the host and a force-feedback stick or wheel, without a transport.
  *
  * PidDialogue makes the device ready: it resets twice, enables the actuators, reads the pool and
  * sets full gain. Then for each axis it creates a constant effect, waits for its block, sets it
@@ -30,19 +30,20 @@ class PidDialogue
 {
 public:
   /**
-   * How often the device may say that it has not made an effect yet; there is a pause between two.
+   * How often the device may report that it has not made an effect yet; there is a pause between
+   * two polls.
    */
   static constexpr int MaximumPolls = 60;
-  static constexpr double PollPause = 0.005; ///< s, the pause before the caller asks again
+  static constexpr double PollPause = 0.005; ///< s, the pause before the next poll
 
-  /** The device has to outlive this. */
+  /** The device has to outlive the dialogue. */
   PidDialogue(const PidDevice& device, const PidSettings& settings);
 
   /** The next step; the same until Sent or Fetched is called. */
   PidStep GetStep(HidReport& report) const;
 
   ///@{
-  /** The result of that step. A payload of no bytes means that the device gave none. */
+  /** The result of that step. An empty payload means that the device gave none. */
   void Sent(bool went);
   void Fetched(const std::uint8_t* payload, std::size_t size);
   ///@}
@@ -81,16 +82,16 @@ private:
 };
 
 /**
- * The reports of the servo, one after the other: each axis is restarted before its effect ends, and
- * gets a new magnitude if it has changed. If nothing else was sent for SignTime, a magnitude is
- * sent again: the device shows that it is alive by taking it. No allocation, no exception.
+ * The reports of the servo, in order: each axis is restarted before its effect ends, and gets a new
+ * magnitude if it has changed. If nothing else was sent for SignTime, a magnitude is sent again: by
+ * taking it, the device shows that it is connected. No allocation, no exception.
  */
 class PidStream
 {
 public:
   static constexpr double SignTime = 0.01; ///< s
 
-  /** The device has to outlive this, and the dialogue has to be ready. */
+  /** The device has to outlive the stream, and the dialogue has to be ready. */
   PidStream(const PidDevice& device, const PidSettings& settings, const PidDialogue& dialogue);
 
   /**
@@ -106,7 +107,7 @@ private:
   std::array<double, 2> Ages{}; ///< s since the last start
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, 2> Last{}; ///< magnitudes sent
   double Silence = 0.0; ///< s since anything was sent
-  int Turn = 0;         ///< the axis whose turn is next
+  int Turn = 0;         ///< the next axis
 };
 
 } // namespace VolumeHaptics

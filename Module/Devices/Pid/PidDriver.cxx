@@ -16,13 +16,16 @@ namespace VolumeHaptics
 namespace
 {
 
-/** With so many repeated packets in a row, the stick sends reports at a rate of its own. */
+/**
+ * After this many repeated packets in a row, the stick counts as one that sends reports at its own
+ * rate.
+ */
 constexpr int RepeatsOfStream = 20;
-/** ns: a longer pause before a packet that says the same again is chance. */
+/** ns: a longer pause before a repeated packet is chance. */
 constexpr std::int64_t LongestReminder = 250000000;
-/** In gaps between repeats: two of them did not come. */
+/** In gaps between repeats: after this time, two repeats are missing. */
 constexpr double MissedGaps = 2.5;
-/** And after so many, the tip is not known to be at its last place any more. */
+/** After this time, the tip may have left its last place. */
 constexpr double LateGaps = 1.5;
 
 const char* const TwoAxes =
@@ -212,7 +215,7 @@ void PidDriver::Work(HardwareExchange& exchange)
     this->Repeats > RepeatsOfStream && silence > LateGaps * static_cast<double>(this->LongestGap);
   if (this->SendForces(exchange) && this->IsReady && !isLate)
   {
-    // It has just taken a report, so it is alive, and would have said if it had moved.
+    // The device has just taken a report, so it is connected, and would have reported a motion.
     exchange.Confirm();
   }
 }
@@ -313,7 +316,7 @@ bool PidDriver::SendForces(HardwareExchange& exchange)
   const Vector3 force = exchange.GetForce();
   // A positive magnitude pushes to the left, and towards the hand.
   const std::array<double, 2> magnitudes{ -force.X, -force.Y };
-  // For each axis its start, if that is due, and its magnitude.
+  // For each axis its start, if due, and its magnitude.
   HidReport report;
   bool isAlive = false;
   for (int i = 0; i < 2 * this->Map.Device.GetNumberOfAxes(); ++i)

@@ -4,19 +4,19 @@
  * @file
  * Force-feedback sticks and wheels (HID PID) through hidapi.
  *
- * Of a stick with two axes, both are used if its firmware is known (PidFirmware.h), since firmwares
- * do not agree about which way an effect pushes the second one. Others are refused, unless the
- * user says with a second NewtonsPerFullScale of 0 that only the first axis has a motor.
+ * A stick with two axes uses both if its firmware is known (PidFirmware.h), since firmwares differ
+ * in which way an effect pushes the second one. Other sticks are refused, unless the user states
+ * with a second NewtonsPerFullScale of 0 that only the first axis has a motor.
  *
  * The axes are a tip in a plane: x to the right, y away from the hand, at most 5 cm each way; HID's
- * own y axis points towards the hand. Of a device of one axis the tip moves along x only: the
+ * own y axis points towards the hand. With a device of one axis the tip moves along x only: the
  * second axis may be a pedal. Effects end by themselves within 0.1 s of the host's last report.
  * Many sticks send nothing while they rest, so the last position stays valid: such a stick shows
- * that it is alive by the reports that it takes, one every 10 ms at least. Others repeat their
+ * that it is connected by the reports that it takes, one every 10 ms at least. Others repeat their
  * reports, such as OpenFFBoard every 0.1 s, and are lost if two repeats do not come.
  *
- * The kernel's own PID driver has the same device. If a game uses that meanwhile, the two disturb
- * each other. Why this goes by hidraw and not by that driver: Documentation/devices.md.
+ * The kernel's PID driver has the same device. If a game uses it meanwhile, the two disturb each
+ * other. Documentation/devices.md explains why this driver uses hidraw.
  */
 #ifndef PidDriver_h
 #define PidDriver_h
@@ -34,11 +34,11 @@ namespace VolumeHaptics
 class PidDriver final : public HidDriver
 {
 public:
-  static constexpr double Travel = 0.05; ///< m, of the tip at the end of an axis
+  static constexpr double Travel = 0.05; ///< m, the tip's at the end of an axis
   /** m/s, the whole way in 20 ms. No hand is faster. */
   static constexpr double FastestStick = 5.0;
 
-  /** The devices that an id means: all, or those of a vendor and product. */
+  /** The devices that an id denotes: all, or those of a vendor and product. */
   struct Numbers
   {
     bool Any = true;
@@ -48,27 +48,27 @@ public:
   /** False for an id that is neither "pid" nor "pid:VVVV:PPPP". */
   static bool ReadNumbers(const std::string& id, Numbers& numbers);
   /**
-   * Whether its report descriptor has all that forces need. The objection tells why such a device
-   * gets no forces, and the cure; it is empty if it gets them.
+   * Whether the report descriptor has all that forces need. The objection says why such a device
+   * gets no forces, and the cure; it is empty if the device gets them.
    */
   static bool IsPid(const HidDeviceInfo& info, std::string& objection);
 
   PidDriver(const Numbers& numbers, const std::array<double, 2>& newtonsPerFullScale);
 
   DeviceLimits GetLimits() const override;
-  /** With the axes that the user has reversed: their signs are others. */
+  /** Includes the axes that the user has reversed: their signs differ. */
   std::string GetIdentity() const override;
 
 private:
-  /** How a device is driven, as far as its descriptor and its names tell. */
+  /** How a device is driven, according to its descriptor and its names. */
   struct Mapping
   {
     PidDevice Device;
     HidStick Stick;
     PidFirmware Firmware;
-    std::string Objection; ///< why it gets no forces although it could; empty: it does
+    std::string Objection; ///< why it gets no forces although it could; empty: it gets them
 
-    /** False, with what is missing, if it is no force-feedback device. */
+    /** False, with the missing parts, if it is no force-feedback device. */
     bool Read(const HidDeviceInfo& info, bool usesSecond, std::string& error);
   };
 
@@ -94,14 +94,14 @@ private:
   Mapping Map;
 
   std::optional<PidDialogue> Dialogue;
-  std::optional<PidStream> Stream; ///< once the dialogue is over
+  std::optional<PidStream> Stream; ///< after the dialogue
   HidStick::State State;           ///< axes that were not reported yet are NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;
   int Repeats = 0; ///< packets that equal the one before
   std::int64_t LastPacketTime = 0;
-  std::int64_t LongestGap = 0; ///< ns, before a packet that repeats the one before
+  std::int64_t LongestGap = 0; ///< ns, before a repeated packet
   std::int64_t LastRound = 0;
 };
 

@@ -17,7 +17,7 @@ bool IsOpenFfboard(const HidDeviceInfo& info)
   return info.Vendor == 0x1209 && info.ProductId == 0xFFB0;
 }
 
-/** Arduino's two numbers and SparkFun's. */
+/** Arduino's two vendor numbers and SparkFun's. */
 bool IsArduino(const HidDeviceInfo& info)
 {
   return info.Vendor == 0x2341 || info.Vendor == 0x2A03 || info.Vendor == 0x1B4F;
@@ -26,7 +26,7 @@ bool IsArduino(const HidDeviceInfo& info)
 /** Whether all reports of force feedback have the sizes of ArduinoJoystickWithFFBLibrary's. */
 bool HasSizesOfLibrary(const HidReportDescriptor& descriptor)
 {
-  // Output reports 1 to 14; report 9 is none, and of report 8 the second axis is missing.
+  // Output reports 1 to 14; there is no report 9, and report 8 lacks the second axis.
   constexpr std::size_t outputs[] = { 17, 13, 14, 11, 3, 5, 15, 1, 0, 3, 1, 1, 1, 4 };
   // Feature reports 5 to 7.
   constexpr std::size_t features[] = { 3, 4, 4 };

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which published firmware a force-feedback device runs, and which way that pushes.
+ * Detects which published firmware a force-feedback device runs, and which way it pushes.
  *
  * The PID specification leaves open whether a direction is where a force comes from or where it
- * goes to, and firmwares differ. Two are known here by their source, where the torque of their own
- * springs tells the sign of their axes:
+ * goes to, and firmwares differ. Two are known from their source, where the torque of their own
+ * springs shows the sign of their axes:
  *
  * - OpenFFBoard (Ultrawipf/OpenFFBoard, HidFFB.cpp and EffectsCalculator.cpp, commit 160af910): a
  *   force comes from its direction, as in DirectInput and in Linux' hid-pidff. Versions 1.10.0 to
- *   1.16.0 push y the other way. Versions differ neither in their numbers nor in their reports, but
- *   since 1.16.5 the name of the board follows "FFBoard " in the product's name.
- *   Built with the descriptor of one axis, it looks for Direction Enable in a bit that the
- *   descriptor does not have, and goes by the bit of the axis: then its direction is a share, from
- *   -1 at one end of the range to 1 at the other.
+ *   1.16.0 push y the other way. Versions have the same numbers and reports, but since 1.16.5 the
+ *   name of the board follows "FFBoard " in the product's name. Built with the descriptor of one
+ *   axis, it looks for Direction Enable in a bit that the descriptor does not have, and uses the
+ *   bit of the axis: then its direction is a share, from -1 at one end of the range to 1 at the
+ *   other.
  * - ArduinoJoystickWithFFBLibrary (YukMingLaw's, Joystick.cpp, commit ed86e27): a force goes to its
- *   direction. It is told by its board's maker and the sizes of all its reports.
+ *   direction. It is identified by its board's maker and the sizes of all its reports.
  *
- * All others are taken for devices that follow hid-pidff. Of those with two axes only the first one
- * is used, where the user says that the second one has no motor.
+ * All others are treated like hid-pidff. If they have two axes, only the first one is used, where
+ * the user states that the second one has no motor.
  */
 #ifndef PidFirmware_h
 #define PidFirmware_h
@@ -31,10 +31,10 @@ namespace VolumeHaptics
 
 struct PidFirmware
 {
-  bool IsKnown = false;       ///< the signs of both axes are
-  double Sign = 1.0;          ///< -1 where a force goes to its direction
+  bool IsKnown = false;       ///< the signs of both axes are known
+  double Sign = 1.0;          ///< -1 if a force goes to its direction
   bool HasShares = false;     ///< a direction is a share of the axis, with its bit
-  const char* Objection = ""; ///< why no axis can be driven; empty where one can
+  const char* Objection = ""; ///< why no axis can be driven; empty if one can
 };
 
 PidFirmware FindPidFirmware(const HidDeviceInfo& info, const HidReportDescriptor& descriptor);

@@ -13,7 +13,7 @@ namespace VolumeHaptics
 {
 
 /**
- * Reads one device's descriptor for PidDevice::Map, and collects all that is missing.
+ * Reads one device's descriptor for PidDevice::Map, and collects the missing parts.
  *
  * Turn selects a report; Find and Need then look for fields in it.
  */
@@ -31,7 +31,7 @@ public:
     return MakeHidUsage(0x0F, static_cast<std::uint16_t>(usage));
   }
 
-  /** Selects the report with this usage. False if there is none that can be used. */
+  /** Selects the report with this usage. False if there is no usable one. */
   bool Turn(PidUsage report, HidReportKind kind, const char* name, PidDevice::Shape& shape);
 
   ///@{
@@ -43,11 +43,11 @@ public:
   bool Find(PidUsage usage, PidDevice::Slot& slot) const { return this->Find(Of(usage), slot); }
   ///@}
 
-  /** As Find; if there is no such field, notes it as missing. */
+  /** As Find; records a missing field. */
   void Need(PidUsage usage, const char* name, PidDevice::Slot& slot);
 
   void NoteMissing(const std::string& what);
-  /** All that is missing, separated by commas. */
+  /** All missing parts, separated by commas. */
   const std::string& GetMissing() const { return this->Missing; }
 
 private:

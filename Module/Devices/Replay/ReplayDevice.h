@@ -18,8 +18,8 @@ class ReplayDevice : public DeviceBackend
 {
 public:
   /**
-   * The tips (m, this device's space), and the recording's name. Finished after the last tip. The
-   * orientations are those of the tips, or none; one that is not of unit norm is not valid.
+   * The tips (m, this device's space), and the recording's name. Finished after the last tip. One
+   * orientation per tip, or none; an orientation that is not of unit norm is not valid.
    */
   ReplayDevice(
     std::vector<Vector3> tips, std::string name, std::vector<Quaternion> orientations = {});

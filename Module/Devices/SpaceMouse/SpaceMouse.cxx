@@ -15,7 +15,7 @@ constexpr std::uint16_t Connexion = 0x256F;
 
 // SpaceMouse Plus XT, CADman, SpaceMouse Classic, Spaceball 5000, SpaceTraveler, SpacePilot,
 // SpaceNavigator, SpaceExplorer, SpaceNavigator for Notebooks, SpacePilot Pro, SpaceMouse Pro,
-// NuLOOQ: under Logitech's number, whose products are mostly other ones.
+// NuLOOQ: under Logitech's vendor number, most of whose products are other devices.
 constexpr std::uint16_t Older[] = { 0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625, 0xC626, 0xC627,
   0xC628, 0xC629, 0xC62B, 0xC640 };
 // SpaceMouse Wireless (cable, receiver), Pro Wireless (cable, receiver), Enterprise, Compact,
@@ -24,7 +24,7 @@ constexpr std::uint16_t Newer[] = { 0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC6
   0xC63A, 0xC652 };
 constexpr std::uint16_t WithAxisUp[] = { 0xC603, 0xC606, 0xC640 };
 
-/** A key of the Enterprise: its number, and the bit that stands for it. */
+/** A key of the Enterprise: its number, and its bit. */
 struct HighKey
 {
   std::size_t Number;

@@ -23,23 +23,23 @@ class SpaceMouse
 {
 public:
   static constexpr double FullScale = 350.0; ///< counts
-  /// Of the full scale, about ten counts: at rest, caps are off their zero by a few counts. Beyond
-  /// the dead zone values rise from 0, so that nothing jumps at its border.
+  /// Fraction of the full scale, about ten counts: at rest, caps are off their zero by a few
+  /// counts. Beyond the dead zone values rise from 0, so that nothing jumps at its border.
   static constexpr double DeadZone = 0.03;
 
   struct State
   {
     std::array<double, 6> Axes{}; ///< x, y, z, about x, about y, about z: -1 to 1
-    std::uint32_t Buttons = 0;    ///< the first 32; bit 0 is the first
+    std::uint32_t Buttons = 0;    ///< the first 32 buttons; bit 0 is the first
   };
 
   /**
-   * Whether this is such a device, by an explicit list: the vendors' other products are mice and
+   * Whether this is a six-axis mouse, by an explicit list: the vendors' other products are mice and
    * keyboards.
    */
   static bool IsKnown(std::uint16_t vendor, std::uint16_t product) noexcept;
   /**
-   * Whether its y axis is up and its z axis away from the hand. Of most devices y is towards the
+   * Whether the y axis is up and the z axis away from the hand. On most devices y is towards the
    * hand and z down.
    */
   static bool HasAxisUp(std::uint16_t vendor, std::uint16_t product) noexcept;

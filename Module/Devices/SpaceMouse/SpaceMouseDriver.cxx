@@ -14,14 +14,14 @@ namespace
 constexpr std::uint8_t LightReport = 4;
 constexpr std::uint8_t ButtonReport = 3;
 /**
- * The usages that these devices report: multi-axis controller and joystick. Keyboards are not among
- * them.
+ * The usages that these devices report: multi-axis controller and joystick. Keyboards are not
+ * included.
  */
 constexpr std::uint16_t DesktopPage = 0x01;
 
 /**
- * From the device's axes to the tip's, which are right, up, towards the hand: from right, towards
- * the hand, down, or from right, up, away from the hand.
+ * From the device's axes to the tip's (right, up, towards the hand). The device's are right,
+ * towards the hand, down, or right, up, away from the hand.
  */
 Vector3 TurnAxes(bool isAxisUp, double x, double y, double z)
 {

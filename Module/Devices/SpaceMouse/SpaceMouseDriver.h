@@ -52,9 +52,9 @@ private:
   void Light(bool on) noexcept;
 
   const int Number;
-  std::size_t LightSize = 0; ///< bytes of the report that switches the light; 0: no light
+  std::size_t LightSize = 0; ///< bytes of the light's report; 0: no light
   bool IsLit = false;
-  bool IsAxisUp = false; ///< the device's y; else its z is down
+  bool IsAxisUp = false; ///< the device's y is up; else its z is down
   SpaceMouse::State State;
   RateTip Tip;
   std::int64_t LastMotion = 0;

@@ -14,7 +14,7 @@ namespace
 
 constexpr int VendorRoundPause = 1; // ms, the longest between two rounds
 constexpr int VendorLostPause = 10; // ms
-constexpr double Farthest = 10.;    // m: a position beyond is none
+constexpr double Farthest = 10.;    // m: a farther position is invalid
 constexpr std::uint32_t AllAxes = 7;
 
 bool IsLimit(double limit)

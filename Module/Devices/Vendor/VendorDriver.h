@@ -5,8 +5,8 @@
  * A device behind a plug-in for its vendor's library (VendorPlugin.h).
  *
  * In each round it reads the pose and writes the force; a round follows each force of the servo, or
- * the last round by a millisecond. If a call of the plug-in does not come back, the servo's force
- * is zero after 30 ms, as there are no positions, but the device is not told: then only the
+ * the last round by a millisecond. If a call of the plug-in does not return, the servo's force is
+ * zero after 30 ms, as there are no positions, but the device does not get it: then only the
  * vendor's watchdog ends the force.
  */
 #ifndef VendorDriver_h
@@ -21,7 +21,7 @@ namespace VolumeHaptics
 class VendorDriver final : public HardwareDriver
 {
 public:
-  /** s. A call that takes longer is a fault: the device was not watched meanwhile. */
+  /** s. A longer call is a fault: the device was not observed meanwhile. */
   static constexpr double LongestCall = 0.5;
 
   /** `path` as in VendorFolder::Split. */
@@ -50,7 +50,7 @@ private:
   const std::string Path;
   std::string Label;
   std::string Identity;
-  bool HasSerial = false; ///< without one, devices of a plug-in may change their numbers
+  bool HasSerial = false; ///< without it, a plug-in's devices may change their numbers
   DeviceLimits Limits;
   std::shared_ptr<VendorLibrary> Library;
   void* Device = nullptr;

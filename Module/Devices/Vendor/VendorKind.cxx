@@ -28,7 +28,7 @@ std::vector<DeviceListing> ListVendors()
         all.push_back({ "vendor:" + file.Plugin + ":" + std::to_string(number), device.Name,
           device.IsOpen ? "in use" : "available",
           device.Serial.empty()
-            ? std::string() // it may have one that only the open device tells
+            ? std::string() // it may have one that only the open device reports
             : VendorLibrary::MakeIdentity(file.Plugin, number, device.Serial) });
         ++number;
       }
@@ -37,7 +37,7 @@ std::vector<DeviceListing> ListVendors()
   return all;
 }
 
-/** The obstacle of each plug-in that can't be used, and that of the kind as a whole. */
+/** The obstacle of each plug-in that can't be used, and the obstacle of the kind as a whole. */
 std::string WhyNoVendors()
 {
   std::vector<std::string> obstacles;

@@ -25,15 +25,15 @@ bool IsWhole(const VolumeHapticsVendorPlugin& table)
 }
 
 /**
- * The table of a file's plug-in; null, with the reason and the cure. A library stays loaded even if
- * it is refused: the vendor's library may have begun threads.
+ * The table of a file's plug-in; null, with the reason and the cure. A refused library stays
+ * loaded, too: the vendor's library may have started threads.
  */
 const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string& error)
 {
   void* const library = dlopen(real.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library)
   {
-    // The loader names what is missing, as a rule the vendor's own library.
+    // The loader names the missing part, usually the vendor's own library.
     const char* const reason = dlerror();
     error = "\"" + real + "\" can't be loaded: " + (reason ? reason : "no reason is given") +
       ". Install the vendor's SDK, and name the folder of its libraries in LD_LIBRARY_PATH if they "

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A loaded plug-in for a vendor's library, and what is known of its devices.
+ * A loaded plug-in for a vendor's library, with the facts about its devices.
  *
  * Plug-ins stay loaded until the program ends: vendors' libraries have threads of their own, which
  * may not outlive their code.
@@ -30,15 +30,17 @@ public:
     bool IsOpen = false; ///< by this program
   };
 
-  /** Loads the plug-in of this name, or finds it loaded. Null, with the reason and the cure. */
+  /**
+   * Loads the plug-in of this name, or returns the loaded one. Null, with the reason and the cure.
+   */
   static std::shared_ptr<VendorLibrary> Load(
     const std::string& plugin, const std::string& path, std::string& error);
   /** Loads a file that VendorFolder found. Any thread. */
   static std::shared_ptr<VendorLibrary> LoadFile(const std::string& path, std::string& error);
 
   /**
-   * The devices. While one is open, as they were before: the plug-in is then not asked. False, with
-   * the reason, if the plug-in can't tell.
+   * The devices. While one is open, returns the last list without asking the plug-in. False, with
+   * the reason, if the plug-in can't list them.
    */
   bool Describe(std::vector<Description>& devices, std::string& error);
 
@@ -49,7 +51,7 @@ public:
   ///@}
 
   const VolumeHapticsVendorPlugin& Functions() const noexcept { return *this->Table; }
-  /** The plug-in's text for a device, or for itself; never empty. */
+  /** The plug-in's text about a device, or about itself; never empty. */
   std::string LastError(void* device) const;
 
   /** The identity of a device for the user's file of devices. */

@@ -6,25 +6,24 @@
  *
  * A plug-in is a shared library, libvolumehaptics-PLUGIN.so, that you build against the vendor's
  * SDK. It exports one function, VolumeHapticsVendorGetPlugin, which returns a table of functions.
- * It needs this header only, and none of it changes when VTK Volume Haptics does, as long as
- * VOLUME_HAPTICS_VENDOR_VERSION stays the same. Examples/Cxx/VendorDevice.cxx is a template;
- * Examples/Vendor has plug-ins for Force Dimension's and 3D Systems' libraries.
+ * It needs this header only, and works with every VTK Volume Haptics of the same
+ * VOLUME_HAPTICS_VENDOR_VERSION. Examples/Cxx/VendorDevice.cxx is a template; Examples/Vendor has
+ * plug-ins for Force Dimension's and 3D Systems' libraries.
  *
  * Units are metres, newtons, newton metres, seconds. Axes point right, up and towards the user. A
  * stylus points along its own -z, so that its handle is on the side of +z, and has its button on
- * the side of +y; its orientation is the turn from the device's axes to these.
+ * the side of +y; its orientation is the rotation from the device's axes to the stylus's axes.
  *
- * Threads: Read, Write and Home of a device are called from one thread. Open, GetLimits, GetSerial
- * and a Write of zero come before from another thread, as a Write of zero and Close come after.
- * Functions for one device never run at the same time, those for two may. Count and Describe are
- * not called while a device of the plug-in is open. Read and Write are called about a thousand
- * times a second and may not take more than a millisecond, as a rule; a device of which they take
- * more than half a second is lost. No exception may leave a function.
+ * Threads: Read, Write and Home of a device are called from one thread. Before that, Open,
+ * GetLimits, GetSerial and a Write of zero are called from another thread; after it, a Write of
+ * zero and Close. Functions for one device never run at the same time; functions for two devices
+ * may. Count and Describe are not called while a device of the plug-in is open. Read and Write are
+ * called about a thousand times a second and should take at most a millisecond; if they take more
+ * than half a second, the device is lost. No exception may leave a function.
  *
- * Safety: the forces that Write gets are finite and within the limits. Write is the only function
- * that may give force, apart from Home of a device that moves by itself; the last call before Close
- * is a Write of zero. If the program is killed, only the vendor's own watchdog ends the force: keep
- * it on.
+ * Safety: the forces passed to Write are finite and within the limits. Only Write may give force,
+ * and Home of a device that moves by itself; the last call before Close is a Write of zero. If the
+ * program is killed, only the vendor's own watchdog ends the force: keep it on.
  */
 #ifndef VolumeHapticsVendorPlugin_h
 #define VolumeHapticsVendorPlugin_h
@@ -43,20 +42,20 @@ extern "C"
   enum VolumeHapticsVendorResult
   {
     VOLUME_HAPTICS_VENDOR_NEWS = 1,   /**< Read: a new measurement */
-    VOLUME_HAPTICS_VENDOR_DONE = 0,   /**< Read: the device is there and has nothing new to tell */
+    VOLUME_HAPTICS_VENDOR_DONE = 0,   /**< Read: the device is connected and has nothing new */
     VOLUME_HAPTICS_VENDOR_WAITS = -1, /**< Read: not homed or switched on yet: there is no pose */
     VOLUME_HAPTICS_VENDOR_LOST = -2   /**< a fault, after which no force may flow */
   };
 
-  /** A number that is not limited, or not known, is 0; only MaximumForce has to be known. */
+  /** A number that is not limited, or not known, is 0; only MaximumForce must be known. */
   struct VolumeHapticsVendorLimits
   {
     double MaximumForce;     /**< N */
     double MaximumTorque;    /**< N m; 0 if it gives no torque */
-    double MaximumStiffness; /**< N/m, that it holds at 1 kHz */
+    double MaximumStiffness; /**< N/m, held at 1 kHz */
     double MaximumDamping;   /**< N s/m */
     double MaximumSpeed;     /**< m/s; a faster tip means that the hand has lost the handle */
-    double OwnDamping;       /**< N s/m, of its own viscous friction */
+    double OwnDamping;       /**< N s/m, its own viscous friction */
     double WorkspaceRadius;  /**< m */
     uint32_t ForceAxes;      /**< bit i: it can push along axis i; 7, or 0: all */
   };
@@ -65,15 +64,15 @@ extern "C"
   {
     double Position[3];
     double Orientation[4];  /**< a unit quaternion, w first, if HasOrientation is not 0 */
-    int64_t Age;            /**< ns since it was measured; 0 if that is not known */
-    uint32_t Buttons;       /**< bit 0 is the main one */
-    int32_t HasOrientation; /**< 0 if the device measures none */
+    int64_t Age;            /**< ns since the measurement; 0 if not known */
+    uint32_t Buttons;       /**< bit 0 is the main button */
+    int32_t HasOrientation; /**< 0 if the device measures no orientation */
   };
 
   struct VolumeHapticsVendorPlugin
   {
     uint32_t Version; /**< VOLUME_HAPTICS_VENDOR_VERSION */
-    /** The devices that are plugged in, or that can be asked for; below zero: see LastError. */
+    /** The number of devices that are plugged in, or that can be tried; negative: see LastError. */
     int (*Count)(void);
     /** Writes a device's name for people, and its serial number or an empty text. */
     int (*Describe)(int number, char* name, size_t nameSize, char* serial, size_t serialSize);
@@ -85,19 +84,19 @@ extern "C"
     int (*Read)(void* device, struct VolumeHapticsVendorPose* pose);
     int (*Write)(void* device, const double force[3], const double torque[3]);
     /**
-     * The user wants the device to be homed, or to be tried again after a fault. It may take
+     * Homes the device, or tries it again after a fault, at the user's request. It may take
      * seconds, in which Read is not called. Null if there is nothing to do.
      */
     int (*Home)(void* device);
     /**
-     * The last fault or request to the user and its cure, in a sentence that follows the device's
-     * name: "is not homed. Press Home()." For null, that of the plug-in. Valid until the next call.
+     * The last fault or request to the user with its cure, in a sentence that follows the device's
+     * name: "is not homed. Press Home()." For null, the plug-in's. Valid until the next call.
      */
     const char* (*LastError)(void* device);
     void (*Close)(void* device);
   };
 
-  /** Null if the plug-in does not know that version. */
+  /** Null if the plug-in does not support that version. */
 #if defined(_WIN32)
   __declspec(dllexport)
 #else

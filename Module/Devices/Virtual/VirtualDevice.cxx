@@ -146,7 +146,7 @@ DeviceState VirtualDevice::Read(double period, DeviceSample& sample) noexcept
 
 DeviceState VirtualDevice::Write(const Vector3& force) noexcept
 {
-  // The oldest of ForceDelay + 1 forces acts; without a delay, the one that is written now.
+  // The oldest of ForceDelay + 1 forces acts; without a delay, the present one.
   const int length = std::clamp(this->Dynamics.ForceDelay, 0, VirtualDynamics::MaximumDelay) + 1;
   this->Queue[this->QueueHead % length] = force;
   this->QueueHead = (this->QueueHead + 1) % length;

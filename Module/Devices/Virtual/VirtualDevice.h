@@ -4,7 +4,7 @@
  * @file
  * A device without hardware, whose tip the program leads.
  *
- * Without dynamics (Mass 0, the default) the tip goes straight to its target, at HandSpeed at most.
+ * Without dynamics (Mass 0, the default) the tip goes straight to its target, at most at HandSpeed.
  * With a mass it is a device in a hand: m x'' = f + HandStiffness (target - x) - Damping x',
  * integrated accurately over each period with the force held, as in a sampled-data system. Measured
  * positions can be rounded to an encoder's quantum and forces delayed by ticks, to study the
@@ -51,24 +51,26 @@ public:
   void Quench() noexcept override { this->Quenched.store(true, std::memory_order_release); }
 
   ///@{
-  /** One thread outside the loop: the target of the tip (m), and the pressed buttons. */
+  /** One thread outside the loop: sets the target of the tip (m), and the pressed buttons. */
   void Lead(const Vector3& target) noexcept;
   /** Takes the stylus up at another position (m), as the first Lead does. */
   void Place(const Vector3& position) noexcept;
-  /** Turns the stylus, at once: a unit quaternion. Without a call it has no orientation. */
+  /**
+   * Sets the stylus's orientation, at once: a unit quaternion. Before the first call there is none.
+   */
   void Turn(const Quaternion& orientation) noexcept;
-  /** Takes the orientation away. */
+  /** Removes the orientation. */
   void ForgetTurn() noexcept;
   void SetButtons(std::uint32_t buttons) noexcept { this->Buttons.store(buttons); }
-  /** Only while the loop does not run. */
+  /** Call it only while the loop does not run. */
   void SetDynamics(const VirtualDynamics& dynamics) noexcept { this->Dynamics = dynamics; }
   const VirtualDynamics& GetDynamics() const noexcept { return this->Dynamics; }
-  /** The limits of another device. Only while the loop does not run. */
+  /** The limits of another device. Call it only while the loop does not run. */
   void SetLimits(const DeviceLimits& limits) noexcept { this->Limits = limits; }
   ///@}
 
   ///@{
-  /** Failures of a real device: samples stop coming, or it is unplugged. */
+  /** Simulate failures of a real device: samples stop, or it is unplugged. */
   void Freeze(bool frozen) noexcept { this->Frozen.store(frozen); }
   void Unplug() noexcept { this->Unplugged.store(true); }
   ///@}
@@ -106,7 +108,7 @@ private:
   Vector3 Velocity;
   std::array<Vector3, VirtualDynamics::MaximumDelay + 1> Queue{};
   int QueueHead = 0;
-  std::int64_t Time = 0;   ///< ns, simulated: a period a tick, however late the ticks are
+  std::int64_t Time = 0;   ///< ns, simulated: one period per tick, however late the ticks are
   std::int64_t Period = 0; ///< ns
   TakenForce Taken{ -1, 0 };
   Vector3 Target;

@@ -28,11 +28,9 @@ constexpr std::uint16_t LogPage = 0xFFC9;
 
 /** ns, between currents if no packet comes. */
 constexpr std::int64_t SendPeriod = 2000000;
-/**
- * s. After a longer pause the hand was not watched: the kernel may not have kept all packets.
- */
+/** s. After a longer pause the hand was not observed: the kernel may have dropped packets. */
 constexpr double LateRound = 0.03;
-/** s. The firmware only takes the last of the packets that wait, which may not be this one. */
+/** s. The firmware only uses the last of the waiting packets, which may not be this one. */
 constexpr double PresetPeriod = 0.1;
 
 constexpr const char* AskForRest =
@@ -71,7 +69,9 @@ bool IsTeensy(const HidDeviceInfo& info)
     info.UsagePage != LogPage;
 }
 
-/** Whether it has a controller's numbers, and this word in its name, in upper or lower case. */
+/**
+ * Whether a device has a controller's numbers, and this word in its name, in upper or lower case.
+ */
 bool IsNamed(const HidDeviceInfo& info, const char* word)
 {
   std::string product = info.Product;
@@ -80,13 +80,15 @@ bool IsNamed(const HidDeviceInfo& info, const char* word)
   return (IsMbed(info) || IsTeensy(info)) && product.find(word) != std::string::npos;
 }
 
-/** Whether it says of itself that it is a WoodenHaptics. No published firmware does. */
+/** Whether a device reports that it is a WoodenHaptics. No published firmware does. */
 bool SaysWhatItIs(const HidDeviceInfo& info)
 {
   return IsNamed(info, "woodenhaptics");
 }
 
-/** Whether it has the packets of the published firmware: other programs of this board differ. */
+/**
+ * Whether a device has the packets of the published firmware: other programs of this board differ.
+ */
 bool HasPacketsOfMbed(const HidDeviceInfo& info)
 {
   HidReportDescriptor descriptor;
@@ -191,7 +193,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
 {
   if (this->Now == Phase::Consent)
   {
-    // Whatever it says means nothing yet.
+    // Ignore its packets for now.
     std::uint8_t ignored[LongestReport];
     this->Read(exchange, ignored, 1);
     this->IsSilent(true);
@@ -212,7 +214,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
     hasNews = true;
     this->TakePacket(exchange, bytes, size);
   }
-  // After a pause, packets that the kernel did not keep are missing.
+  // After a pause, packets that the kernel has dropped are missing.
   this->HasTip = this->HasTip && !isLate;
   if (!this->IsLost() && this->IsSilent(hasNews))
   {

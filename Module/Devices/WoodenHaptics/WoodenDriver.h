@@ -6,24 +6,24 @@
  *
  * The device sends its encoders at its own rate. It gets its currents after each packet, or every 2
  * ms without one; its firmware removes currents that are not renewed for half a second. Homing
- * tells it that its arm is in the rest pose, from which it then counts. It never reports whether it
- * was told: after power-up all its counts are 0, and the only other thing it reports is its
- * calibration button. So it is calibrated whenever it is opened, and after every fault.
+ * tells the device that its arm is in the rest pose, from which it then counts. It never reports
+ * whether it was calibrated: after power-up all its counts are 0, and apart from counts it only
+ * reports its calibration button. So it is calibrated whenever it is opened, and after every fault.
  *
- * Published firmwares do not say that they are a WoodenHaptics: mbed's enumerates as 1234:0006 "HID
+ * Published firmwares do not identify as a WoodenHaptics: mbed's enumerates as 1234:0006 "HID
  * DEVICE" with packets of 14 bytes (WoodenHaptics/woody-experimental, mbed-code/WoodenHapticsHID,
  * commit 726e186: the defaults of USBDevice/USBHID), Teensy's as 16c0:0486 "Teensyduino RawHID", as
  * other programs of these boards do. So nothing is sent to such a device before the user has
  * confirmed with Home() that it is one.
  *
- * A Polhem has the same firmware but another linkage, so it is refused if its name tells it.
+ * A Polhem has the same firmware but another linkage, so it is refused if its name shows that.
  *
  * Published bills of materials have motors of 0.0259 and of 0.0603 N m/A, and current controllers
- * of 3 A and of 6 A at full scale. What is asked may arrive up to four times as strong, so the
- * limits are half of those of the weakest build, and the default force, which is half of that
- * again, stays within 5 N in all of them.
+ * of 3 A and of 6 A at full scale. A force may arrive up to four times as strong, so the limits are
+ * half of the weakest build's, and the default force, half of that again, stays within 5 N in all
+ * builds.
  *
- * The device's space is that of all devices: x to the right, y up, z towards the hand. These are y,
+ * The device's space is as for all devices: x to the right, y up, z towards the hand. These are y,
  * z and x of WoodenHaptics.h, with the arm reaching towards the user. Not verified on a device.
  */
 #ifndef WoodenDriver_h
@@ -48,7 +48,7 @@ public:
   explicit WoodenDriver(int number);
 
   static bool IsWooden(const HidDeviceInfo& info);
-  /** A related device with another geometry, which this driver does not support. */
+  /** Whether it is a related device with another geometry, which this driver does not support. */
   static bool IsPolhem(const HidDeviceInfo& info);
   DeviceLimits GetLimits() const override { return { 2.5, 500.0, 0.0, 2.5, 0.0, 0.10 }; }
   std::string GetIdentity() const override { return this->GetInfo().MakeIdentity("wooden"); }
@@ -56,7 +56,7 @@ public:
 private:
   enum class Phase : std::uint8_t
   {
-    Consent,    ///< sends nothing: waits until the user says with Home() what it is
+    Consent,    ///< sends nothing: waits until the user confirms the device with Home()
     Asking,     ///< waits for the first packet
     Waiting,    ///< waits until the hand has put the arm into its rest pose and asks for homing
     Presetting, ///< waits until the encoders read the rest pose
@@ -88,7 +88,7 @@ private:
   std::int64_t LastSent = 0;
   std::int64_t PresetBegin = 0;
   std::int64_t LastPreset = 0;
-  bool HasConsent = false; ///< to send anything
+  bool HasConsent = false; ///< the user has allowed sending
 };
 
 } // namespace VolumeHaptics

@@ -6,9 +6,9 @@
  * the same packets, but another linkage, other encoders and another rest pose.
  *
  * Three joints: A turns about the vertical (z), B leans the upper arm forward from upright, C lifts
- * the forearm from hanging straight down, independently of B. The default geometry is the one
- * published as v2015; nothing was verified on a device. All of this is fit for the servo loop:
- * noexcept, no allocation.
+ * the forearm from hanging straight down, independently of B. The default geometry is the published
+ * v2015; it was not verified on a device. All functions are suitable for the servo loop: noexcept,
+ * no allocation.
  */
 #ifndef WoodenHaptics_h
 #define WoodenHaptics_h
@@ -24,13 +24,13 @@ namespace VolumeHaptics
 
 struct WoodenHapticsGeometry
 {
-  /// Joint radians per motor radian, and so motor torque per joint torque: the diameter of the
-  /// capstan over that of the body.
+  /// Joint radians per motor radian, and so motor torque per joint torque: the capstan's diameter
+  /// over the body's.
   std::array<double, 3> Transmission{ 10.0 / 160.0, 10.0 / 120.0, 10.0 / 120.0 };
   /// +1 if counts grow with the joint's angle, -1 if they fall. A positive current turns the motor
   /// towards growing counts.
   std::array<double, 3> Signs{ 1.0, 1.0, 1.0 };
-  double CountsPerTurn = 2000.0;     ///< of a motor
+  double CountsPerTurn = 2000.0;     ///< per turn of a motor
   double TorqueConstant = 0.0259;    ///< N m/A
   double Base = 0.080;               ///< m, Ln: height of the shoulder
   double UpperArm = 0.205;           ///< m, Lb
@@ -51,8 +51,8 @@ public:
   struct Input
   {
     std::array<std::int16_t, 6> Counts{}; ///< encoders a to f
-    /// Its calibration button was pressed since it was last told its rest pose. A device without a
-    /// zero does not report that.
+    /// The calibration button was pressed since the device last got its rest pose. A device without
+    /// a zero does not report that.
     bool WantsCalibration = false;
   };
 
@@ -69,7 +69,7 @@ public:
    */
   static const char* Decode(const std::uint8_t* bytes, std::size_t size, Input& input) noexcept;
   static Packet EncodeCurrents(const Currents& milliamperes) noexcept;
-  /** Tells the device, which is in its rest pose, the counts of its encoders there. */
+  /** Sends the encoders' counts in the rest pose to a device in this pose. */
   Packet EncodeCalibration() const noexcept;
   ///@}
 
@@ -82,8 +82,8 @@ public:
 
   /**
    * The motors' currents for a force on the hand (N): i = (J^T f) transmission / kt. If a motor
-   * would get more than the maximum, all are scaled down together, so that the force keeps its
-   * direction. Zero if the force is not finite.
+   * would exceed the maximum, all are scaled down together, so that the force keeps its direction.
+   * Zero if the force is not finite.
    */
   Currents ComputeCurrents(
     const std::array<double, 3>& angles, const Vector3& force) const noexcept;

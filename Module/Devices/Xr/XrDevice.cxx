@@ -12,7 +12,7 @@ namespace VolumeHaptics
 
 XrDevice::XrDevice()
 {
-  // The tip is where the controller is: it has the room of the virtual device.
+  // The controller is at the tip: it has the workspace of the virtual device.
   DeviceLimits limits = MakePadLimits();
   limits.WorkspaceRadius = this->GetLimits().WorkspaceRadius;
   this->SetLimits(limits);

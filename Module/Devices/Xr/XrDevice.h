@@ -5,12 +5,11 @@
  * A controller of a headset, "vibration:xr", whose tip the program leads and which the program
  * makes vibrate.
  *
- * Only the program that draws for a headset knows where its controllers are, and only it can make
- * them vibrate. So it leads the tip as that of the virtual device, and asks in each frame for the
- * amplitude. A frame lasts as long as ten ticks or so: the largest amplitude of all of them counts,
- * so that no short touch is lost.
+ * Only the program that draws for a headset has the places of its controllers, and can make them
+ * vibrate. So it leads the tip as with the virtual device, and reads the amplitude in each frame. A
+ * frame lasts about ten ticks: their largest amplitude counts, so that no short touch is lost.
  *
- * A controller has one motor where a gamepad has two: it gets the larger one of the levels of
+ * A controller has one motor where a gamepad has two: it gets the larger of the levels in
  * Vibration.h.
  */
 #ifndef XrDevice_h
@@ -27,7 +26,7 @@ namespace VolumeHaptics
 class XrDevice final : public VirtualDevice
 {
 public:
-  /** s: a servo that has given no force for so long stands still, and nothing vibrates. */
+  /** s: if the servo has given no force for this long, it stands still, and nothing vibrates. */
   static constexpr double LongestSilence = 0.1;
 
   XrDevice();

@@ -21,7 +21,7 @@ constexpr bool HasXrModule = true;
 constexpr bool HasXrModule = false;
 #endif
 
-/** The value of a variable of the environment; the other text if it is missing or empty. */
+/** The value of an environment variable; `other` if it is missing or empty. */
 std::string ReadXdgVariable(const char* name, const std::string& other)
 {
   const char* const value = std::getenv(name);

@@ -4,8 +4,8 @@
  * @file
  * Controllers of headsets, "vibration:xr". Vibration, not force.
  *
- * The back end needs no library: it is opened whether or not a program can reach a headset. What a
- * program needs for that is said here, since the user looks for it in the list of devices.
+ * The back end needs no library: it opens whether or not a program can reach a headset. This kind
+ * says what a program needs for that, since the user looks for it in the list of devices.
  */
 #ifndef XrKind_h
 #define XrKind_h
@@ -18,15 +18,15 @@ namespace VolumeHaptics
 DeviceKind GetXrKind();
 
 /**
- * The file of the OpenXR runtime that the loader of OpenXR takes on Linux: that of XR_RUNTIME_JSON,
+ * The file of the OpenXR runtime that OpenXR's loader uses on Linux: the one in XR_RUNTIME_JSON,
  * else openxr/1/active_runtime.json in the folders of XDG_CONFIG_HOME and XDG_CONFIG_DIRS, or in
  * /etc. Empty if there is none.
  */
 std::string FindXrRuntime();
 
 /**
- * What is missing, and the cure; empty if nothing is. `hasModule`: this library was built with
- * VTK's module RenderingOpenXR.
+ * The missing part, and the cure; empty if nothing is missing. `hasModule`: this library was built
+ * with VTK's module RenderingOpenXR.
  */
 std::string WhyNoXr(bool hasModule, const std::string& runtime);
 

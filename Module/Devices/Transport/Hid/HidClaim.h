@@ -5,8 +5,8 @@
  * The lock that gives a HID device to one holder alone.
  *
  * Linux lets any number of programs open a hidraw node, and each of them send forces. This lock
- * (flock) on the node keeps out every other holder that asks for it, in this process and in others.
- * Software that does not ask, such as a joystick driver of the kernel, is not kept out.
+ * (flock) on the node keeps out every other holder that uses it, in this process and in others.
+ * Software that does not use the lock, such as a joystick driver of the kernel, is not kept out.
  */
 #ifndef HidClaim_h
 #define HidClaim_h

@@ -23,14 +23,17 @@ struct HidDeviceInfo
   std::string Product; ///< the name that the device reports
   std::uint16_t Vendor = 0;
   std::uint16_t ProductId = 0;
-  std::uint16_t UsagePage = 0; ///< of its first collection; 0 if unknown
-  std::string Serial = {};     ///< empty if it has none
+  std::uint16_t UsagePage = 0; ///< the first collection's; 0 if unknown
+  std::string Serial = {};     ///< empty if the device has none
 
   /** Maker, product and path, as shown to the user. */
   std::string GetLabel() const;
   /** DeviceBackend::GetIdentity for a device of a kind: kind, vendor, product and serial number. */
   std::string MakeIdentity(const char* kind) const;
-  /** DeviceBackend::KeepsIdentity: without a serial number, others of its model have that name. */
+  /**
+   * DeviceBackend::KeepsIdentity: without a serial number, others of the same model have the same
+   * identity.
+   */
   bool KeepsIdentity() const { return !this->Serial.empty(); }
   /** "available", "in use", or the obstacle and its cure. */
   std::string GetState() const;
@@ -39,7 +42,7 @@ struct HidDeviceInfo
 };
 
 ///@{
-/** All, or some, in the order in which the system numbers them. Any thread. */
+/** All devices, or some, in the order in which the system numbers them. Any thread. */
 std::vector<HidDeviceInfo> FindHidDevices();
 std::vector<HidDeviceInfo> FindHidDevices(bool (*isSome)(const HidDeviceInfo&));
 ///@}

@@ -173,7 +173,7 @@ void HidDriver::Retreat() noexcept
 
 void HidDriver::Lose(HardwareExchange& exchange, const char* text) noexcept
 {
-  // Before sending anything, which may take long: the servo is told first.
+  // Before sending anything, which may take long: notify the servo first.
   this->Tell(exchange, DeviceStage::Lost, text);
   this->Retreat();
 }

@@ -34,7 +34,7 @@ public:
 protected:
   static constexpr int LongestReport = 256;
 
-  /** `label` names the device as long as none is open, such as "WoodenHaptics". */
+  /** `label` names the device while none is open, such as "WoodenHaptics". */
   explicit HidDriver(std::string label)
     : Label(std::move(label))
   {
@@ -43,32 +43,32 @@ protected:
   ///@{
   /** The parts that differ between kinds. */
   /**
-   * The devices to try, in this order: if the first is in use, the next one is tried. If there are
-   * none: the reason and the cure.
+   * The devices to try, in order: if the first is in use, the next one is tried. If there are none:
+   * the reason and the cure.
    */
   virtual std::vector<HidDeviceInfo> Choose(std::string& error) const = 0;
   /** Reads the device's description of itself. False, with the reason and the cure. */
   virtual bool Prepare(const HidDeviceInfo& info, std::string& error) = 0;
   /**
    * Called at the start of the thread and after a loss, then with `isAnew`; and if homing is
-   * requested of a device that works.
+   * requested from a working device.
    */
   virtual void Begin(HardwareExchange& exchange, bool isAnew) = 0;
-  /** Called over and over while the device is not lost; takes a millisecond or so. */
+  /** Called repeatedly while the device is not lost; takes about a millisecond. */
   virtual void Work(HardwareExchange& exchange) = 0;
-  /** Takes the force away, if there is one. */
+  /** Ends the force, if there is one. */
   virtual void Rest() noexcept = 0;
-  /** The last message to a device that is still there. */
+  /** The last message to a connected device. */
   virtual void End() noexcept { this->Rest(); }
   ///@}
 
   ///@{
-  /** `time` (ms) limits the wait. If the device is gone, returns 0 and notes a loss. */
+  /** `time` (ms) limits the wait. If the device is gone, returns 0 and records a loss. */
   int Read(HardwareExchange& exchange, std::uint8_t* bytes, int time) noexcept;
-  /** If the device refuses the report, returns false and notes a loss. */
+  /** If the device refuses the report, returns false and records a loss. */
   bool Write(HardwareExchange& exchange, const std::uint8_t* report, std::size_t size,
     bool isFeature = false) noexcept;
-  /** Throws away the reports that wait to be read. */
+  /** Drops the reports that wait to be read. */
   void Drain() noexcept;
   /** Stops all work until homing is requested. The text follows the device's name. */
   void Lose(HardwareExchange& exchange, const char* text) noexcept;
@@ -87,7 +87,7 @@ protected:
 private:
   void Restart(HardwareExchange& exchange, bool isAnew);
   void Retreat() noexcept;
-  /** While it is lost: waits a moment, and notices whether the device is unplugged. */
+  /** While the device is lost: waits a moment, and checks whether it is unplugged. */
   void LookWhetherGone(HardwareExchange& exchange) noexcept;
 
   std::string Label;
@@ -95,7 +95,7 @@ private:
   bool Lost = false;
   std::int64_t LastNews = 0;
   int EmptyReads = 0;
-  bool Gone = false; ///< unplugged: the port is of no use any more
+  bool Gone = false; ///< unplugged: the port can't be used any more
 };
 
 } // namespace VolumeHaptics

@@ -6,7 +6,7 @@
  *
  * Reports are handled as payloads: the bytes after the report id, whether or not the device uses
  * ids. Bits are counted from the lowest of the first byte, as in section 8 of the HID 1.11
- * specification. Everything here is fit for the servo loop: no allocation, no exception, and no
+ * specification. All functions are suitable for the servo loop: no allocation, no exception, and no
  * access outside the given size.
  */
 #ifndef HidField_h
@@ -37,14 +37,14 @@ struct HidField
   HidReportKind Kind = HidReportKind::Input;
   std::uint8_t ReportId = 0; ///< 0 if the device uses no ids
   std::uint8_t BitSize = 0;  ///< 1 to 32
-  /// The value is no number: it chooses one of the usages that the descriptor lists.
+  /// The value is no number: it selects one of the usages that the descriptor lists.
   bool IsArray = false;
   bool IsRelative = false;
   /// Two's complement, which is used if the logical minimum is below zero.
   bool IsSigned = false;
   std::uint32_t BitOffset = 0; ///< in the payload
-  HidUsage Usage = 0;          ///< the first one of an array
-  int Collection = -1; ///< the innermost one, as an index into the descriptor's list; -1: none
+  HidUsage Usage = 0;          ///< an array's first usage
+  int Collection = -1;         ///< index of the innermost collection in the descriptor; -1: none
 
   ///@{
   /** The range on the wire and the physical range; both physical limits 0: the same range. */
@@ -55,14 +55,14 @@ struct HidField
   ///@}
   std::uint32_t Unit = 0;         ///< as HID 1.11, 6.2.2.7 packs it; 0: none
   int UnitExponent = 0;           ///< value in Unit = physical value * 10^UnitExponent
-  std::uint32_t FirstChoice = 0;  ///< of an array: the first of its usages in the descriptor's list
-  std::uint32_t ChoiceRanges = 0; ///< of an array: how many ranges of usages it has
+  std::uint32_t FirstChoice = 0;  ///< for an array: its first usage in the descriptor's list
+  std::uint32_t ChoiceRanges = 0; ///< for an array: its number of usage ranges
 };
 
 /** The nearest value that is in the logical range and fits into the bits, so that no sign wraps. */
 std::int64_t ClampToField(const HidField& field, std::int64_t value) noexcept;
 
-/** The bits as they are, with their sign. False, and 0, if the payload is too short. */
+/** The bits, with their sign. False, and 0, if the payload is too short. */
 bool ReadRaw(const HidField& field, const std::uint8_t* payload, std::size_t size,
   std::int64_t& value) noexcept;
 
@@ -74,15 +74,15 @@ bool ReadValue(const HidField& field, const std::uint8_t* payload, std::size_t s
   std::int64_t& value) noexcept;
 
 /**
- * Writes the lowest bits of the value, whatever the logical range, and leaves all other bits.
- * False, with nothing written, if the payload is too short.
+ * Writes the lowest bits of the value, for any logical range, and keeps all other bits. False, with
+ * nothing written, if the payload is too short.
  */
 bool WriteRaw(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;
 
 /**
- * Writes the clamped value and leaves all other bits. False, with nothing written, if the payload
- * is too short.
+ * Writes the clamped value and keeps all other bits. False, with nothing written, if the payload is
+ * too short.
  */
 bool WriteValue(
   const HidField& field, std::uint8_t* payload, std::size_t size, std::int64_t value) noexcept;

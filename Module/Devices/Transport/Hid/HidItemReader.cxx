@@ -8,7 +8,7 @@ namespace VolumeHaptics
 {
 
 // The length of an item determines the sign of a minimum. A maximum has a sign only if the minimum
-// is below zero: otherwise a byte of 0xFF is 255, as devices mean it.
+// is below zero: otherwise a byte of 0xFF is 255, as devices intend.
 std::int64_t HidItemReader::Item::Signed() const
 {
   const std::int64_t span = std::int64_t{ 1 } << 8 * this->Size;
@@ -144,8 +144,8 @@ bool HidItemReader::Fields(HidReportKind kind, const Item& item)
   }
   const std::uint32_t start = bits;
   bits = static_cast<std::uint32_t>(end);
-  // Data without a usage is padding, too: its meaning is unknown. So is a field of more bits than
-  // a number has here, such as OpenFFBoard's 64 of a vendor's own.
+  // Data without a usage is padding, too: its meaning is unknown. So is a field with more bits than
+  // a number has here, such as OpenFFBoard's vendor fields of 64 bits.
   if ((item.Data & constant) != 0 || this->Locals.List.empty() || g.ReportSize > 32)
   {
     return true;

@@ -36,7 +36,7 @@ private:
 
     std::int64_t Signed() const;
   };
-  /** Holds until it is changed, and can be pushed. */
+  /** Global state: holds until it is changed, and can be pushed. */
   struct GlobalState
   {
     std::uint16_t Page = 0;
@@ -47,7 +47,7 @@ private:
     int UnitExponent = 0;
     Item LogicalMinimum, LogicalMaximum, PhysicalMinimum, PhysicalMaximum;
   };
-  /** Holds for the next main item. */
+  /** Local state: holds for the next main item. */
   struct LocalState
   {
     struct Usages
@@ -58,7 +58,7 @@ private:
     };
     std::vector<Usages> List;
     std::uint32_t Minimum = 0;
-    unsigned MinimumSize = 0; ///< 0: there was none
+    unsigned MinimumSize = 0; ///< 0: the item was missing
     bool InAlternatives = false;
     bool HasAlternative = false;
   };

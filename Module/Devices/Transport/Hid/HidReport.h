@@ -21,7 +21,7 @@ struct HidReport
 
   HidReportKind Kind = HidReportKind::Output;
   std::size_t Size = 0; ///< bytes of the payload
-  /// The id (0 without ids), then the payload: Size + 1 bytes, as hidapi wants it.
+  /// The id (0 without ids), then the payload: Size + 1 bytes, as hidapi expects.
   std::array<std::uint8_t, Capacity + 1> Bytes{};
   std::uint8_t* Payload() noexcept { return this->Bytes.data() + 1; }
 };

@@ -6,7 +6,7 @@
  * 6.2.2.
  *
  * Long items and reserved ones are skipped. Constant fields (padding) and fields of more than 32
- * bits take up their bits and are not listed. Of alternatives between delimiters the first one
+ * bits take up their bits and are not listed. The first of several alternatives between delimiters
  * counts. Any bytes are accepted, because a device can be broken or hostile. Parsing allocates,
  * within limits, and belongs outside the servo loop; the functions that read and write fields are
  * in HidField.h.
@@ -26,12 +26,12 @@ namespace VolumeHaptics
 
 struct HidCollection
 {
-  HidUsage Usage = 0;    ///< 0 if it has none
+  HidUsage Usage = 0;    ///< 0 if the collection has none
   std::uint8_t Type = 0; ///< 0 physical, 1 application, 2 logical, and so on
   int Parent = -1;       ///< in the list of collections; -1: none
 };
 
-/** Usages that follow each other on a page. */
+/** Consecutive usages on a page. */
 struct HidUsageRange
 {
   HidUsage First = 0;
@@ -47,13 +47,13 @@ public:
   static constexpr int MaximumDepth = 32;           ///< of collections, and of pushed states
   static constexpr std::size_t MaximumFields = 4096;
   static constexpr std::size_t MaximumUsages = 1024;       ///< ranges for one main item
-  static constexpr std::uint32_t MaximumBits = 256;        ///< of a field, as for Linux
+  static constexpr std::uint32_t MaximumBits = 256;        ///< in a field, as in Linux
   static constexpr std::uint32_t MaximumReportSize = 4096; ///< bytes of a payload
   ///@}
 
   /**
-   * Parses the descriptor. If it can't be understood: false, with the fault and its byte, and
-   * nothing is listed.
+   * Parses the descriptor. If it is not valid: false, with the fault and its byte, and nothing is
+   * listed.
    */
   bool Parse(const std::uint8_t* bytes, std::size_t size, std::string& error);
 
@@ -63,7 +63,7 @@ public:
   const std::vector<HidCollection>& GetCollections() const noexcept { return this->Collections; }
   ///@}
 
-  /** Whether each report begins with a byte that is its id. */
+  /** Whether each report begins with its id. */
   bool UsesReportIds() const noexcept { return this->HasIds; }
 
   /** Bytes of a payload with padding, without the id; 0 if there is no such report. */
@@ -73,7 +73,7 @@ public:
   bool IsWithin(const HidField& field, HidUsage usage) const noexcept;
 
   /**
-   * The value of an array that chooses a usage. False if the field is no array or does not list the
+   * The value of an array that selects a usage. False if the field is no array or does not list the
    * usage.
    */
   bool FindChoice(const HidField& field, HidUsage usage, std::int64_t& value) const noexcept;

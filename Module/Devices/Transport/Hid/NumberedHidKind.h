@@ -15,7 +15,7 @@
 namespace VolumeHaptics
 {
 
-/** The devices of a kind whose ids count them: wooden:0, wooden:1. */
+/** Lists the devices of a kind whose ids count them: wooden:0, wooden:1. */
 inline std::vector<DeviceListing> ListNumbered(
   const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {
@@ -28,7 +28,7 @@ inline std::vector<DeviceListing> ListNumbered(
   return all;
 }
 
-/** A kind of such devices. A driver is made from a device's number. */
+/** A kind of such devices. The driver is made from a device's number. */
 template <typename Driver>
 DeviceKind MakeNumberedKind(const char* kind, bool (*isSome)(const HidDeviceInfo&), bool givesForce)
 {

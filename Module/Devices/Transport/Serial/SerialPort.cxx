@@ -19,7 +19,7 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Opens a port for this holder alone. Below zero with errno; EBUSY if another one holds it. */
+/** Opens a port for this holder alone. Negative with errno; EBUSY if another holder has it. */
 int OpenAlone(const std::string& path)
 {
   const int descriptor = open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -128,7 +128,7 @@ bool SerialPort::Open(const std::string& path, std::string& error)
     this->Close();
     return false;
   }
-  // Programs that do not ask for the lock are kept out, too.
+  // Keeps out programs that do not use the lock, too.
   ioctl(this->Descriptor, TIOCEXCL);
   tcflush(this->Descriptor, TCIOFLUSH);
   return true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A serial port through termios, held by one program alone, and the ports of USB boards.
+ * A serial port through termios, open for one program alone, and the ports of USB boards.
  */
 #ifndef SerialPort_h
 #define SerialPort_h
@@ -33,7 +33,7 @@ public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /** The boards that have a word in their names, in the order of these. */
+  /** The boards with a word in their names, in the order of the names. */
   static std::vector<SerialPortInfo> Find(
     const std::string& word, const std::string& folder = NamesFolder);
   /** The name of a port's board, by its node or a link to it. */
@@ -42,17 +42,20 @@ public:
   static std::string StateOf(const std::string& path);
 
   /**
-   * Opens it: raw bytes, 8N1 at 115200 baud, without flow control, and for this holder alone.
+   * Opens the port: raw bytes, 8N1 at 115200 baud, without flow control, and for this holder alone.
    * False, with the reason and the cure.
    */
   bool Open(const std::string& path, std::string& error);
   void Close() noexcept;
 
-  /** Sends all of it. False if the port does not take it within a time (ms), or is gone. */
+  /** Sends all bytes. False if the port does not take them within a time (ms), or is gone. */
   bool Write(const char* bytes, std::size_t size, int time) noexcept;
-  /** Waits for a time (ms) at most. The number of bytes, 0 if none came; below zero: gone. */
+  /**
+   * Waits for at most a time (ms). Returns the number of bytes, 0 if none came; negative: the port
+   * is gone.
+   */
   int Read(char* bytes, std::size_t size, int time) noexcept;
-  /** Throws away what waits to be read. */
+  /** Drops the bytes that wait to be read. */
   void Drain() noexcept;
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Requests to an FTDI serial converter, and the bytes that it adds, as values for a transport that
- * only has to send them.
+ * Requests to an FTDI serial converter, and the bytes that it adds, as values: the transport only
+ * has to send them.
  */
 #ifndef FtdiSerial_h
 #define FtdiSerial_h
@@ -27,8 +27,8 @@ constexpr std::uint8_t FtdiRequestType = 0x40; // vendor, to the device, out
 
 ///@{
 /**
- * "Receive" and "transmit" are the host's: purging the former drops what the device has sent.
- * These are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
+ * "Receive" and "transmit" are the host's: purging the receive buffer drops what the device has
+ * sent. These are libftdi's SIO_TCIFLUSH and SIO_TCOFLUSH (1.5, src/ftdi.h).
  */
 constexpr FtdiRequest FtdiPurgeReceive = { FtdiRequestType, 0, 2, 0 };
 constexpr FtdiRequest FtdiPurgeTransmit = { FtdiRequestType, 0, 1, 0 };
@@ -61,8 +61,8 @@ struct FtdiPayload
 };
 
 /**
- * Takes the next packet off a bulk IN transfer. Returns the bytes behind its two status bytes,
- * which may be none. Call it until the size is zero.
+ * Removes the next packet from a bulk IN transfer. Returns the bytes behind its two status bytes;
+ * there may be none. Call it until the size is zero.
  */
 constexpr FtdiPayload TakeFtdiPacket(const std::uint8_t*& transfer, std::size_t& size) noexcept
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The USB devices of a product that are plugged in, their ports, and whether they are free.
+ * The plugged-in USB devices of a product, their ports, and whether they are free.
  */
 #ifndef UsbDevices_h
 #define UsbDevices_h
@@ -37,7 +37,7 @@ struct UsbProduct
 {
   std::uint16_t Vendor;
   std::uint16_t Product;
-  const char* Name; ///< as the user sees it: maker and product
+  const char* Name; ///< for people: maker and product
 };
 
 /** Null, with the reason, if the system's USB can't be reached. */
@@ -57,7 +57,7 @@ std::string UsbIdentityOf(libusb_device* device, const char* kind);
 
 /**
  * Whether interface 0 could be claimed now: "available", "in use", or the obstacle and the cure.
- * Sends nothing to the device, and leaves a driver of the kernel bound.
+ * Sends nothing to the device, and leaves a kernel driver bound.
  */
 std::string UsbStateOf(libusb_device* device, const UsbProduct& product);
 

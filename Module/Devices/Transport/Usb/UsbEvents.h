@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A wait for USB transfers and for the servo at once.
+ * Waits for USB transfers and for the servo at once.
  */
 #ifndef UsbEvents_h
 #define UsbEvents_h
@@ -20,24 +20,24 @@ namespace VolumeHaptics
 class UsbEvents
 {
 public:
-  /** Of an open interface. Both outlive this. */
+  /** For an open interface. Both must outlive this object. */
   UsbEvents(UsbInterface& usb, HardwareExchange& exchange);
 
   /**
-   * Waits until transfers have ended, which their owners are told, until the exchange wakes up, or
-   * for a time (ns). Returns whether the exchange woke up. If the system can't tell, this waits for
-   * a millisecond at most and returns true.
+   * Waits until transfers have ended (their owners are called), until the exchange wakes up, or for
+   * a time (ns). Returns whether the exchange woke up. If the system can't tell, waits for at most
+   * a millisecond and returns true.
    */
   bool Wait(std::int64_t time) noexcept;
 
-  /** The same for transfers alone. */
+  /** Waits for transfers only. */
   void WaitForTransfers(std::int64_t time) noexcept;
 
 private:
   UsbInterface& Usb;
   HardwareExchange& Exchange;
 #if defined(__linux__)
-  std::vector<pollfd> Watched; ///< the exchange's first
+  std::vector<pollfd> Watched; ///< the exchange's descriptor is first
 #endif
 };
 

@@ -49,7 +49,7 @@ int UsbInterface::Claim() noexcept
   int result = libusb_open(this->Device.get(), &this->Handle);
   if (result == LIBUSB_SUCCESS)
   {
-    // If the system has no such thing there is no driver in the way either.
+    // Systems without this function have no driver in the way either.
     libusb_set_auto_detach_kernel_driver(this->Handle, 1);
     result = libusb_claim_interface(this->Handle, 0);
   }
@@ -90,7 +90,7 @@ int UsbInterface::Transfer(
   int done = 0;
   const int result =
     libusb_bulk_transfer(this->Handle, endpoint, bytes, static_cast<int>(size), &done, time);
-  // Bytes that came before the time was over count.
+  // Bytes that came within the time count.
   return result == LIBUSB_SUCCESS || (result == LIBUSB_ERROR_TIMEOUT && done > 0) ? done : result;
 }
 

@@ -23,13 +23,13 @@ public:
   UsbInterface& operator=(const UsbInterface&) = delete;
 
   /**
-   * Opens the device of a number in FindUsbDevices, detaches a driver of the kernel until Close,
-   * and claims interface 0. False, with the reason and the cure.
+   * Opens the device with a number in FindUsbDevices, detaches a kernel driver until Close, and
+   * claims interface 0. False, with the reason and the cure.
    */
   bool Open(const UsbProduct& product, int number, std::string& error);
   /**
-   * Closes the device and opens the very same one again: 0, or a libusb error below zero, after
-   * which it is not open and may be tried again.
+   * Closes the device and opens the same one again: 0, or a negative libusb error; then it is not
+   * open, and may be tried again.
    */
   int Reopen() noexcept;
   void Close() noexcept;
@@ -37,8 +37,8 @@ public:
 
   ///@{
   /**
-   * Each waits until it is done or the time (ms) is over. Returns the size, or a libusb error below
-   * zero.
+   * Each waits until it is done or the time (ms) is over. Returns the size, or a negative libusb
+   * error.
    */
   int Control(std::uint8_t type, std::uint8_t request, std::uint16_t value, std::uint16_t index,
     unsigned int time) noexcept;
@@ -46,7 +46,7 @@ public:
     std::uint8_t endpoint, std::uint8_t* bytes, std::size_t size, unsigned int time) noexcept;
   ///@}
 
-  /** After a stall. */
+  /** Call it after a stall. */
   void ClearHalt(std::uint8_t endpoint) noexcept { libusb_clear_halt(this->Handle, endpoint); }
 
   libusb_context* GetContext() const noexcept { return this->Context.get(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A bulk transfer that is made once and submitted many times.
+ * A bulk transfer that is allocated once and submitted many times.
  */
 #ifndef UsbTransfer_h
 #define UsbTransfer_h
@@ -14,7 +14,7 @@
 namespace VolumeHaptics
 {
 
-/** The end of a transfer. */
+/** How a transfer ended. */
 enum class UsbOutcome : std::uint8_t
 {
   Done,
@@ -53,11 +53,9 @@ public:
   std::size_t GetSize() const noexcept;
   std::uint8_t GetEndpoint() const noexcept;
 
-  /**
-   * Submits it to the system, without a time limit: use Cancel. Returns Done if it was submitted.
-   */
+  /** Submits the transfer, without a time limit: use Cancel. Returns Done if it was submitted. */
   UsbOutcome Submit(std::size_t size) noexcept;
-  /** Cancels it. The owner is told when it has ended. */
+  /** Cancels the transfer. Its owner is called when it has ended. */
   void Cancel() noexcept;
   bool IsFlying() const noexcept { return this->Flying; }
 

@@ -37,7 +37,7 @@ Moment After(double seconds)
     ServoClock::Now() + static_cast<std::int64_t>(seconds * ServoClock::NanosecondsPerSecond));
 }
 
-/** Handles what happens until something holds. False if it does not by then. */
+/** Handles events until a condition holds. False if it does not hold in time. */
 template <typename Holds>
 bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
 {
@@ -52,7 +52,7 @@ bool RunUntil(asio::io_context& io, Moment end, Holds&& holds)
   return holds();
 }
 
-/** Starts an operation and waits for its end. An operation that comes too late is ended. */
+/** Starts an operation and waits for its end. Cancels an operation that takes too long. */
 template <typename Start>
 error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, Start&& start)
 {
@@ -78,7 +78,7 @@ error_code Await(asio::io_context& io, beast::tcp_stream& stream, Moment end, St
   return result;
 }
 
-/** Services listen to one of the two addresses of this computer, or to both. */
+/** Services listen on one of this computer's two addresses, or on both. */
 error_code Reach(asio::io_context& io, beast::tcp_stream& stream, std::uint16_t port, Moment end)
 {
   error_code result;
@@ -254,7 +254,7 @@ bool FetchText(std::uint16_t port, const std::string& target, double seconds, st
       failure = Await(io, stream, end,
         [&](auto&& done) { http::async_read_header(stream, buffer, answer, std::move(done)); });
     }
-    // Beast of Boost 1.74 does not compare the length that is told with the limit.
+    // Beast of Boost 1.74 does not compare the announced length with the limit.
     if (!failure && answer.content_length().value_or(0) > WebSocketClient::LongestMessage)
     {
       failure = http::error::body_limit;

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A WebSocket to a service on this computer, and one question by HTTP, by Boost.Beast.
+ * A WebSocket to a service on this computer, and single requests by HTTP, with Boost.Beast.
  *
- * Beast was chosen among the libraries of Debian 12. It is headers only, so that nothing has to be
- * found when the program runs, and wheels carry nothing. It has no thread of its own: the thread of
- * the device calls it, every call has a time limit, and a message costs one write() and one read().
- * libwebsockets owns the loop and calls back from it; its package brings two event loops and TLS.
- * libcurl 7.88 was built without WebSockets there, websocketpp had its last release in 2020, and
- * ixwebsocket is no package.
+ * Beast was chosen among the libraries of Debian 12. It is headers only, so that programs and
+ * wheels need no library at run time. It has no thread: the device's thread calls it, every call
+ * has a time limit, and a message costs one write() and one read(). libwebsockets owns the loop and
+ * calls back from it; its package brings two event loops and TLS. libcurl 7.88 was built without
+ * WebSockets there, websocketpp had its last release in 2020, and ixwebsocket is no package.
  *
  * Not for the servo: it allocates and waits.
  */
@@ -26,7 +25,7 @@ namespace VolumeHaptics
 class WebSocketClient
 {
 public:
-  /** The longest message (bytes) that is taken. A longer one closes the connection. */
+  /** The longest accepted message (bytes). A longer one closes the connection. */
   static constexpr std::size_t LongestMessage = 1 << 20;
 
   enum class Outcome
@@ -41,14 +40,17 @@ public:
   WebSocketClient(const WebSocketClient&) = delete;
   WebSocketClient& operator=(const WebSocketClient&) = delete;
 
-  /** To a port of this computer, within a time (s). False, with the reason. */
+  /** Connects to a port of this computer, within a time (s). False, with the reason. */
   bool Open(std::uint16_t port, double seconds, std::string& error);
   bool IsOpen() const noexcept;
   /** Sends a text within a time (s), else closes the connection and returns false. */
   bool Send(const std::string& text, double seconds);
-  /** Takes the next message that comes before a time of ServoClock; one that is there at once. */
+  /**
+   * Receives the next message that comes before a time of ServoClock, or a message that is there
+   * already.
+   */
   Outcome Receive(std::string& text, std::int64_t until);
-  /** Takes leave of the service, for at most a time (s). */
+  /** Closes the connection properly, within at most a time (s). */
   void Close(double seconds = 0.0) noexcept;
 
 private:
