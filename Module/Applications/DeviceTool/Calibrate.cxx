@@ -32,11 +32,11 @@ constexpr double OrderTime = 2.0;
 /// The force rises over half a second after Arm.
 constexpr double RiseTime = 1.0;  // s
 constexpr double Patience = 60.0; // s, without --seconds
-/// The share of the largest force that good weights use, if the device's newtons are true.
+/// The fraction of the largest force that suitable weights use, if the device's newtons are true.
 constexpr double LightShare = 0.1;
 constexpr double HeavyShare = 0.6;
-/// The shares that the scale is pressed with. The first has to exceed twice the friction, which may
-/// be in the wrong direction before the force rises.
+/// Fractions of the largest force at which the scale is pressed. The first has to exceed twice the
+/// friction, which may be in the wrong direction before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
 constexpr int Tries = 3;
 constexpr double MostGrams = 20000.0;
@@ -62,7 +62,7 @@ public:
   HeldHandle(const HeldHandle&) = delete;
   HeldHandle& operator=(const HeldHandle&) = delete;
 
-  /// From now on the spring holds it where it is.
+  /// Arms the device: from now on the spring holds the handle where it is.
   void Arm()
   {
     this->MoveTo(0.0);
@@ -70,7 +70,7 @@ public:
     this->Device->Arm();
     this->Armed = this->Last = Clock::now();
   }
-  /// Until all of the force may flow: a spring that is stretched before stays soft.
+  /// Waits until the whole force may flow: a spring that is stretched earlier stays soft.
   bool WaitForForce()
   {
     HeldSample sample;
@@ -81,7 +81,7 @@ public:
     }
     return isOn;
   }
-  /// A moment later; false, after an error, if the device gives no more force.
+  /// Reads the next sample; false, after an error, if the device gives no more force.
   bool Look(HeldSample& sample)
   {
     std::this_thread::sleep_for(LookPeriod);
@@ -101,7 +101,7 @@ public:
     this->Last = Clock::now();
     return true;
   }
-  /// The spring's fixed end, along the axis from where it was at Arm (m).
+  /// Moves the spring's fixed end along the axis, relative to its place at Arm (m).
   void ShiftTo(double shift)
   {
     if (shift != this->Shift)
@@ -110,7 +110,7 @@ public:
       this->Device->Publish();
     }
   }
-  /// The force goes to zero.
+  /// Brings the force to zero.
   void LetGo()
   {
     this->Device->FadeOut();
@@ -146,7 +146,7 @@ private:
   Clock::time_point Last;
 };
 
-/// Steps a measurement until it is over, and lets go; false after an error.
+/// Steps a measurement until it is over, then releases the handle; false after an error.
 template <typename T>
 bool Measure(T& measurement, HeldHandle& handle, ToolStreams streams)
 {
@@ -332,7 +332,7 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   {
     return false;
   }
-  // Forces were asked for in newtons of the factor so far.
+  // The forces so far used the old factor.
   const double scale = factor * device->GetForceScale();
   const int complaints = device.CountComplaints();
   if (!device->CalibrateForce(scale) || device.CountComplaints() > complaints)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * volumehaptics-device calibrate: how many newtons a device gives for each one that it is asked
+ * volumehaptics-device calibrate: measures how many newtons a device gives for each newton asked
  * for.
  */
 #ifndef Calibrate_h
@@ -12,10 +12,10 @@
 #include "Applications/DeviceTool/ToolOptions.h"
 
 /**
- * With a weight that the user hangs on the handle (HungWeight.h), or a kitchen scale under it
- * (ScalePress.h, ScaleFit.h). Confirms the device's signs first, if they never were. The factor is
- * stored by vtkHapticDevice::CalibrateForce. False after an error; the first and the last force are
- * zero.
+ * Uses a weight that the user hangs on the handle (HungWeight.h), or a kitchen scale under it
+ * (ScalePress.h, ScaleFit.h). Confirms the device's signs first, if they never were.
+ * vtkHapticDevice::CalibrateForce stores the factor. False after an error; the first and the last
+ * force are zero.
  */
 bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams streams);
 

@@ -54,7 +54,7 @@ int List(std::ostream& out)
 /// Shows the requests to the hand until the device is ready; false if it won't be.
 bool MakeReady(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // These ask for their rest pose whenever they are opened.
+  // These kinds ask for their rest pose whenever they are opened.
   const std::string kind = options.Id.substr(0, options.Id.find(':'));
   const bool asksByItself = kind == "wooden" || kind == "hfab";
   if (options.What == Command::Home && !asksByItself)
@@ -178,7 +178,7 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 
 bool Record(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
 {
-  // With a wall to touch, though not armed: a recording needs one.
+  // With a wall to touch, though not armed: a recording needs a volume.
   MakeGentleWall(device.GetVolume(), 2);
   device->SetVolumeHaptics(device.GetVolume());
   if (!device->Start() || !device->StartRecording(options.File.c_str()))

@@ -8,7 +8,8 @@
 namespace
 {
 
-/// A program that was held up must not make the spring leap (s), nor take the handle for stuck.
+/// s: after a longer hold-up of the program, the spring must not leap, nor the handle count as
+/// stuck.
 constexpr double LongestStep = 0.05;
 
 } // namespace
@@ -30,7 +31,7 @@ void HandleSweep::EndWay()
     mean[i] = this->Sum[i] / this->SumTime;
   }
   const bool isUp = this->Direction > 0.0;
-  if (isUp && this->Ways > 0) // the first way up only goes to the beginning
+  if (isUp && this->Ways > 0) // the first way up only leads to the beginning
   {
     Reading reading;
     for (int i = 0; i < 3; ++i)

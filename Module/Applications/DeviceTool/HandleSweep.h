@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Leads a handle slowly up and down past a place, and reads the force there, without friction.
+ * Moves a handle slowly up and down past a place, and measures the force there, without friction.
  */
 #ifndef HandleSweep_h
 #define HandleSweep_h
@@ -14,9 +14,9 @@
 /**
  * A spring holds the handle, and the sweep shifts the spring's fixed end along an axis: up until
  * the handle is Reach above the place, down until it is as far below, and so on. The mean force of
- * a way up, within Window of the place, has the whole friction against it, and that of the way down
- * has it the other way round: their mean has none, neither Coulomb's nor that which grows with the
- * speed, since both ways are equally fast. Half of the difference is the friction.
+ * a way up, within Window of the place, includes the whole friction; the mean of a way down
+ * includes it with the opposite sign. Their mean has no friction, neither Coulomb's nor viscous,
+ * since both ways are equally fast. Half of the difference is the friction.
  */
 class HandleSweep
 {
@@ -32,19 +32,19 @@ public:
     double Friction = 0.0;         ///< N, along the axis
   };
 
-  /// Past a place (m), so many times up and down, from a shift (m) on.
+  /// Sweeps past a place (m), `pairs` times up and down, starting from a shift (m).
   void Begin(int axis, double place, double shift, int pairs);
   void Step(const HeldSample& sample);
 
-  /// Of the spring's fixed end (m).
+  /// The shift of the spring's fixed end (m).
   double GetShift() const { return this->Shift; }
   bool IsDone() const { return this->Readings.size() == this->Pairs; }
-  /// The handle does not follow.
+  /// Whether the handle does not follow.
   bool IsStuck() const { return this->WayTime > MostTime; }
   const std::vector<Reading>& GetReadings() const { return this->Readings; }
 
 private:
-  static constexpr double MostTime = 10.0; ///< s, of a way
+  static constexpr double MostTime = 10.0; ///< s, for one way
 
   void EndWay();
 
@@ -55,9 +55,9 @@ private:
   double Direction = 1.0;
   double WayTime = 0.0;
   int Ways = 0;
-  std::array<double, 3> Sum{}; ///< N s, of this way
+  std::array<double, 3> Sum{}; ///< N s, on this way
   double SumTime = 0.0;
-  std::array<double, 3> Down{}; ///< N, of the way before
+  std::array<double, 3> Down{}; ///< N, on the way before
   std::vector<Reading> Readings;
 };
 

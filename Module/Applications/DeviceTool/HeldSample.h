@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A held handle as the program sees it, now and then.
- */
+/** A sample of a held handle. */
 #ifndef HeldSample_h
 #define HeldSample_h
 
@@ -12,7 +10,7 @@
 struct HeldSample
 {
   std::array<double, 3> Tip{};   ///< m, the device's axes
-  std::array<double, 3> Force{}; ///< N, that the device was asked for
+  std::array<double, 3> Force{}; ///< N that the device was asked for
   double Elapsed = 0.0;          ///< s since the sample before
 };
 

@@ -10,7 +10,7 @@
 class vtkVolumeHapticsFilter;
 
 /**
- * Makes the filter a medium in which the proxy never moves: a spring of that stiffness (N/m) in all
+ * Makes the filter a medium in which the proxy never moves: a spring of this stiffness (N/m) in all
  * directions. One world unit is a millimetre of the device.
  */
 void MakeHoldingMedium(vtkVolumeHapticsFilter* filter, double stiffness);

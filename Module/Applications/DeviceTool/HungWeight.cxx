@@ -9,23 +9,23 @@
 namespace
 {
 
-/// At rest, place (m) and force (a share of the largest) stay within these, for a time (s).
+/// At rest, place (m) and force (fraction of the largest) stay within these, for a time (s).
 constexpr double RestPlace = 0.3e-3;
 constexpr double RestShare = 0.02;
 constexpr double RestTime = 2.0;
-/// The force is at its limit from this share on; longer than this time (s), it stays there.
+/// The force is at its limit from this fraction on; after this time (s) it counts as staying there.
 constexpr double SaturatedShare = 0.97;
 constexpr double MostSaturation = 1.0;
-/// A handle that is let go comes to rest within this time (s).
+/// A released handle comes to rest within this time (s).
 constexpr double SettleTime = 20.0;
-/// A weight is noticed if it changes the force by this share of the largest and so many times the
-/// friction: without a weight, the friction holds once this way and once that way.
+/// A weight is noticed if it changes the force by this fraction of the largest and this multiple of
+/// the friction: without a weight, the friction may hold in either direction.
 constexpr double NoticedShare = 0.01;
 constexpr double NoticedFriction = 1.2;
-/// Without friction, it has to change the force by this share of the largest.
+/// Without friction, the weight has to change the force by this fraction of the largest.
 constexpr double LeastShare = 0.04;
-/// Of the change, at most: the readings' range, the drift of the zero, and the pull across the
-/// axis.
+/// The largest range of the readings, drift of the zero, and pull across the axis, as fractions of
+/// the change.
 constexpr double MostRange = 0.1;
 constexpr double MostDrift = 0.1;
 constexpr double MostAcross = 0.35;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Measures how many newtons a device gives for each one that it is asked for, with a known weight
- * that the user hangs on its handle.
+ * Measures how many newtons a device gives for each newton asked for, with a known weight that the
+ * user hangs on its handle.
  */
 #ifndef HungWeight_h
 #define HungWeight_h
@@ -14,45 +14,45 @@
 #include <string>
 
 /**
- * A spring holds the handle at its place. At rest the motors carry all that hangs on the handle:
+ * A spring holds the handle at its place. At rest the motors carry everything that hangs on the
+ * handle:
  *
  *   factor * force asked for = weight of the handle + pull of the arm + friction (+ m g).
  *
- * The difference between the forces with and without the weight, at the same place, has neither the
- * handle nor the arm in it, and forces that are read on ways up and down (HandleSweep.h) have no
- * friction. So
+ * The difference between the forces with and without the weight, at the same place, cancels handle
+ * and arm, and forces that are measured on ways up and down (HandleSweep.h) have no friction. So
  *
  *   factor = m g / (force asked for with the weight - force asked for without it).
  *
- * The forces without the weight are read before and after: a zero that drifts shows.
+ * The forces without the weight are measured before and after, which shows a drifting zero.
  *
  *   every 10 ms:  Step(sample), and the spring to GetShift();  until IsOver().
  */
 class HungWeight
 {
 public:
-  static constexpr double Gravity = 9.80665; ///< m/s^2: weights are adjusted to the local one
+  static constexpr double Gravity = 9.80665; ///< m/s^2: weights are adjusted to the local gravity
 
   struct Settings
   {
     double Weight = 0.0;    ///< N
-    int Axis = 1;           ///< the vertical one
-    double MostForce = 0.0; ///< N, that the device may be asked for
-    double Patience = 60.0; ///< s, for the user
+    int Axis = 1;           ///< the vertical axis
+    double MostForce = 0.0; ///< N, the largest force that the device may be asked for
+    double Patience = 60.0; ///< s, for the user's part
   };
 
   explicit HungWeight(const Settings& settings);
 
   void Step(const HeldSample& sample);
-  /// Of the spring's fixed end along the axis (m).
+  /// The shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Shift; }
-  /// The user's part, now.
+  /// What the user has to do now.
   const char* GetRequest() const;
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
 
-  ///@{
-  /// Once it is over: the fault and the cure, or else the factor and half of the range in which the
-  /// single readings lie.
+  /// @{
+  /// After the end: the fault and the cure, or else the factor and half of the range of the single
+  /// readings.
   const std::string& GetFault() const { return this->Fault; }
   double GetFactor() const { return this->Factor; }
   double GetDoubt() const { return this->Doubt; }
@@ -85,7 +85,7 @@ private:
   double PhaseTime = 0.0;
   double SaturatedTime = 0.0;
   double Shift = 0.0;
-  double Place = 0.0; ///< m, at which all forces are read
+  double Place = 0.0; ///< m, where all forces are measured
   bool IsChanged = false;
   RestWatch Rest;
   HandleSweep Sweep;

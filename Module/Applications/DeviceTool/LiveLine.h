@@ -13,11 +13,12 @@
 class vtkHapticDevice;
 
 /// Tip (mm, the device's axes), force (N), buttons, rate (Hz), report period and round trip (ms),
-/// and the cap of the stiffness (N/m) if there is one, as of the latest state; and whether its
+/// and the cap of the stiffness (N/m) if there is one, from the latest state; and whether the
 /// newtons are uncalibrated.
 std::string DescribeState(vtkHapticDevice* device);
 
-/// A line that is overwritten on a terminal; elsewhere it is written again whenever it has changed.
+/// A line that is overwritten on a terminal; elsewhere a new line is written whenever it has
+/// changed.
 class LiveLine
 {
 public:

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Finds out whether a handle rests.
- */
+/** Detects whether a handle rests. */
 #ifndef RestWatch_h
 #define RestWatch_h
 
 /**
- * A handle rests if for `time` (s) its place (m) and the force on it (N) stayed within a range
- * each.
+ * A handle rests if its place (m) and the force on it (N) each stayed within a range for `time`
+ * (s).
  */
 class RestWatch
 {
@@ -21,7 +19,7 @@ public:
   {
   }
   void Reset() { this->Time = -1.0; }
-  /// True if it rests.
+  /// Returns true if it rests.
   bool Step(double place, double force, double elapsed)
   {
     const bool isFirst = this->Time < 0.0;

@@ -8,7 +8,7 @@
 namespace
 {
 
-/// The residual may be this part of what the scale shows between the first and the last level.
+/// The largest residual, as a fraction of the scale's change from the first to the last level.
 constexpr double MostResidual = 0.05;
 
 } // namespace

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * The straight line through what a device was asked for and what a scale showed.
- */
+/** Fits a straight line to the forces that a device was asked for and those that a scale showed. */
 #ifndef ScaleFit_h
 #define ScaleFit_h
 
@@ -17,7 +15,7 @@ struct ScaleReading
 };
 
 /**
- * The least-squares line shown = offset + factor * asked. The offset takes the weight of the
+ * The least-squares line shown = offset + factor * asked. The offset absorbs the weight of the
  * handle, a scale that does not begin at zero, and the friction, which is always in the same
  * direction.
  */
@@ -29,8 +27,8 @@ struct ScaleFit
   double Doubt = 0.0;    ///< standard error of the factor
 };
 
-/// False, with the fault and the cure, if the readings are not on a rising line. Needs three or
-/// more readings of different forces.
+/// False, with the fault and the cure, if the readings are not on a rising line. Needs at least
+/// three readings of different forces.
 bool FitScale(const std::vector<ScaleReading>& readings, ScaleFit& fit, std::string& error);
 
 #endif

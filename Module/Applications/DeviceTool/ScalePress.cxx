@@ -13,11 +13,11 @@ constexpr double ReleaseSpeed = 30e-3; ///< m/s
 constexpr double LongestStep = 0.05;   ///< s
 constexpr double MostWay = 40e-3;      ///< m
 constexpr double RestPlace = 0.3e-3;   ///< m
-constexpr double RestShare = 0.02;     ///< of the largest force
+constexpr double RestShare = 0.02;     ///< fraction of the largest force
 constexpr double RestTime = 0.5;       ///< s
 constexpr double SettleTime = 10.0;    ///< s
 constexpr double HeldPlace = 1e-3;     ///< m
-constexpr double HeldShare = 0.05;     ///< of the largest force
+constexpr double HeldShare = 0.05;     ///< fraction of the largest force
 
 } // namespace
 

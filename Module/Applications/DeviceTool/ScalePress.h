@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Presses a handle on a kitchen scale with a given force, for as long as one needs to read it.
- */
+/** Presses a handle on a kitchen scale with a given force, for long enough to read the scale. */
 #ifndef ScalePress_h
 #define ScalePress_h
 
@@ -13,38 +11,38 @@
 #include <string>
 
 /**
- * A spring holds the handle, and its fixed end goes slowly towards the scale until the spring pulls
- * with the level that is wanted. It stays there for HoldTime, and goes back. So the handle never
- * goes farther than the spring's end does, even if there is no scale.
+ * A spring holds the handle, and its fixed end moves slowly towards the scale until the spring
+ * pulls with the wanted level. It stays there for HoldTime, and goes back. So the handle never goes
+ * farther than the spring's end, even if there is no scale.
  *
- * The force always rises to the level: friction then always holds back the same part of it, as the
- * handle settles into the scale.
+ * The force always rises to the level, so that friction always holds back the same part of it, as
+ * the handle settles into the scale.
  */
 class ScalePress
 {
 public:
   static constexpr double HoldTime = 7.0; ///< s
-  static constexpr double ReadTime = 5.0; ///< s, its last part, in which the scale can be read
+  static constexpr double ReadTime = 5.0; ///< s, the last part of HoldTime: the scale is read
 
   struct Settings
   {
     int Axis = 1;
     double Direction = -1.0; ///< towards the scale
     double Level = 0.0;      ///< N
-    double MostForce = 0.0;  ///< N, that the device may be asked for
+    double MostForce = 0.0;  ///< N, the largest force that the device may be asked for
   };
 
   explicit ScalePress(const Settings& settings);
 
   void Step(const HeldSample& sample);
-  /// Of the spring's fixed end along the axis (m).
+  /// The shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Given.Direction * this->Way; }
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
-  /// The user's part, now.
+  /// What the user has to do now.
   std::string GetRequest() const;
 
-  ///@{
-  /// Once it is over: the fault and the cure, or else the mean force (N) of ReadTime, towards the
+  /// @{
+  /// After the end: the fault and the cure, or else the mean force (N) of ReadTime, towards the
   /// scale.
   const std::string& GetFault() const { return this->Fault; }
   double GetForce() const { return this->Sum / this->SumTime; }

@@ -31,7 +31,7 @@ public:
   vtkHapticDevice* operator->() { return this->Device; }
   vtkHapticDevice* Get() { return this->Device; }
   vtkVolumeHapticsFilter* GetVolume() { return this->Volume; }
-  /// How many errors and warnings there were.
+  /// The number of errors and warnings so far.
   int CountComplaints() const { return this->Complaints; }
 
 private:
@@ -43,7 +43,7 @@ private:
 
 /// Pushes gently along each axis, until it is known whether the device moves with the force.
 bool ConfirmSigns(ToolDevice& device, const char* id, ToolStreams streams);
-/** Whether what was found out of an open device is remembered, for people. */
+/** Whether the facts about an open device are stored, in words. */
 const char* DescribeMemory(ToolDevice& device);
 
 #endif

@@ -25,17 +25,17 @@ struct ToolOptions
   };
   Command What = Command::Help;
   std::string Id;
-  std::string File;                 ///< of a recording
-  std::string Firmware;             ///< empty: by the environment
-  std::string VendorPath;           ///< empty: by the environment
+  std::string File;                 ///< the recording's
+  std::string Firmware;             ///< empty: from the environment
+  std::string VendorPath;           ///< empty: from the environment
   double Seconds = 0.0;             ///< 0: not given
   double HomingTime = 120.0;        ///< s, for each step
   double ServoRate = 1000.0;        ///< Hz
-  double Newtons[2] = { 100, 100 }; ///< of a stick at full scale, along x and y
+  double Newtons[2] = { 100, 100 }; ///< a stick's at full scale, along x and y
   bool HasNewtons = false;          ///< the user has given them
-  int Axis = -1; ///< of the wall's normal, or to be calibrated; negative: by the kind of device
-  bool IsAxisNegative = false; ///< it was given with a minus
-  double Grams = 0.0;          ///< of the weight that is hung; 0: a scale is pressed
+  int Axis = -1; ///< of the wall, or to be calibrated; negative: depends on the device
+  bool IsAxisNegative = false; ///< the axis was given with a minus
+  double Grams = 0.0;          ///< grams of the hung weight; 0: a scale is pressed
   bool HasScale = false;
 };
 

@@ -13,12 +13,12 @@
 class vtkPiecewiseFunction;
 class vtkVolumeHapticsFilter;
 
-/// Makes a function the same everywhere.
+/// Makes a function constant.
 void SetEverywhere(vtkPiecewiseFunction* function, double value);
 
 /**
- * The filter touches a field with the proxy and solver PRECISE. The field takes a position (mm). It
- * is sampled at this spacing (mm), so many steps to each side of the middle of the device.
+ * Makes the filter touch a field with the proxy and solver PRECISE. The field takes a position
+ * (mm). It is sampled at this spacing (mm), `steps` times to each side of the middle of the device.
  */
 void TouchField(vtkVolumeHapticsFilter* filter, double spacing, int steps,
   const std::function<double(const double* position)>& field);

@@ -37,7 +37,8 @@ enum ExitCode
   NO_DISPLAY = 3
 };
 
-/// Whether a window opens and draws. VTK crashes if not, for example on an X server without GLX.
+/// Tests whether a window opens and draws. Otherwise VTK crashes, for example on an X server
+/// without GLX.
 int CheckDisplay()
 {
   vtkNew<vtkRenderWindow> window;
@@ -73,7 +74,7 @@ Explore::SceneOptions MakeLook(
   look.Height = HeightOf(options.Width);
   look.Mapper = options.Mapper;
   look.Caption = Caption(exploration);
-  // If the file does not say what its axes are, its values tell.
+  // If the file does not define its axes, its values decide.
   const Explore::VolumeKind kind = exploration.Values.Kind;
   const bool isMedical = kind == Explore::VolumeKind::CT || kind == Explore::VolumeKind::EightBit;
   const Explore::WorldAxes axes = exploration.Input.Axes;
@@ -91,7 +92,7 @@ void WriteSound(const Explore::Exploration& exploration, const Explore::Options&
   }
 }
 
-/// A window that tells what is done until the scene is there. Null if there will be none.
+/// A window that shows the progress until the scene is there. Null if no scene follows.
 vtkSmartPointer<vtkRenderWindow> OpenWindow(const Explore::Options& options)
 {
   if (options.Pictures || options.Live || !Explore::HasDisplay())
@@ -244,8 +245,8 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   WritePictures(exploration, options);
   return isReproduced ? DONE : FAILED;
 }
-/// The volume of the options, and then those that are opened in the window. What can't be opened is
-/// told in the window, which goes on with what it showed.
+/// Runs the volume of the options, and then those that are opened in the window. If a file can't be
+/// opened, the window says so, and goes on with the last one.
 int RunAll(Explore::Options options)
 {
   Explore::FileChoice next;
@@ -260,7 +261,7 @@ int RunAll(Explore::Options options)
     options.Replay.clear();
     const Explore::Options before = options;
     options.Measurements.clear();
-    // Options that were given for the first volume do not hold for another one.
+    // Options given for the first volume do not apply to another one.
     const bool isSame = next.Path == options.VolumePath;
     options.VolumePath = next.Path;
     options.Series = next.Series;

@@ -78,7 +78,7 @@ double ParseNumber(const std::string& text)
   return VolumeHaptics::ParseNumber(text).value_or(std::nan(""));
 }
 
-/// Along a stick's axes: "2.5" of both, or "2.5,0".
+/// Newtons along a stick's axes: "2.5" for both, or "2.5,0".
 std::array<double, 2> ParseNewtons(const std::string& text)
 {
   const std::size_t comma = text.find(',');
@@ -146,7 +146,7 @@ void CheckMovieFile(const std::string& name)
   }
 }
 
-/// Into a file, or with an empty name on the loudspeakers.
+/// To a file, or with an empty name to the loudspeakers.
 void SetSound(Options& options, const std::string& file)
 {
   if (!file.empty())
@@ -257,7 +257,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--script")
   {
-    Explore::ReadDemoScript(value); // throws, if it has to, before anything is computed
+    Explore::ReadDemoScript(value); // throws, if necessary, before anything is computed
     options.Script = value;
   }
   else if (name == "--movie")
@@ -281,7 +281,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
   }
   else if (name == "--stereo")
   {
-    Explore::FindStereoMode(value); // throws, if it has to, before anything is computed
+    Explore::FindStereoMode(value); // throws, if necessary, before anything is computed
     options.Stereo = value;
   }
   else if (name == "--sound")

@@ -16,7 +16,7 @@
 namespace
 {
 
-/** A driver of the device that the words name. Null, with the reason. */
+/** Makes a driver of the device that the words name. Null, with the reason. */
 std::unique_ptr<VolumeHaptics::HardwareDriver> MakeDriver(
   const std::vector<std::string>& words, std::string& error)
 {

@@ -13,7 +13,7 @@
 
 namespace
 {
-constexpr int EDGE = 3; // voxels around the region that stay: partial volumes
+constexpr int EDGE = 3; // voxels around the region that are kept: partial volumes
 
 using Mask = std::vector<unsigned char>;
 

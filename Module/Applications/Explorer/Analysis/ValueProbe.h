@@ -12,7 +12,7 @@ namespace Explore
 class ValueProbe
 {
 public:
-  /// `outside` is the value for positions off the volume, and for voxels that are not finite.
+  /// `outside` is the value for positions outside the volume, and for voxels that are not finite.
   ValueProbe(vtkImageData* image, double outside);
 
   double Value(const double position[3], bool& inside) const;

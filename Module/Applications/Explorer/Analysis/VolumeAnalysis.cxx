@@ -140,7 +140,7 @@ void SetKind(Explore::Analysis& analysis, int scalarType, bool isField, bool are
 
 void SetScale(Explore::Analysis& analysis, vtkImageData* image)
 {
-  // Life-size when the edges look like millimetres of something a hand can hold; else 20 cm.
+  // Life-size if the edges look like millimetres of something that a hand can hold; else 20 cm.
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -13,12 +13,12 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
-  Field,    // of a simulation: there are no tissues
+  Field,    // from a simulation: no tissues
   Labels,   // numbers of labels
   Other
 };
 
-/// Facts about the values, for the planner, the materials and the picture.
+/// Facts about the values, for planner, materials and picture.
 struct Analysis
 {
   VolumeKind Kind = VolumeKind::Other;
@@ -27,15 +27,15 @@ struct Analysis
   double High = 1;
   double OuterThreshold = 0;      // outside | body
   double DeepThreshold = 0;       // body | the denser structure inside it
-  double Centre[3] = { 0, 0, 0 }; // of the voxels above the outer threshold, world units
-  double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // of the same voxels, world units
+  double Centre[3] = { 0, 0, 0 }; // centre of the voxels above the outer threshold, world units
+  double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // bounds of the same voxels, world units
   double MetersPerWorldUnit = 0.001;
-  double Voxel = 1.0;     // its shortest edge, world units
+  double Voxel = 1.0;     // shortest edge of a voxel, world units
   std::string KindReason; // why this kind was chosen, for the summary
 };
 
 /// Everything except the position of the body. A large volume is sampled sparsely. The values of a
-/// field have no meaning of their own, whatever they look like; nor have those of labels.
+/// field or of labels are not interpreted, whatever they look like.
 Analysis AnalyseVolume(vtkImageData* image, bool isField = false, bool areLabels = false);
 
 /// Adds the position of the voxels above the outer threshold: Centre and BodyBounds.

@@ -13,9 +13,9 @@
 
 namespace Explore
 {
-/// While one of these lives, messages of VTK's readers are kept here and not shown on the terminal,
-/// so that a damaged file ends in one message of this program instead of a page of theirs. MetaIO
-/// writes to std::cerr and std::cout directly, so these two are held as well.
+/// While an object of this class lives, it collects the messages of VTK's readers instead of
+/// showing them on the terminal, so that a damaged file gives one message of this program instead
+/// of a page. MetaIO writes to std::cerr and std::cout directly, so these two are captured as well.
 class MessageCapture
 {
 public:

@@ -28,7 +28,7 @@ namespace
 {
 using Explore::Estimator;
 
-/// Sets the estimator and returns its name, as users see it.
+/// Sets the estimator and returns its name for users.
 std::string SetEstimator(vtkVolumeHapticsFilter* filter, Estimator estimator)
 {
   switch (estimator)

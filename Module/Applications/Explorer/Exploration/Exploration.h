@@ -36,31 +36,31 @@ struct Settings
   // vectors, which are followed, else proxy.
   std::string Method = "auto";
   std::vector<std::string> Modes; // of the method primitives: see ModeChoice.h
-  std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
+  std::string Guide;              // for the method primitives: see ModeChoice.h
 };
 
-/// The results: all that the pictures and the summary show.
+/// The results: everything that the pictures and the summary show.
 struct Exploration
 {
   Volume Input;
-  // the input without parts that are not connected with the body
+  // The input without parts that are not connected with the body.
   vtkSmartPointer<vtkImageData> Body;
-  std::string Hidden; // tells of such parts, which are felt; empty if there are hardly any
+  std::string Hidden; // describes such parts, which are felt; empty if there are hardly any
   Analysis Values;
   ViewFrame View;
   TipPath Tip;
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
-  vtkSmartPointer<vtkPolyData> Trace; // of the filter
+  vtkSmartPointer<vtkPolyData> Trace; // the filter's
   std::string Materials;              // name of the preset that was applied
   std::string Estimator;
-  std::string Method;     // of the trace, as users see it
+  std::string Method;     // the trace's, for users
   int KernelRadius = 0;   // voxels
   double ServoRate = 0.0; // Hz
   double FilterSeconds = 0.0;
 };
 
-/// Analyses the values, plans a tip path and feels its way along it. Throws InputError.
-/// Tells `progress`, if there is one, each step that begins and the share of the work that is done.
+/// Analyses the values, plans a tip path and feels along it. Throws InputError. Calls `progress`,
+/// if there is one, with each step that begins and the fraction of the work that is done.
 using Progress = std::function<void(const std::string& step, double share)>;
 Exploration ExploreVolume(
   const Volume& volume, const Settings& settings, const Progress& progress = nullptr);

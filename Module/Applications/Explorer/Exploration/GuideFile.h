@@ -12,13 +12,13 @@ class vtkImageData;
 
 namespace Explore
 {
-/// Throws InputError if a name has not the ending of a file that --guide takes: a shape (.vtp,
-/// .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
+/// Throws InputError if a name does not have the ending of a file that --guide takes: a shape
+/// (.vtp, .vtk, .stl, .ply, .obj), or measurements (.csv, .mrk.json, .vtp).
 void CheckGuideFile(const std::string& name);
 
 /// The mode that leads along the lines of a file, or holds on its polygons, in the coordinates of
-/// an image. Of measurements, the paths lead. Throws InputError, also if all of it lies outside of
-/// the image.
+/// an image. For measurements, their paths lead. Throws InputError, also if the whole shape lies
+/// outside the image.
 vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkImageData* image);
 } // namespace Explore
 

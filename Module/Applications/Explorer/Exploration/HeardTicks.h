@@ -15,19 +15,19 @@
 
 namespace Explore
 {
-/// Tells what is heard of ticks. The forces are those that the device gets: none while it is not
-/// armed. Stiffness and strength are those of the material, by the filter's functions of
-/// SurfaceValue or its table of labels: a trace has them as they are felt, capped, equalised by
-/// SameShape, and lowered by distinctness.
+/// Extracts the audible data of ticks. The forces are the device's: none while it is not armed.
+/// Stiffness and strength are the material's, from the filter's functions of SurfaceValue or its
+/// table of labels: a trace has them as felt, that is, capped, equalised by SameShape, and lowered
+/// by distinctness.
 class HeardTicks
 {
 public:
   explicit HeardTicks(vtkVolumeHapticsFilter* filter);
 
-  /// Of the states that follow those of the last call: see vtkHapticDevice::DrainStates. The label
-  /// is that of the latest state.
+  /// For the states since the last call: see vtkHapticDevice::DrainStates. The label is the latest
+  /// state's.
   std::vector<SoundTick> Read(vtkTable* states, std::int64_t label);
-  /// Of a trace of the filter, or of a recording.
+  /// For a trace of the filter, or a recording.
   std::vector<SoundTick> Read(vtkPolyData* trace);
 
 private:
@@ -36,8 +36,8 @@ private:
   void SetMaterial(SoundTick& tick, double value, std::int64_t label) const;
 
   vtkSmartPointer<vtkVolumeHapticsFilter> Filter;
-  double Proxy[3] = { 0.0, 0.0, 0.0 }; // world, of the last tick
-  double Time = 0.0;                   // s, of the last tick
+  double Proxy[3] = { 0.0, 0.0, 0.0 }; // world, in the last tick
+  double Time = 0.0;                   // s, at the last tick
   bool HasProxy = false;
 };
 } // namespace Explore

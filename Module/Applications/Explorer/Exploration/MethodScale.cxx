@@ -16,8 +16,8 @@
 namespace
 {
 constexpr double STRONGEST_PUSH = 1.0; // N: clearly felt, and a fraction of what any device holds
-constexpr double SHARPEST = 0.95;      // of the surface is not as sharp; single voxels may be noise
-constexpr int LOOKS_PER_AXIS = 100;    // some thousand points of a surface are enough
+constexpr double SHARPEST = 0.95;   // part of the surface that is less sharp; the rest may be noise
+constexpr int LOOKS_PER_AXIS = 100; // some thousand points of a surface are enough
 
 /// Adds the points, between two voxels, at which a line of voxels along an axis crosses the
 /// threshold.
@@ -59,7 +59,8 @@ void AddCrossings(vtkImageData* image, double threshold, int axis, vtkPoints* po
   }
 }
 
-/// The magnitudes of the gradient there (scalar per world unit), by the filter's own estimator.
+/// The magnitudes of the gradient at these points (scalar per world unit), by the filter's own
+/// estimator.
 std::vector<double> Gradients(vtkVolumeHapticsFilter* filter, vtkPoints* points)
 {
   vtkNew<vtkPolyData> path;

@@ -144,8 +144,9 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
   filter->AddMode(mode);
 }
 
-/// The modes that the fields of an image allow beside those of a filter, off, so that a window can
-/// turn them on. Those of vectors are about the array of the last mode, if that is about vectors.
+/// Adds the modes that the fields of an image allow in addition to a filter's, not active, so that
+/// a window can turn them on. Modes of vectors use the array of the last mode, if that mode has
+/// vectors.
 void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   const std::string known = filter->GetMode(filter->GetNumberOfModes() - 1)->GetArrayName();
@@ -169,7 +170,7 @@ void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
     const std::string field = isFlow ? vectors : FindField(image, Needs::Tensors);
     const ModePointer mode = offer.Make();
     mode->SetArrayName(field.c_str());
-    // Where it has nothing to hold on, such as a flow without a rotation, it is no offer.
+    // A mode with nothing to hold on, such as a flow without a rotation, is not offered.
     const Explore::MessageCapture capture;
     if (!field.empty() && !isThere(mode) && mode->ProposeFromImage(image))
     {

@@ -17,20 +17,20 @@ std::string ListModes();
 /// The names of vtkVolumeHapticsFilter::GetModePresetNames(), which --mode takes, too, for texts.
 std::string ListModePresets();
 
-/// Throws InputError if this is not the name of a mode, or not one with an array's after a colon;
-/// nor that of a preset.
+/// Throws InputError if this is not the name of a mode, optionally with an array's name after a
+/// colon, or of a preset.
 void CheckMode(const std::string& mode);
 
-/// Adds modes to a filter, with strengths that suit the image. Without names: the vectors of the
-/// array `flow`, or of the first one, are followed, else the tensors, else the surfaces are felt;
-/// and the other modes of vectors and tensors are added, but not active. A file that guides the
-/// hand (GuideFile.h), if there is one, is the first mode; without names it is the only active
-/// one. Throws InputError if the image lacks the array of a mode.
+/// Adds modes to a filter, with strengths that suit the image. Without names: follows the vectors
+/// of the array `flow`, or of the first one, else the tensors, else feels the surfaces; and adds
+/// the other modes of vectors and tensors, not active. A file that guides the hand (GuideFile.h),
+/// if there is one, is the first mode; without names it is the only active one. Throws InputError
+/// if the image lacks the array of a mode.
 void AddModes(const std::vector<std::string>& modes, const std::string& flow,
   const std::string& guide, vtkImageData* image, vtkVolumeHapticsFilter* filter);
 
-/// The names of a filter's modes if its method feels them, each another one; empty for those that
-/// are not active.
+/// The names of a filter's modes, if its method feels them, made unique; empty for modes that are
+/// not active.
 std::vector<std::string> NameModes(vtkVolumeHapticsFilter* filter);
 } // namespace Explore
 

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& name)
                           : make(vtkSmartPointer<vtkXMLPolyDataReader>::New());
 }
 
-/// The bytes of a number in a .ply; 0 if the type is not known.
+/// The bytes of a number in a .ply; 0 for an unknown type.
 std::size_t FindPlySize(const std::string& type)
 {
   const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "int8", 1 }, { "uchar", 1 },
@@ -54,7 +54,7 @@ std::size_t FindPlySize(const std::string& type)
 
 struct PlyProperty
 {
-  std::size_t CountSize = 0; ///< bytes; 0 if it is no list
+  std::size_t CountSize = 0; ///< bytes; 0 if it is not a list
   std::size_t Size = 0;      ///< bytes of a number
 };
 struct PlyElements
@@ -63,7 +63,7 @@ struct PlyElements
   std::vector<PlyProperty> Properties;
 };
 
-/// Whether an element is all there in binary; goes on behind it.
+/// Whether a binary element is complete; continues after it.
 bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, std::size_t& at)
 {
   for (const PlyProperty& property : kind.Properties)
@@ -88,7 +88,7 @@ bool SkipBinary(const PlyElements& kind, const std::string& bytes, bool isBig, s
   return true;
 }
 
-/// The same of a line of text.
+/// As SkipBinary, for a line of text.
 bool SkipLine(const PlyElements& kind, std::istream& text)
 {
   std::string line;
@@ -107,7 +107,8 @@ bool SkipLine(const PlyElements& kind, std::istream& text)
 }
 
 /// Whether a .ply has all elements that its header promises: VTK's reader goes on without them, and
-/// frees memory that it never had. A header that this does not know is left to the reader.
+/// frees memory that it never had. A header that this function does not support is left to the
+/// reader.
 bool HasAllElements(const std::string& name)
 {
   std::vector<PlyElements> kinds;
@@ -158,8 +159,8 @@ bool HasAllElements(const std::string& name)
   return true;
 }
 
-/// Whether a .stl has all triangles that its head promises, if it is binary: VTK's reader goes on
-/// without them.
+/// Whether a binary .stl has all triangles that its head promises: VTK's reader goes on without
+/// them.
 bool HasAllTriangles(const std::string& name)
 {
   constexpr std::size_t head = 84, triangle = 50; // bytes
@@ -171,7 +172,7 @@ bool HasAllTriangles(const std::string& name)
     reinterpret_cast<const char*>(start), static_cast<std::size_t>(in.gcount()));
   if (text.find("solid") == 0 && text.find("facet") != std::string::npos)
   {
-    return true; // text, of which the reader tells
+    return true; // text, which the reader checks
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < 4; ++i)

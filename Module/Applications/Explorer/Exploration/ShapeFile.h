@@ -14,12 +14,12 @@ namespace Explore
 std::string FindEnding(const std::string& name);
 
 /// Reads points, lines and polygons of a file .stl, .ply, .obj, .vtk or .vtp. Null, with the
-/// reason, if the file can't be read or promises what is not in it, or if a cell has a point that
+/// reason, if the file can't be read or is shorter than it promises, or if a cell has a point that
 /// does not exist.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& name, std::string& error);
 
-/// The same. Throws InputError, which begins with the option that names the file, and has the cure
-/// for one that can't be read.
+/// As ReadPolyData. Throws InputError; its text begins with the option that names the file, and has
+/// the cure for a file that can't be read.
 vtkSmartPointer<vtkPolyData> ReadShapeFile(
   const std::string& option, const std::string& name, const std::string& cure);
 } // namespace Explore

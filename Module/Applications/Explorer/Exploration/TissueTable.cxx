@@ -25,10 +25,10 @@ using Explore::VolumeKind;
 
 constexpr double ENDLESS = std::numeric_limits<double>::infinity();
 
-/// Less noise, of the range, is rounding to 8 bits or the shape of what is smooth.
+/// Fraction of the range: less noise is rounding to 8 bits or the shape of smooth parts.
 constexpr double LEAST_NOISE = 0.002;
 
-/// Where there is nothing denser than the body, half of what is brightest is.
+/// If nothing is denser than the body, the brighter half of its range counts as dense.
 void PutDeepInside(Analysis& analysis)
 {
   if (analysis.DeepThreshold <= analysis.OuterThreshold)
@@ -43,12 +43,12 @@ double EdgeOf(const Analysis& analysis)
   return 0.02 * (analysis.High - analysis.Low);
 }
 
-/// Noise of the background is no body, where the image tells how bright the background is.
+/// Excludes the background's noise from the body, if the image shows how bright the background is.
 void LeaveBackground(Analysis& analysis, vtkImageData* image)
 {
   if (analysis.Kind == VolumeKind::Field)
   {
-    return; // whose flanks are no noise
+    return; // whose flanks are not noise
   }
   vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
   const int* const extent = image->GetExtent();
@@ -81,7 +81,7 @@ void TwoSteps(vtkPiecewiseFunction* function, const Analysis& analysis, const do
 
 void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
 {
-  // Nothing outside, soft body, hard inside: the contrast of the CT preset on other thresholds.
+  // Nothing outside, soft body, hard inside: the contrast of the CT preset at other thresholds.
   const double stiffness[3] = { 0.0, 350.0, 800.0 };
   const double friction[3] = { 0.0, 0.25, 0.30 };
   const double viscosity[3] = { 0.0, 0.2, 0.2 };
@@ -100,7 +100,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
     property->AddTissue("body, darker", analysis.OuterThreshold, analysis.DeepThreshold - edge);
     property->AddTissue("body, brighter", analysis.DeepThreshold, ends[1]);
   }
-  // A surface is distinct if the step to the body takes no more than about 8 mm.
+  // A surface is distinct if the step to the body takes at most about 8 mm.
   const double step = analysis.OuterThreshold - analysis.Low;
   const double gradient = step * analysis.MetersPerWorldUnit / 0.008;
   property->GetDistinctness()->RemoveAllPoints();
@@ -111,7 +111,7 @@ void HistogramMaterials(const Analysis& analysis, vtkHapticProperty* property)
   property->ShiftFromImageOff();
 }
 
-/// The middle of a boundary, or, if nothing resists there yet, where the strength begins.
+/// The middle of a boundary or, if nothing resists there yet, where the strength begins.
 double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
 {
   const double middle = 0.5 * (low + high);
@@ -129,7 +129,7 @@ double FindFeltMiddle(vtkPiecewiseFunction* strength, double low, double high)
   return middle;
 }
 
-/// Why nothing could be proposed; empty if it was.
+/// Why nothing could be proposed; empty if a proposal was made.
 std::string Propose(vtkImageData* image, vtkVolumeHapticsFilter* filter)
 {
   vtkHapticProperty* const property = filter->GetProperty();
@@ -198,7 +198,8 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
       throw InputError("--preset propose", reason, "take another preset");
     }
     name = "histogram";
-    // Where a surface is steepest tells nothing: it is felt where the body begins.
+    // The steepest place of a surface means nothing here: the surface is felt where the body
+    // begins.
     filter->SetContactAlignmentToDistinctness();
   }
   if (name == "histogram")
@@ -222,7 +223,7 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
   vtkTable* const boundaries = property->GetProposedBoundaries();
   if (analysis.Kind == VolumeKind::CT || !boundaries)
   {
-    return; // the numbers have a meaning of their own
+    return; // the numbers have their own meaning
   }
   const auto column = [&](const char* name)
   { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name)); };

@@ -30,16 +30,16 @@ std::vector<Tissue> MakeTissueTable(const Analysis& analysis);
 std::size_t FindTissue(const std::vector<Tissue>& table, double value);
 
 /// Sets the functions of a filter's property. "auto" takes the preset for Hounsfield units, else
-/// "propose", or if the image has no edges to propose from, "histogram". "propose" takes what the
+/// "propose" or, if the image has no edges to propose from, "histogram". "propose" takes what the
 /// edges of the image suggest, and the filter's KernelRadius with it; "histogram" builds materials
-/// on the histogram's thresholds, of which it raises those that lie in the background's noise;
+/// on the histogram's thresholds, and raises thresholds that lie in the background's noise;
 /// anything else must be a preset of vtkHapticProperty. Throws InputError. Returns the name of the
 /// materials.
 std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkImageData* image,
   vtkVolumeHapticsFilter* filter);
 
-/// Puts the outer threshold to the middle of the boundary with what is outside, if the property was
-/// proposed from an image: where a hand feels a soft edge, there it is drawn and pressed.
+/// Moves the outer threshold to the middle of the boundary with the outside, if the property was
+/// proposed from an image: a soft edge is drawn and pressed where a hand feels it.
 void FitThresholds(vtkHapticProperty* property, Analysis& analysis);
 } // namespace Explore
 

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// A file or folder, such as name-001.png.
+/// The name of a numbered file or folder, such as name-001.png.
 std::string NumberFile(const std::string& name, int number, const std::string& ending);
 
 /// The first of name-001.png, name-002.png and so on that does not exist yet.

@@ -17,9 +17,9 @@
 
 namespace
 {
-/// N per metre of the shaft, where no label says it: that of soft tissue.
+/// N per metre of the shaft, if no label gives it: a value for soft tissue.
 constexpr double SHAFT_FRICTION = 25.0;
-/// J/mm^3, to remove the softest tissue and the hardest one, so that a press of 2 N drills soft
+/// J/mm^3 for removing the softest tissue and the hardest one, so that a press of 2 N drills soft
 /// tissue at once and hard bone within seconds: an example, not a measurement.
 constexpr double LEAST_ENERGY = 0.5;
 constexpr double MOST_ENERGY = 10.0;

@@ -20,7 +20,7 @@ namespace Explore
 /// Gives the hand in a window a needle (key N; again: a burr, the tool of a file, if there is one,
 /// and a point), undoes and redoes strokes of the burr (keys U and J), and writes a file (key T):
 /// the track of a needle in tissue, track-001.vtp, or what a burr has removed, removal-001.vti, or
-/// the next number that is not taken.
+/// the next free number.
 ///
 /// Values above the outer surface rub along the needle where the labels have no shaft friction, and
 /// are solid for the other tools. With a preset for CT, vtkHapticNeedle::ApplyPreset() says how the
@@ -42,7 +42,7 @@ public:
       "point\nU, J\tundo, redo what the burr removed\nT\tsave the track; what was removed\n";
   }
 
-  /// Whether the burr has removed something that was not written to a file.
+  /// Whether the burr has removed tissue since the last written file.
   bool HasUnwrittenRemoval() const;
 
 private:
@@ -60,7 +60,7 @@ private:
   vtkNew<vtkHapticNeedle> Needle;
   vtkNew<vtkHapticBurr> Burr;
   vtkNew<vtkHapticPointShell> Shape;
-  double WrittenVolume = 0.0; ///< mm^3, of the removal that was written last
+  double WrittenVolume = 0.0; ///< mm^3, the removal written last
   vtkNew<vtkCallbackCommand> KeyObserver;
 };
 } // namespace Explore

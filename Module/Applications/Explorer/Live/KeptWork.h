@@ -17,27 +17,26 @@
 
 namespace Explore
 {
-/// Keeps what was not saved when a window closed, in whatever way: measurements, edited functions
-/// of the materials and of the picture, and what a burr removed. It lies in a folder for this
-/// volume in $XDG_STATE_HOME/volumehaptics or ~/.local/state/volumehaptics, which only the user can
-/// read. The next window on the volume offers it, and key F11 brings it back.
+/// Stores what was not saved when a window closed, for any reason: measurements, edited functions
+/// of the materials and of the picture, and what a burr removed. The folder, one for this volume,
+/// is in $XDG_STATE_HOME/volumehaptics or ~/.local/state/volumehaptics, which only the user can
+/// read. The next window on the volume offers this work, and key F11 restores it.
 class KeptWork
 {
 public:
-  /// `shown` is the file of the window. The functions that the window begins with are not kept, and
-  /// those of the outside are.
+  /// `shown` is the window's file. Stores edited functions only, and those of the outside.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
     const FileChoice& shown);
 
-  /// As in vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to bring back.
+  /// As in vtkHapticHeadUpDisplay::HelpText; empty if there is nothing to restore.
   std::string ListKeys() const;
-  /// What F11 would bring back, as a notice; empty if there is nothing.
+  /// What F11 would restore, as a notice; empty if there is nothing.
   std::string GetOffer() const;
-  /// As F11.
+  /// Restores the work, as F11 does.
   void BringBack();
 
-  /// Call when the window has closed: keeps what is not saved, and tells it. `isSetUp`: the
+  /// Call it when the window has closed: stores unsaved work, and reports it. `isSetUp`: the
   /// functions were saved to the file of --setup.
   void KeepAtEnd(bool isSetUp);
 
@@ -52,9 +51,9 @@ private:
   HandTool& Tool;
   LookSwitch& Look;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
-  std::string Folder;  ///< where the work of this volume goes, without its number; empty: nowhere
-  std::string Offered; ///< a folder; empty if there is none, or it was brought back
-  std::string Brought; ///< a folder
+  std::string Folder;            ///< folder for this volume's work, without its number; empty: none
+  std::string Offered;           ///< a folder; empty if there is none, or after it was restored
+  std::string Brought;           ///< a folder
   std::vector<double> Functions; ///< at the beginning
   KeyBinding Key;
 };

@@ -13,8 +13,8 @@
 
 namespace Explore
 {
-/// Calls a function whenever a key, such as "F8" or "O", is pressed in a window, until it is
-/// deleted.
+/// Calls a function whenever a key, such as "F8" or "O", is pressed in a window, until the binding
+/// is deleted.
 class KeyBinding
 {
 public:

@@ -31,7 +31,7 @@ void Demand(bool done, const char* what, const Explore::MessageCapture& capture)
   }
 }
 
-/// The hand: follows the path by the clock, at the rate of an application's display at best.
+/// The hand: follows the path by the clock, at most at the rate of an application's display.
 void FollowPath(vtkHapticDevice* device, vtkPolyData* path, double rate)
 {
   using Clock = std::chrono::steady_clock;
@@ -87,9 +87,9 @@ vtkIdType FirstDifference(vtkPolyData* a, vtkPolyData* b)
 /// The servo's trace of the planned path compared with the offline one, tick by tick.
 struct Agreement
 {
-  vtkIdType Ticks = 0;  // with the tip of the same offline tick
-  vtkIdType Wrong = 0;  // of these, with another force
-  vtkIdType Others = 0; // with another tip
+  vtkIdType Ticks = 0;  // ticks with the tip of the same offline tick
+  vtkIdType Wrong = 0;  // of these, ticks with another force
+  vtkIdType Others = 0; // ticks with another tip
 };
 
 Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
@@ -119,7 +119,7 @@ Agreement CompareTicks(vtkPolyData* live, vtkPolyData* offline)
   return agreement;
 }
 
-/// With these arrays, or it throws.
+/// Reads a recording with these arrays, or throws.
 vtkSmartPointer<vtkPolyData> ReadRecording(
   const std::string& file, std::initializer_list<const char*> arrays)
 {
@@ -140,7 +140,7 @@ vtkSmartPointer<vtkPolyData> ReadRecording(
   return recording;
 }
 
-/// Plays the planned path through the servo in real time, a point in each tick, as no hand could
+/// Plays the planned path through the servo in real time, one point per tick, as no hand could
 /// move.
 Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string& file)
 {
@@ -153,11 +153,11 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
     throw std::runtime_error("the planned path can't be written: " + error);
   }
   vtkNew<vtkHapticDevice> device;
-  device->SetAttentionTime(0.0); // no hand is held
+  device->SetAttentionTime(0.0); // no hand holds it
   Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
-  // Not armed: that would begin the touch again in a later tick.
+  // Not armed: arming would begin the touch again in a later tick.
   Demand(device->Start(), "the servo does not start", capture);
   Demand(device->StartRecording(recorded.c_str()), "the recording does not start", capture);
   while (device->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
@@ -183,7 +183,7 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   vtkPolyData* const path = exploration.Tip.Path;
   const MessageCapture capture;
   vtkNew<vtkHapticDevice> device;
-  device->SetAttentionTime(0.0); // no hand is held
+  device->SetAttentionTime(0.0); // no hand holds it
   Demand(device->Open("virtual"), "the virtual device does not open", capture);
   device->SetVolumeHaptics(filter);
   device->SetServoRate(exploration.ServoRate);

@@ -14,12 +14,12 @@ struct LiveRun
 {
   vtkSmartPointer<vtkPolyData> Trace; // as recorded, tick by tick
   std::string Report;                 // time keeping, and a comparison with the offline filter
-  bool IsReproduced = false;          // offline and live forces are the same for the same tips
+  bool IsReproduced = false;          // equal tips give equal forces offline and live
 };
 
 /// Leads the virtual device along the planned path in real time, with the servo at its rate, and
-/// records into a file (.vtp); then replays the planned path tick by tick, to compare with the
-/// trace of the exploration. Throws std::runtime_error if the servo can't run.
+/// records into a file (.vtp); then replays the planned path tick by tick, to compare it with the
+/// exploration's trace. Throws std::runtime_error if the servo can't run.
 LiveRun RunLive(const Exploration& exploration, const std::string& file);
 } // namespace Explore
 

@@ -15,20 +15,20 @@
 
 namespace Explore
 {
-/// Key O shows the dense inside of a volume alone, and again the outside. Hidden tissue is not
-/// felt: the hand goes through the skin to what is seen. Each look keeps its edited functions.
+/// Key O shows only the dense inside of a volume, and again the outside. Hidden tissue is not felt:
+/// the hand goes through the skin to the visible part. Each look keeps its edited functions.
 class LookSwitch
 {
 public:
   LookSwitch(TouchScene& touch, const Analysis& analysis, vtkRenderWindowInteractor* interactor);
-  /// Shows the outside, so that the inside is not taken for an edit.
+  /// Shows the outside, so that the inside does not count as an edit.
   ~LookSwitch();
   LookSwitch(const LookSwitch&) = delete;
   LookSwitch& operator=(const LookSwitch&) = delete;
 
   /// As in vtkHapticHeadUpDisplay::HelpText; empty if the volume has no inside.
   std::string ListKeys() const;
-  /// Before functions are loaded, which are those of the outside.
+  /// Call it before functions are loaded, which belong to the outside.
   void ShowOutside();
 
 private:

@@ -12,8 +12,8 @@
 
 namespace Explore
 {
-/// The key F8 saves what the materials of the window are as a preset, to a new preset-001.json,
-/// which --preset takes.
+/// The key F8 saves the materials of the window as a preset, to a new preset-001.json, which
+/// --preset takes.
 class PresetSaver
 {
 public:

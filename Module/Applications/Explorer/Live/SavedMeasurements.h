@@ -14,8 +14,8 @@
 
 namespace Explore
 {
-/// The measurements of a window in a file: by the key S, and when the window is closed. A file of
-/// which only a part could be read stays as it is, and the list goes to a new one beside it.
+/// Saves the measurements of a window to a file: by the key S, and when the window is closed. A
+/// file that could only be read in part stays as it is, and the list goes to a new file beside it.
 class SavedMeasurements
 {
 public:
@@ -25,15 +25,16 @@ public:
   /// From now on, the key S saves: without a file, to a new measurements-001.mrk.json.
   void SaveByKey(vtkRenderWindowInteractor* interactor);
 
-  /// Saves to the file if there is something new; a list that was emptied does not replace one.
-  /// Tells what is not saved, without a file or if it can't be written, and then returns why.
+  /// Saves new measurements to the file; an emptied list does not replace a file. Reports
+  /// measurements that are not saved, without a file or because it can't be written, and returns
+  /// why.
   std::string SaveAtEnd();
 
-  /// Whether there is nothing that was not saved.
+  /// Whether everything is saved.
   bool IsSaved() const;
 
 private:
-  /// False, with the reason, if that fails.
+  /// False, with the reason, if saving fails.
   bool Save(std::string& error);
   void Tell(std::ostream& out) const;
 

@@ -13,9 +13,9 @@ namespace Explore
 /// Whether a name has the ending of a surface: .stl, .ply, .obj or .vtp.
 bool IsToolFile(const std::string& name);
 
-/// The surface of a tool, in its file's units, which are those of the volume. One whose box does
-/// not have the origin is moved, so that the middle of the box is there; triangles that face
-/// inwards are turned. Throws InputError, also for a surface that is open.
+/// The surface of a tool, in its file's units, which are the volume's. If its box does not contain
+/// the origin, it is moved, so that the middle of the box is there; triangles that face inwards are
+/// turned. Throws InputError, also for an open surface.
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name);
 } // namespace Explore
 

@@ -36,7 +36,7 @@ void DrawSource(vtkAlgorithm* source, vtkActor* actor, const double color[3])
   actor->UseBoundsOff();
 }
 
-/// The row of the last time that is not after this one.
+/// The last row whose time is not after this one.
 vtkIdType FindRow(vtkDataArray* times, double time)
 {
   vtkIdType first = 0, last = times->GetNumberOfTuples() - 1;
@@ -237,7 +237,7 @@ void TouchReplay::Show(double time)
   this->Spring->SetPoint1(proxy);
   this->Spring->SetPoint2(tip);
 
-  // The arrow of VTK lies along x, and is of length 1.
+  // VTK's arrow lies along x, and has length 1.
   const double newtons = vtkMath::Norm(force);
   const double length = newtons / this->Touch.Hand->GetForceScale();
   double axes[3][3];

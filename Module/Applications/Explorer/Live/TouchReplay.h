@@ -22,13 +22,13 @@
 
 namespace Explore
 {
-/// Shows a recording of the touch in the window: the way of the proxy, and at a time that a slider
-/// chooses, the tip, the proxy and the force. F5 plays it in real time and holds it, F6 and F7 go
-/// back and on. It feels nothing; a device can touch meanwhile.
+/// Shows a recording of the touch in the window: the way of the proxy, and at a time chosen with a
+/// slider, the tip, the proxy and the force. F5 plays it in real time and pauses it, F6 and F7 go
+/// back and on. It gives no force; a device can touch meanwhile.
 class TouchReplay
 {
 public:
-  /// Throws InputError if the file is no recording or trace.
+  /// Throws InputError if the file is neither a recording nor a trace.
   TouchReplay(TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& file);
   ~TouchReplay();
   TouchReplay(const TouchReplay&) = delete;
@@ -52,7 +52,7 @@ private:
   double Begin = 0.0, End = 0.0; ///< s
   double Now = 0.0;              ///< s
   bool IsPlaying = false;
-  std::chrono::steady_clock::time_point Played; ///< up to here
+  std::chrono::steady_clock::time_point Played; ///< played up to this time
 
   vtkNew<vtkActor> Way;
   vtkNew<vtkSphereSource> Proxy;

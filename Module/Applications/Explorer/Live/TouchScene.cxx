@@ -37,7 +37,7 @@ using Explore::TouchScene;
 /// the head-up display is beside it.
 constexpr double BESIDE_PLOT = -0.14;
 
-/// All parts that draw in two dimensions are above the volume and below the marker.
+/// All two-dimensional parts are above the volume and below the marker.
 void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 {
   constexpr int labelPort = 3;
@@ -55,7 +55,7 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
   }
   touch.Scene.Overlay->AddViewProp(touch.Display);
 
-  // Not the scale of the hand, by which a small thing is felt larger than it is.
+  // Not the scale of the hand, which may enlarge a small thing.
   touch.Measurements->SetMetersPerWorldUnit(exploration.Input.MetersPerUnit);
   // Half a voxel: 3D Slicer can't work with a point each millisecond.
   const double* const spacing = exploration.Input.Image->GetSpacing();
@@ -77,7 +77,7 @@ void AddParts(TouchScene& touch, const Explore::Exploration& exploration)
 }
 
 /// The editor beside the display's plot and the slices, above the scale of the arrows; the marker
-/// beside the hint, or below it if slices leave less room.
+/// beside the hint, or below it if the slices leave less room.
 void PlaceParts(TouchScene& touch)
 {
   const double share = touch.Slices->GetVisibility() ? touch.Slices->GetShare() : 0.0;
@@ -88,7 +88,7 @@ void PlaceParts(TouchScene& touch)
   touch.Scene.Marker->SetViewport(0.84, top - 0.2, 1.0, top);
 }
 
-/// Through the tip, and hidden if they have no share of the window.
+/// Slices through the tip; hidden if they have no share of the window.
 void AddSlices(
   TouchScene& touch, const Explore::Exploration& exploration, const Explore::SceneOptions& options)
 {
@@ -115,7 +115,7 @@ void AddSlices(
   slices->AddObserver(vtkCommand::ModifiedEvent, place);
 }
 
-/// A list with tabs as a table.
+/// Formats a list with tabs as a table.
 std::string Align(const std::string& keys)
 {
   constexpr std::size_t width = 16;

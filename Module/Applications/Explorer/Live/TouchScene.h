@@ -20,19 +20,19 @@
 
 namespace Explore
 {
-/// Of the window's width, that slices take beside the scene.
+/// The fraction of the window's width for slices beside the scene.
 constexpr double SLICE_SHARE = 0.3;
 
 /// The device of the window: see vtkHapticDevice::Open and SetFirmwareFile.
 struct DeviceChoice
 {
   std::string Id = "virtual";
-  std::string Firmware;                          // empty: by the environment
-  std::array<double, 2> Newtons{ 100.0, 100.0 }; // of a stick at full scale, along x and y
+  std::string Firmware;                          // empty: from the environment
+  std::array<double, 2> Newtons{ 100.0, 100.0 }; // a stick's at full scale, along x and y
 };
 
-/// A scene that can be touched: the volume, and a device whose servo runs, with all displays of its
-/// state. Hidden tissue is not felt.
+/// A scene that can be touched: the volume, and a device with a running servo, with all displays of
+/// its state. Hidden tissue is not felt.
 struct TouchScene
 {
   ExplorerScene Scene;
@@ -58,10 +58,10 @@ struct FileChoice
 {
   std::string Path;
   int Series = 0;        // of a DICOM folder
-  bool AsLabels = false; // a label map is shown as such
+  bool AsLabels = false; // a label map is shown as labels
 };
 
-/// Of the window; files that are not named are not read. The key S saves measurements without a
+/// Options of the window; files without a name are not read. The key S saves measurements without a
 /// name to the first free of measurements-001.mrk.json ...
 struct WindowOptions
 {
@@ -71,15 +71,15 @@ struct WindowOptions
   std::string Movie;
   bool Sound = false;
   std::string Tool;   // "needle", "burr", a file, or empty for a point
-  std::string Replay; // a recording of a touch that is shown
+  std::string Replay; // a recording of a touch to show
   FileChoice File;
-  std::string Notice;     // at the beginning
-  bool BringBack = false; // the work that was not saved; see KeptWork.h
+  std::string Notice;     // shown at the beginning
+  bool BringBack = false; // restore unsaved work; see KeptWork.h
 };
 
-/// Shows the scene in a window and returns when it is closed, with what to open next, or an empty
-/// path. Loads the files first, if they are there, and saves them at the end. Throws InputError if
-/// one can't be read.
+/// Shows the scene in a window and returns when it is closed, with the file to open next, or an
+/// empty path. Loads the files first, if they exist, and saves them at the end. Throws InputError
+/// if one can't be read.
 FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploration,
   const SceneOptions& options, const DeviceChoice& device, const WindowOptions& wanted);
 } // namespace Explore

@@ -209,7 +209,7 @@ void WindowFiles::ListSeries()
 void WindowFiles::ShowList(
   const std::string& title, const std::vector<std::string>& lines, int marked)
 {
-  // Who looks at a list does not look at the hand.
+  // A user who reads a list does not watch the hand.
   this->Touch.Style->SetTouchMode(false);
   this->Touch.Device->Disarm();
   this->List.Show(title, lines, marked);

@@ -18,11 +18,11 @@ namespace Explore
 {
 /// Chooses in the window what is touched next: F2 a file or folder, F3 another series of the same
 /// DICOM folder, F4 whether the volume is a label map; or a file is dropped on the window. The
-/// window then closes, and the program opens another one.
+/// window then closes, and the program opens the next one.
 class WindowFiles
 {
 public:
-  /// `now` is what the window shows, and `choice` gets what is chosen.
+  /// `now` is the file that the window shows, and `choice` receives the chosen one.
   WindowFiles(TouchScene& touch, vtkRenderWindowInteractor* interactor, const Volume& volume,
     const FileChoice& now, FileChoice& choice);
   ~WindowFiles();
@@ -35,7 +35,7 @@ public:
 private:
   void Take(unsigned long event, void* data);
   bool PressKey(const std::string& key);
-  /// By value: these may be the members that it sets.
+  /// By value: the arguments may be the members that it sets.
   void ListFolder(std::string folder, std::string marked);
   void ListSeries();
   void ShowList(const std::string& title, const std::vector<std::string>& lines, int marked);
@@ -46,10 +46,10 @@ private:
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   const FileChoice Now;
   FileChoice& Chosen;
-  const std::vector<std::string> Series; ///< names; less than two without a choice
+  const std::vector<std::string> Series; ///< names; at least two for a choice
   const bool MayBeLabels;
   ListOverlay List;
-  std::string Folder;             ///< that is listed; empty: the series are
+  std::string Folder;             ///< the listed folder; empty: the series are listed
   std::vector<std::string> Paths; ///< of the listed lines
   vtkNew<vtkCallbackCommand> Observer;
 };

@@ -18,20 +18,20 @@
 
 namespace Explore
 {
-/// Takes what is seen and felt into files, by keys: F12 a picture, F9 a movie, F10 a recording of
-/// the touch; F9 and F10 begin and end it. Files are numbered: picture-001.png, movie-001.ogv,
+/// Records the window and the touch in files, by keys: F12 a picture, F9 a movie, F10 a recording
+/// of the touch; F9 and F10 begin and end it. Files are numbered: picture-001.png, movie-001.ogv,
 /// touch-001.vtp in the current folder.
 ///
-/// Pictures of a movie are read from the window after it was drawn, RATE times a second at most,
-/// and written by another thread; if that is behind, pictures are left out, and the time stays
-/// right. The head-up display tells what is recorded.
+/// Pictures of a movie are read from the window after it was drawn, at most RATE times a second,
+/// and written by another thread; if it is behind, pictures are left out, and the time stays right.
+/// The head-up display shows what is being recorded.
 class WindowRecorder
 {
 public:
-  /// A movie from now on, if its name is not empty. Throws InputError if it can't be written.
+  /// Begins a movie, if its name is not empty. Throws InputError if it can't be written.
   WindowRecorder(
     TouchScene& touch, vtkRenderWindowInteractor* interactor, const std::string& movie);
-  /// Waits for the ends of movies.
+  /// Waits until all movies are written.
   ~WindowRecorder();
   WindowRecorder(const WindowRecorder&) = delete;
   WindowRecorder& operator=(const WindowRecorder&) = delete;
@@ -44,12 +44,12 @@ private:
   void TakePicture();
   bool BeginMovie(const std::string& file, std::string& error);
   void EndMovie();
-  /// Tells of movies whose threads have ended, or waits for all.
+  /// Reports movies whose threads have ended, or waits for all.
   void TellEnded(bool waits);
-  /// Takes what is seen into the movie, if that is due.
+  /// Adds a picture of the window to the movie, if it is due.
   void Film();
   void BeginOrEndTouch();
-  /// Lets the display tell what is recorded now.
+  /// Shows in the display what is being recorded.
   void Tell();
 
   TouchScene& Touch;
@@ -60,11 +60,11 @@ private:
     std::unique_ptr<MovieFile> Movie;
     std::string Name;
   };
-  std::vector<EndedMovie> Ended; ///< which threads may still write
+  std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
-  std::string TouchName;                       ///< of the recording that is under way
-  std::chrono::steady_clock::time_point Begin; ///< of the movie
-  int Filmed = 0;                              ///< pictures
+  std::string TouchName;                       ///< the present recording
+  std::chrono::steady_clock::time_point Begin; ///< the movie's
+  int Filmed = 0;                              ///< pictures so far
   int Size[2] = { 0, 0 };
   vtkNew<vtkCallbackCommand> KeyObserver;
   vtkNew<vtkCallbackCommand> TimerObserver;

@@ -18,12 +18,11 @@
 
 namespace Explore
 {
-/// The sound of what is touched in a scene, from now until it is deleted; key o turns it off and
-/// on. If nothing can be played, or no longer, it says so in one line, and the scene goes on; the
-/// key then tries again.
+/// Plays the sound of touches in a scene, from now until it is deleted; key o turns it off and on.
+/// If the output fails, it says so in one line, and the scene goes on; the key then tries again.
 ///
-/// It takes the states that the scene's style takes for the displays (StatesEvent): nothing is
-/// added to the servo's loop.
+/// It uses the states that the scene's style reads for the displays (StatesEvent): nothing is added
+/// to the servo's loop.
 class WindowSound
 {
 public:
@@ -42,7 +41,7 @@ private:
   vtkSmartPointer<vtkInteractorStyleHaptic> Style;
   HeardTicks Ticks;
   SoundStream Stream;
-  std::unique_ptr<SoundOutput> Output; // after the stream, which it plays
+  std::unique_ptr<SoundOutput> Output; // after the stream that it plays
   bool HasFailed = false;
   vtkNew<vtkCallbackCommand> StatesObserver;
   KeyBinding Key;

@@ -7,7 +7,7 @@
 
 namespace Explore
 {
-/// A regular grid over two angles, and the few operations that a map of distances needs on it.
+/// A regular grid over two angles, with the operations that a map of distances needs.
 class PolarGrid
 {
 public:
@@ -19,8 +19,8 @@ public:
   double Right(int node) const { return (node % this->Columns) * STEP - this->RightLimit; }
   double Up(int node) const { return (node / this->Columns) * STEP - this->UpLimit; }
 
-  /// Fills the nodes below zero (nothing found) from their neighbours, takes the median of each
-  /// 3 x 3 neighbourhood and smooths. At least one node must be above zero.
+  /// Fills negative nodes (nothing found) from their neighbours, takes the median of each 3 x 3
+  /// neighbourhood and smooths. At least one node must be above zero.
   void Clean(std::vector<double>& map) const;
   void Smooth(std::vector<double>& map) const;
 

@@ -15,7 +15,7 @@ namespace
 // In metres.
 constexpr double SURE_DEPTH = 0.004;   // of a surface; a thinner layer may be noise, hair, a sinus
 constexpr double THINNEST = 0.002;     // from the outer to the deep surface
-constexpr double DEFAULT_DEEP = 0.010; // the same, if no deep surface is found
+constexpr double DEFAULT_DEEP = 0.010; // from the outer surface, if no deep surface is found
 } // namespace
 
 namespace Explore
@@ -51,7 +51,8 @@ SurfaceMap::SurfaceMap(vtkImageData* image, const Analysis& analysis, const View
   for (int node = 0; node < grid.Size(); ++node)
   {
     double& deep = this->DeepMap[node];
-    // Depth below the skin, which neighbours have in common; a hole gets its neighbours' depth.
+    // Depth below the skin, which varies little between neighbours; a hole gets its neighbours'
+    // depth.
     deep = deep > 0.0 ? std::max(0.0, this->OuterMap[node] - deep) : -1.0;
   }
   if (std::any_of(this->DeepMap.begin(), this->DeepMap.end(), [](double d) { return d > 0.0; }))

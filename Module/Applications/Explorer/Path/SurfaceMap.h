@@ -15,13 +15,13 @@ namespace Explore
 class ValueProbe;
 
 /// Two surfaces as distances from the centre, over the directions around the camera: the outer one
-/// (skin) and, beneath it, the next rise to dense values (skull). Found by rays that come from
-/// outside, cleaned of outliers and smoothed, so that a hand can follow a path on them.
+/// (skin) and, beneath it, the next rise to dense values (skull). Measured with rays from outside,
+/// cleaned of outliers and smoothed, so that a hand can follow a path on them.
 class SurfaceMap
 {
 public:
   static constexpr double RIGHT_LIMIT = 64.0; // degrees to either side of the camera
-  static constexpr double UP_LIMIT = 60.0;    // degrees above and below it
+  static constexpr double UP_LIMIT = 60.0;    // degrees above and below the camera
 
   SurfaceMap(vtkImageData* image, const Analysis& analysis, const ViewFrame& view);
 
@@ -29,11 +29,11 @@ public:
   double Outer(double right, double up) const;
   double Deep(double right, double up) const;
 
-  /// How well a surface is known there: 1 if every ray around it found both surfaces inside the
-  /// volume, 0 if none did.
+  /// How well a surface is known in a direction: 1 if every ray around it met both surfaces inside
+  /// the volume, 0 if none did.
   double Quality(double right, double up) const;
 
-  /// Whether any ray met the body at all.
+  /// Whether no ray met the body.
   bool IsEmpty() const { return this->Hits == 0; }
 
 private:
@@ -51,7 +51,7 @@ private:
   double Interpolate(const std::vector<double>& map, double right, double up) const;
 
   vtkVector3d Centre;
-  double Start = 0.0; // of the rays, and their step, world units
+  double Start = 0.0; // start of the rays, and their step, world units
   double Step = 1.0;
   int Hits = 0;
   std::vector<double> OuterMap, DeepMap, QualityMap;

@@ -14,25 +14,25 @@ namespace
 {
 using Explore::SurfaceMap;
 
-// The hand's habits, in metres, seconds and degrees.
+// The hand's movements, in metres, seconds and degrees.
 constexpr double HOVER = 0.015;        // above the surface, before and after
 constexpr double OUTER_PRESS = 0.0025; // below the outer surface
-constexpr double DEEP_PRESS = 0.0015;  // below the deep one
+constexpr double DEEP_PRESS = 0.0015;  // below the deep surface
 constexpr double TOP_SPEED = 0.1;
-constexpr double SHORTEST = 0.6; // a movement
+constexpr double SHORTEST = 0.6; // per movement
 constexpr double REST = 0.15;    // between movements
 constexpr double HALF_ARC = 28.0;
 constexpr double ARC_DISTANCE = -20.0; // from the deep stroke up to the outer one
 constexpr double WANTED_UP = 20.0;     // the outer stroke, above the middle of the picture
 
-/// The position of the strokes: the angles of the middle of the outer one.
+/// The position of the strokes: the angles of the middle of the outer stroke.
 struct Stroke
 {
   double Right = 0.0;
   double Up = WANTED_UP;
 };
 
-/// The rougher, the less known and the farther from the wanted position, the worse.
+/// Grows with roughness, uncertainty, and distance from the wanted position.
 double Badness(const SurfaceMap& map, const Stroke& stroke)
 {
   double badness = 0.0;
@@ -103,7 +103,7 @@ public:
 
   double Length() const { return this->Lengths.back(); }
 
-  /// The position at a share (0 to 1) of the length.
+  /// The position at a fraction (0 to 1) of the length.
   vtkVector3d Place(double share) const
   {
     const double length = share * this->Length();
@@ -122,7 +122,7 @@ private:
   std::vector<double> Lengths;
 };
 
-/// Collects the ticks of one movement after the other.
+/// Collects the ticks of consecutive movements.
 class Recorder
 {
 public:
@@ -135,7 +135,7 @@ public:
 
   void Move(const std::string& name, const Curve& curve)
   {
-    // The eased movement is 15/8 times as fast in the middle as on the average.
+    // The eased movement is 15/8 times as fast in the middle as on average.
     const Walk walk(curve);
     const double length = walk.Length() * this->MetersPerWorldUnit;
     const double duration = std::max(SHORTEST, 1.875 * length / TOP_SPEED);
@@ -206,7 +206,7 @@ TipPath PlanTipPath(
     [&](double t)
     {
       const double right = Mix(to, from, t);
-      // The stroke back leaves the stroke out within its first half.
+      // The stroke back turns away from the first stroke within its first half.
       const double up = Mix(outerUp, deepUp, Ease(std::min(1.0, 2.0 * t)));
       return place(right, up, map.Deep(right, up) - deepPress);
     });

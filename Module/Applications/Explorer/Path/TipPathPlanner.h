@@ -29,7 +29,7 @@ struct TipPath
 };
 
 /// Approaches from outside, presses on the outer surface, drags along it, presses through to the
-/// deep surface, drags back over that, and leaves; smooth, with a speed of at most 0.1 m/s.
+/// deep surface, drags back over it, and leaves; smooth, with a speed of at most 0.1 m/s.
 TipPath PlanTipPath(
   const SurfaceMap& map, const ViewFrame& view, double metersPerWorldUnit, double ticksPerSecond);
 } // namespace Explore

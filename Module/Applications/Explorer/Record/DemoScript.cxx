@@ -28,7 +28,7 @@ bool ReadNumber(std::istringstream& line, double least, double most, double& num
   return static_cast<bool>(line >> number) && number >= least && number <= most;
 }
 
-/// What is wrong with the words after the time, and the cure; empty if nothing is.
+/// The fault in the words after the time, and the cure; empty if there is none.
 std::string ReadEvent(std::istringstream& line, DemoEvent& event)
 {
   std::string word;
@@ -149,7 +149,7 @@ void DemoScript::Play()
       this->From[1] + share * (stroke.Place[1] - this->From[1]));
     if (share < 1.0)
     {
-      return; // what comes after a stroke waits for its end
+      return; // events after a stroke wait for its end
     }
     this->Stroke = nullptr;
   }
@@ -196,7 +196,7 @@ void DemoScript::Do(const DemoEvent& event)
 
 void DemoScript::MoveTo(double x, double y)
 {
-  // However seldom the timer comes, the mouse goes in steps of a hand's.
+  // However seldom the timer fires, the mouse moves in steps like a hand's.
   constexpr double step = 2.0; // pixels
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   const double way = std::hypot((x - this->At[0]) * size[0], (y - this->At[1]) * size[1]);
@@ -214,7 +214,7 @@ void DemoScript::MoveTo(double x, double y)
 
 void DemoScript::Point()
 {
-  // The real pointer may have entered the window, and said where it is.
+  // The real pointer may have entered the window, and reported its place.
   const int* const size = this->Interactor->GetRenderWindow()->GetSize();
   this->Interactor->SetEventInformation(static_cast<int>(std::lround(this->At[0] * (size[0] - 1))),
     static_cast<int>(std::lround(this->At[1] * (size[1] - 1))));

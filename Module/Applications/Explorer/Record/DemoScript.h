@@ -14,8 +14,8 @@
 
 namespace Explore
 {
-/// A demonstration: mouse and keys of a window, from a file of text. Each line has a time (s, from
-/// the beginning) and an event; # begins a comment:
+/// A demonstration: mouse and keys of a window, from a text file. Each line has a time (s, from the
+/// beginning) and an event; # begins a comment:
 ///
 ///   0.5  move 0.5 0.55        # puts the mouse there: fractions of the window, from its lower left
 ///   1.0  key t                # a letter, or a name such as Escape, space, F9
@@ -37,16 +37,16 @@ struct DemoEvent
   };
   double Time = 0.0;
   Kind What = Kind::Move;
-  double Place[2] = { 0.0, 0.0 }; ///< of Move
-  double Duration = 0.0;          ///< of Move: 0 is at once
-  int Steps = 0;                  ///< of Wheel
-  std::string Name;               ///< of Key, Press and Release
+  double Place[2] = { 0.0, 0.0 }; ///< for Move
+  double Duration = 0.0;          ///< for Move: 0 is at once
+  int Steps = 0;                  ///< for Wheel
+  std::string Name;               ///< for Key, Press and Release
 };
 
-/// Throws InputError, with the line, for a file that is no such script.
+/// Throws InputError, with the line, for a file that is not such a script.
 std::vector<DemoEvent> ReadDemoScript(const std::string& file);
 
-/// Plays a script to a window, from its first timer event on.
+/// Plays a script in a window, from its first timer event on.
 class DemoScript
 {
 public:
@@ -59,7 +59,7 @@ private:
   void Play();
   void Do(const DemoEvent& event);
   void MoveTo(double x, double y);
-  /// Tells the interactor where the mouse is.
+  /// Sets the interactor's mouse position.
   void Point();
   void Press(const std::string& key);
 
@@ -68,9 +68,9 @@ private:
   std::size_t Next = 0;
   bool HasBegun = false;
   std::chrono::steady_clock::time_point Begin;
-  const DemoEvent* Stroke = nullptr; ///< that is under way
-  double From[2] = { 0.5, 0.5 };     ///< where it began
-  double At[2] = { 0.5, 0.5 };       ///< of the mouse
+  const DemoEvent* Stroke = nullptr; ///< the present stroke
+  double From[2] = { 0.5, 0.5 };     ///< where the stroke began
+  double At[2] = { 0.5, 0.5 };       ///< the mouse's place
   vtkNew<vtkCallbackCommand> TimerObserver;
 };
 } // namespace Explore

@@ -11,8 +11,8 @@
 
 namespace Explore
 {
-/// A movie in a file, Ogg Theora (.ogv), which a thread of its own writes. The owner hands it
-/// pictures and never waits for them; only the destructor waits for the end of the file.
+/// A movie in an Ogg Theora file (.ogv), written by a separate thread. The owner passes it pictures
+/// and never waits for them; only the destructor waits for the end of the file.
 class MovieFile
 {
 public:
@@ -28,17 +28,17 @@ public:
   static std::unique_ptr<MovieFile> Open(const std::string& file, std::string& error);
 
   /// Adds a picture that is shown for count / RATE seconds. False if the thread is behind: the
-  /// picture is dropped, and the next one has to last longer. All pictures have one size.
+  /// picture is dropped, and the next one has to last longer. All pictures must have one size.
   virtual bool Add(vtkImageData* picture, int count) = 0;
 
-  /// No more pictures come. The thread writes those that it has, and ends.
+  /// Ends the movie: the thread writes the remaining pictures, and ends.
   virtual void End() = 0;
 
   enum class State
   {
     Writing,
     Written,
-    Empty, // it ended without a picture: there is no file
+    Empty, // ended without a picture: there is no file
     Failed
   };
   virtual State GetState() const = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// In builds with a VTK that has no writer of movies.
+/// For builds whose VTK has no movie writer.
 #include "Applications/Explorer/Record/MovieFile.h"
 
 namespace Explore

@@ -19,7 +19,7 @@ namespace Explore
 {
 namespace
 {
-/// Pictures that wait for the thread; a second of them.
+/// The most pictures that wait for the thread: one second.
 constexpr std::size_t MOST_WAITING = MovieFile::RATE;
 
 class TheoraFile : public MovieFile
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  vtkNew<vtkOggTheoraWriter> Writer; // after the constructor, of the thread alone
+  vtkNew<vtkOggTheoraWriter> Writer; // after the constructor, used by the thread only
   std::mutex Mutex;
   std::condition_variable Changed;
   std::deque<std::pair<vtkSmartPointer<vtkImageData>, int>> Waiting;
@@ -131,7 +131,7 @@ bool MovieFile::IsAvailable()
 
 std::unique_ptr<MovieFile> MovieFile::Open(const std::string& file, std::string& error)
 {
-  // A file that is there stays whole until the first picture.
+  // An existing file stays complete until the first picture.
   vtksys::ofstream stream(file.c_str(), std::ios::binary | std::ios::app);
   if (!stream)
   {

@@ -23,10 +23,10 @@ struct ForcePictureOptions
   int Width = 1000;
   int Height = 600;
   std::string Title = "Force on the hand";
-  std::vector<std::string> Modes; // names of those of the trace
+  std::vector<std::string> Modes; // names of the trace's modes
 };
 
-/// A window with the parts of the force against time, and along the top the actions of the hand.
+/// A window with the parts of the force against time, and the actions of the hand along the top.
 struct ForcePicture
 {
   vtkNew<vtkRenderWindow> Window;

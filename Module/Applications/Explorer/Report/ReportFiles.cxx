@@ -63,7 +63,7 @@ void WriteTable(vtkPolyData* trace, const std::string& file)
 
 void WriteImage(vtkImageData* image, const std::string& file)
 {
-  const MessageCapture capture; // what is wrong is told below
+  const MessageCapture capture; // the fault is reported below
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(file.c_str());
   writer->SetInputData(image);

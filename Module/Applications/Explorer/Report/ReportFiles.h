@@ -15,14 +15,14 @@ namespace Explore
 /// Creates the folder, or throws InputError.
 void MakeFolder(const std::string& folder);
 
-/// Writes all of the trace as VTK polygonal data.
+/// Writes the whole trace as VTK polygonal data.
 void WriteTrace(vtkPolyData* trace, const std::string& file);
 
 /// Writes a row for each tick and a column for each component of an array; the header has the
 /// units.
 void WriteTable(vtkPolyData* trace, const std::string& file);
 
-/// Writes an image as VTK's XML, with all of its arrays, not compressed.
+/// Writes an image in VTK's XML format, with all of its arrays, not compressed.
 void WriteImage(vtkImageData* image, const std::string& file);
 
 /// Renders the window into a PNG file.

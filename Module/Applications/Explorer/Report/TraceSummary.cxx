@@ -69,7 +69,7 @@ bool HasSurfaces(const Exploration& e)
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;
 }
 
-/// The tissues that can be told by the values of surfaces.
+/// The tissues that the values of surfaces can distinguish.
 std::vector<Explore::Tissue> FindTissues(const Exploration& e)
 {
   return HasSurfaces(e) ? Explore::MakeTissueTable(e.Values) : std::vector<Explore::Tissue>();

@@ -75,7 +75,7 @@ bool IsGPUUsable(vtkRenderWindow* window, vtkVolumeProperty* property, vtkImageD
 {
   if (window->GetNeverRendered())
   {
-    window->Render(); // only a window that has a context can tell
+    window->Render(); // only a window with a context can tell
   }
   auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
   const int* size = image->GetDimensions();
@@ -98,8 +98,8 @@ void AddVolume(ExplorerScene& scene, vtkImageData* image, const Explore::Explora
   bool gpu = options.Mapper != MapperChoice::CPU;
   if (options.Mapper == MapperChoice::Auto)
   {
-    // Where the processor plays the graphics card, rays that it casts itself take a fifth of the
-    // time, and input interrupts them. A picture may take longer.
+    // If the processor emulates the graphics card, its own ray casting takes a fifth of the time,
+    // and input interrupts it. A picture may take longer.
     gpu = IsGPUUsable(scene.Window, property, image) &&
       !(options.Interactive && VolumeHaptics::IsSoftwareOpenGL(scene.Window));
   }
@@ -167,7 +167,7 @@ void AddMarker(ExplorerScene& scene, const Explore::ViewFrame& view, bool anatom
   Explore::AimCamera(scene.Marker, centred, 5.0);
 }
 
-/// A lamp from the upper left of the camera, and light from all sides, so that no side is black.
+/// A lamp from the camera's upper left, and light from all sides, so that no side is black.
 void AddLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> lamp, fill;
@@ -217,8 +217,8 @@ void BuildScene(ExplorerScene& scene, const Exploration& exploration, const Scen
   scene.Renderer->SetBackground(0.07, 0.09, 0.12);
   scene.Renderer->SetBackground2(0.24, 0.29, 0.36);
 
-  AddLights(scene.Renderer); // before anything renders, or VTK adds one of its own
-  // A volume that moves is shown as it is felt.
+  AddLights(scene.Renderer); // before the first rendering, or VTK adds its own
+  // A moving volume is shown as it is felt.
   const bool isMoving = exploration.Input.Frames != nullptr;
   AddVolume(scene, isMoving ? exploration.Input.Image : exploration.Body, exploration, options);
   vtkPolyData* const outline = exploration.Input.Outline;

@@ -20,8 +20,8 @@ namespace Explore
 {
 enum class MapperChoice
 {
-  // The GPU's if the window and the volume allow it, else the CPU's; in a window to touch in, also
-  // if OpenGL runs on the CPU.
+  // The GPU's mapper if the window and the volume allow it, else the CPU's; in a window to touch
+  // in, the GPU's also if OpenGL runs on the CPU.
   Auto,
   GPU,
   CPU
@@ -35,8 +35,8 @@ struct SceneOptions
   std::string Caption;
   bool Anatomical = true; // letters of the marker: patient's sides instead of axes
   bool OffScreen = true;
-  double SliceShare = 0.0;     // of the width, for slices beside the scene; 0: they are hidden
-  CutKind Cut = CutKind::None; // of the window, at first
+  double SliceShare = 0.0;     // fraction of the width for slices beside the scene; 0: hidden
+  CutKind Cut = CutKind::None; // the window's, at first
   bool Interactive = false;    // to touch in: without the trail
 };
 
@@ -50,7 +50,7 @@ struct ExplorerScene
   vtkNew<vtkRenderer> Marker;   // the small cube in the corner
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
-  vtkNew<vtkHapticRegionPicture> Refined; // of a large volume, where the hand is
+  vtkNew<vtkHapticRegionPicture> Refined; // for a large volume, around the hand
   std::string MapperName;
 };
 

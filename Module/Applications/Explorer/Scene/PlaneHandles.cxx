@@ -15,7 +15,7 @@ vtkStandardNewMacro(PlaneHandles);
 PlaneHandles::PlaneHandles()
 {
   constexpr double pixels = 9.0;
-  constexpr double line = 0.85; // the brightness of what is not held
+  constexpr double line = 0.85; // the brightness of handles that are not held
   this->SetPlaceFactor(1.0);
   this->SetHandleSize(pixels);
   this->SetDrawPlane(0);
@@ -28,7 +28,7 @@ PlaneHandles::PlaneHandles()
   this->GetNormalProperty()->SetColor(0.35, 0.65, 0.95);
   this->GetSelectedNormalProperty()->SetColor(1.0, 0.75, 0.2);
   this->Picker->DeletePickList(this->CutActor);
-  // The outline, which has no name that all versions of VTK know.
+  // The outline, which has no name common to all versions of VTK.
   vtkPropCollection* const picked = this->Picker->GetPickList();
   for (int i = picked->GetNumberOfItems(); i-- > 0;)
   {

@@ -7,8 +7,8 @@
 
 namespace Explore
 {
-/// A plane of which only the handles take the mouse: the ball pushes it along its normal, the arrow
-/// turns it. Everywhere else the mouse stays that of the scene.
+/// A plane on which only the handles use the mouse: the ball pushes it along its normal, the arrow
+/// turns it. Elsewhere the mouse belongs to the scene.
 class PlaneHandles : public vtkImplicitPlaneRepresentation
 {
 public:

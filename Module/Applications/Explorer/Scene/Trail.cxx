@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* trace, double spacing)
   return thinned;
 }
 
-/// From blue (free) by green and yellow to red; clear of the colours of skin and bone.
+/// From blue (free) through green and yellow to red; distinct from the colours of skin and bone.
 vtkSmartPointer<vtkColorTransferFunction> ForceColours(double largest)
 {
   const double stops[][3] = { { 0.16, 0.30, 0.85 }, { 0.10, 0.66, 0.95 }, { 0.10, 0.85, 0.62 },

@@ -10,8 +10,8 @@ class vtkRenderer;
 namespace Explore
 {
 /// Adds a tube along the proxy's path, coloured by the magnitude of the force, and its scalar bar.
-/// `overlay`, drawn over the renderer's picture, gets a faint copy: it shows the parts of the tube
-/// that the volume hides.
+/// `overlay`, drawn over the renderer's picture, gets a faint copy: it shows the hidden parts of
+/// the tube.
 void AddTrail(vtkRenderer* renderer, vtkRenderer* overlay, vtkPolyData* trace,
   double metersPerWorldUnit, int pictureHeight);
 } // namespace Explore

@@ -27,7 +27,7 @@ namespace
 constexpr int KEPT_INSIDE = VTK_CROP_SUBVOLUME;
 constexpr int KEPT_OUTSIDE = 0x7ffffff & ~VTK_CROP_SUBVOLUME;
 
-/// Nothing but the left button on a handle: the other buttons are the scene's.
+/// Uses only the left button on a handle: the other buttons are the scene's.
 void TakeLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
 {
   vtkWidgetEventTranslator* const events = widget->GetEventTranslator();
@@ -40,7 +40,7 @@ void TakeLeftButton(vtkAbstractWidget* widget, vtkRenderer* renderer)
   widget->SetDefaultRenderer(renderer);
 }
 
-/// The bounds of points along the axes of a matrix's other side.
+/// The bounds of points along the axes on the other side of a matrix.
 void BoundsIn(vtkMatrix4x4* toAxes, vtkPoints* points, vtkIdType count, double bounds[6])
 {
   vtkBoundingBox box;

@@ -23,12 +23,12 @@ class PlaneHandles;
 enum class CutKind
 {
   None,
-  Plane, // what is in front of it is cut away
+  Plane, // cuts away everything in front of it
   Box    // a window into the volume, along the axes of its voxels
 };
 
-/// Cuts a volume open: what is cut away is neither seen nor felt. A plane or a box has handles,
-/// which take the mouse before the scene does:
+/// Cuts a volume open: the part that is cut away is neither seen nor felt. A plane or a box has
+/// handles, which get the mouse before the scene:
 ///
 ///   plane      the ball pushes it, the arrow turns it
 ///   box        the balls move its faces, the one in the middle moves it
@@ -44,16 +44,16 @@ public:
   VolumeCut(const VolumeCut&) = delete;
   VolumeCut& operator=(const VolumeCut&) = delete;
 
-  /// What is cut. The body (world bounds) is the part of the volume that is worth opening, and
-  /// `handles` a renderer over the volume with its camera. Without regions there is only the plane:
-  /// somebody else crops the mapper.
+  /// Sets the volume to cut. The body (world bounds) is the part of the volume that is worth
+  /// opening, and `handles` a renderer over the volume with its camera. Without regions there is
+  /// only the plane: another part of the program crops the mapper.
   void SetScene(vtkVolume* volume, vtkVolumeHapticsFilter* filter, vtkRenderer* handles,
     const double body[6], bool hasRegions);
 
   /// The interactor for handles and keys; null for none.
   void SetInteractor(vtkRenderWindowInteractor* interactor);
 
-  /// Cuts away what is between the viewer and the middle of the body.
+  /// Cuts away everything between the viewer and the middle of the body.
   void SetKind(CutKind kind);
   CutKind GetKind() const { return this->Kind; }
   bool HasRegions() const { return this->HasBox; }
@@ -67,7 +67,7 @@ private:
   void PlacePlane();
   void PlaceBox();
   void ShowHandles();
-  /// Lets the volume and the filter follow the handles.
+  /// Updates the volume and the filter from the handles.
   void Apply();
   void ApplyBox();
   /// Directions of the voxels' axes, world, unit.

@@ -35,7 +35,7 @@ void Apply(const LookStop (&stops)[N], vtkVolumeProperty* property)
 }
 
 constexpr double OPAQUE = VolumeHaptics::LookOpaque;
-/// The thickness (m) of the layer whose opacity that of a field is.
+/// The thickness (m) of the layer that has the opacity of a field.
 constexpr double FIELD_LAYER = 0.004;
 
 /// Tissues, or from slow to fast.
@@ -46,12 +46,12 @@ const Colour COLOURS[2][5] = {
     { 0.98, 0.91, 0.36 } },
 };
 
-/// The shares of opacity of the body's outer part, and of what is dense in it.
+/// Opacities of the body's outer part, and of its dense parts.
 void LookByThresholds(
   const Analysis& analysis, double body, double dense, double most, vtkVolumeProperty* property)
 {
   const double edge = 0.15 * (analysis.OuterThreshold - analysis.Low);
-  const double step = 0.3 * edge; // nothing is felt that is hardly seen
+  const double step = 0.3 * edge; // parts that are hardly seen are not felt
   const double outer = analysis.OuterThreshold, deep = analysis.DeepThreshold;
   const auto& of = COLOURS[analysis.Kind == Explore::VolumeKind::Field];
   const LookStop stops[] = {
@@ -65,7 +65,7 @@ void LookByThresholds(
   Apply(stops, property);
 }
 
-/// The colours of CTLook with the opacity of steps: from nothing to all of it between two values.
+/// The colours of CTLook with the opacity of steps: from 0 to 1 between two values.
 void LookAtCT(double from, double to, vtkVolumeProperty* property)
 {
   Apply(VolumeHaptics::CTLook, property);
@@ -75,8 +75,8 @@ void LookAtCT(double from, double to, vtkVolumeProperty* property)
   opacity->AddPoint(to, OPAQUE);
 }
 
-/// For a cut: looks through tissue in which values change by less than at the outer surface, or a
-/// cut face would show nothing but the shading of noise.
+/// For a cut: makes tissue transparent in which values change by less than at the outer surface, or
+/// a cut face would show only the shading of noise.
 void LookThroughNoise(const Analysis& analysis, vtkVolumeProperty* property)
 {
   const double air = analysis.Kind == Explore::VolumeKind::CT ? -1000.0 : analysis.Low;
@@ -115,7 +115,7 @@ void SetLabelLook(vtkHapticLabelTable* table, vtkVolumeProperty* property)
   }
   property->SetColor(colour);
   property->SetScalarOpacity(opacities);
-  property->SetInterpolationTypeToNearest(); // between two numbers there is no label
+  property->SetInterpolationTypeToNearest(); // there is no label between two numbers
 }
 
 void SetVolumeLook(const Analysis& analysis, vtkVolumeProperty* property)

@@ -33,7 +33,7 @@ constexpr double LOUDEST_BURST = 0.25;       // effective value
 constexpr double BURST_TIME = 0.025;         // s
 constexpr double INAUDIBLE = 1e-5;           // of full scale, less than half a step of 16 bits
 constexpr double LARGEST = 1e9;              // of any number of a tick
-constexpr double LONGEST_STEP = 0.1;         // s, between ticks
+constexpr double LONGEST_STEP = 0.1;         // s, largest step between ticks
 constexpr double WHITE_VARIANCE = 1.0 / 3.0; // of a number between -1 and 1
 
 double Saturate(double x, double middle)
@@ -147,7 +147,7 @@ double ContactSound::Strike(double impact) noexcept
   const double share = Saturate(impact, MIDDLE_IMPACT);
   this->Turn = std::polar(
     std::exp(-1.0 / (RING_TIME * this->SampleRate)), 2.0 * PI * this->Pitch / this->SampleRate);
-  // The imaginary part, which is heard, goes on without a step.
+  // The imaginary part, which is heard, continues without a step.
   this->Ring += LOUDEST_CLICK * share;
   return share;
 }

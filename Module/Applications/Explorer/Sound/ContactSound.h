@@ -11,7 +11,7 @@
 
 namespace Explore
 {
-constexpr int SAMPLES_PER_SECOND = 48000; // of files and loudspeakers
+constexpr int SAMPLES_PER_SECOND = 48000; // for files and loudspeakers
 
 /// The sound of a tip on surfaces: noise while it slides, a click where it touches one, and a click
 /// with a burst of noise where it goes through.
@@ -20,8 +20,8 @@ constexpr int SAMPLES_PER_SECOND = 48000; // of files and loudspeakers
 ///   sound.Feed(tick);         // each tick of the servo, in order
 ///   sound.Render(samples, 48) // what is heard until the next one, -0.9 to 0.9
 ///
-/// Pitch. Dull is soft and bright is hard. The presets give most tissues the same stiffness k, for
-/// a hand feels their strength T_N, so that both count:
+/// Pitch. Dull is soft and bright is hard. The presets give most tissues the same stiffness k,
+/// since a hand feels their strength T_N, so that both count:
 ///
 ///   f = 500 Hz (k / 400 N/m)^(1/4) (T / 1 N)^(1/2),  T = min(T_N, 12 N),  60 Hz <= f <= 6000 Hz
 ///
@@ -31,8 +31,8 @@ constexpr int SAMPLES_PER_SECOND = 48000; // of files and loudspeakers
 ///
 ///   a = 0.15 sqrt(p / (p + 20 mW)),  p = max(0, P - 1 uW)
 ///
-/// and its spectrum that of white noise behind two equal band-passes H = 1 / (1 + j (x - 1/x)),
-/// x = frequency / f.
+/// and its spectrum is white noise behind two equal band-passes H = 1 / (1 + j (x - 1/x)), x =
+/// frequency / f.
 ///
 /// Click of a first touch, after 50 ms without contact at least: a resonance
 ///
@@ -55,7 +55,7 @@ public:
 
   explicit ContactSound(double samplesPerSecond);
 
-  /// The pitch f of a material (Hz), of its stiffness (N/m) and strength (N).
+  /// The pitch f of a material (Hz), from its stiffness (N/m) and strength (N).
   static double FindPitch(double stiffness, double strength) noexcept;
 
   void Feed(const SoundTick& tick) noexcept;
@@ -76,7 +76,7 @@ private:
   double LastTime = 0.0;
   bool HasTime = false;
 
-  // Of ticks.
+  // Per tick.
   double Power[2] = { 0.0, 0.0 }; // W, behind the first and the second low-pass
   double Burst = 0.0;             // effective value of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
@@ -86,10 +86,10 @@ private:
   SurfaceContact Contact = SurfaceContact::Free;
   double Pitch; // Hz, of the last surface
 
-  // Of samples.
+  // Per sample.
   double Level = 0.0;  // effective value of the noise
   double Wanted = 0.0; // its target
-  double MostStep;     // of Level, a sample
+  double MostStep;     // of Level, per sample
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass
   {
@@ -100,7 +100,7 @@ private:
   double Warp = 0.0; // tan(pi f / sample rate)
   double Scale = 0.0;
   std::complex<double> Ring;
-  std::complex<double> Turn; // of Ring, a sample
+  std::complex<double> Turn; // of Ring, per sample
 };
 } // namespace Explore
 

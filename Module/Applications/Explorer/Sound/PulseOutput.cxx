@@ -16,8 +16,8 @@ namespace
 {
 using Explore::SoundStream;
 
-constexpr std::uint32_t LATENCY = 25; // ms, that the server is asked for
-/// The longest wait for the fade at the end; a server that hangs does not keep the program.
+constexpr std::uint32_t LATENCY = 25; // ms, requested from the server
+/// The longest wait for the fade at the end; a server that hangs does not hold the program.
 constexpr std::chrono::milliseconds FADE(60);
 
 class PulseOutput : public Explore::SoundOutput
@@ -81,7 +81,7 @@ PulseOutput::~PulseOutput()
       std::this_thread::sleep_for(FADE);
     }
     pa_threaded_mainloop_stop(this->Loop);
-    // The thread is gone: nothing below is called back, or waits.
+    // The thread is gone: no callbacks or waits happen below.
     if (this->Stream)
     {
       pa_stream_set_state_callback(this->Stream, nullptr, nullptr);
@@ -159,7 +159,7 @@ void PulseOutput::FollowStream(pa_stream* stream, void* self)
   auto* const output = static_cast<PulseOutput*>(self);
   const pa_stream_state_t state = pa_stream_get_state(stream);
   output->Plays = state == PA_STREAM_READY;
-  // A stream that fails with its context has told nothing new.
+  // A stream that fails with its context reports nothing new.
   if (state == PA_STREAM_FAILED && pa_context_get_state(output->Context) == PA_CONTEXT_READY)
   {
     output->Tell(pa_strerror(pa_context_errno(output->Context)));
@@ -182,7 +182,7 @@ void PulseOutput::Write(pa_stream* stream, std::size_t bytes, void* self)
     const std::size_t written = count * sizeof(float);
     if (pa_stream_write(stream, memory, written, nullptr, 0, PA_SEEK_RELATIVE) < 0)
     {
-      return; // the state tells why
+      return; // the state says why
     }
     bytes -= written;
   }

@@ -11,11 +11,12 @@
 
 namespace Explore
 {
-/// Ticks from one thread, sound for another, without waiting on either side.
+/// Passes ticks from one thread to another, which plays them as sound, without waiting on either
+/// side.
 ///
 /// The ticks come in bursts, as often as the window is drawn, and are played at the pace of their
-/// times. The sound is as late as the last burst was long, and no later than 0.3 s: what is older
-/// is skipped. If no ticks come for 50 ms, the noise fades.
+/// times. The sound is as late as the last burst was long, but at most 0.3 s: older ticks are
+/// skipped. If no ticks come for 50 ms, the noise fades.
 ///
 /// Sound begins, is muted and comes back over 10 ms.
 class SoundStream
@@ -25,7 +26,7 @@ public:
   SoundStream(const SoundStream&) = delete;
   SoundStream& operator=(const SoundStream&) = delete;
 
-  /// For the thread with the ticks, in their order. A tick that finds 4096 others waiting is lost.
+  /// For the thread with the ticks, in their order. If 4096 ticks wait already, the tick is lost.
   void Push(const SoundTick& tick) noexcept;
 
   /// For any thread.
@@ -43,7 +44,7 @@ private:
 
   const double SampleRate;
   std::atomic<bool> Muted{ false };
-  std::atomic<double> Newest; // s, the time of the last tick that was pushed
+  std::atomic<double> Newest; // s, the time of the last pushed tick
   VolumeHaptics::TraceRing<SoundTick> Ticks;
 
   // Used by the thread that plays.
@@ -54,7 +55,7 @@ private:
   double Position = 0.0; // s, in the time of the ticks
   double Starved = 0.0;  // s without a tick
   double Pace = 1.0;
-  double WindowTime = 0.0;   // s since LeastBacklog is sought
+  double WindowTime = 0.0;   // s since the search for LeastBacklog began
   double LeastBacklog = 0.0; // s
   double Gain = 0.0;
 };

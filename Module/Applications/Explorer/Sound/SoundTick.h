@@ -16,13 +16,13 @@ enum class SurfaceContact : std::uint8_t
   Penetrating = 3
 };
 
-/// One tick of the servo, as far as it can be heard.
+/// The audible data of one tick of the servo.
 struct SoundTick
 {
   double Time = 0.0;          // s
   double NormalForce = 0.0;   // N, on the hand
   double FrictionForce = 0.0; // N, on the hand
-  double Speed = 0.0;         // m/s, of the proxy
+  double Speed = 0.0;         // m/s, the proxy's
   double Stiffness = 0.0;     // k of the surface's material, N/m
   double Strength = 0.0;      // T_N of the surface's material, N
   SurfaceContact Contact = SurfaceContact::Free;

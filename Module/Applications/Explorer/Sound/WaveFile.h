@@ -10,9 +10,9 @@ namespace Explore
 {
 /// Writes samples in -1 ... 1 as 16-bit PCM, mono. Throws InputError if that fails.
 ///
-/// The format is that of "Multimedia Programming Interface and Data Specifications 1.0" (IBM and
+/// The format follows "Multimedia Programming Interface and Data Specifications 1.0" (IBM and
 /// Microsoft, 1991): a head of 44 bytes and the samples. A library for this would be one more
-/// package to build the program.
+/// package for building the program.
 void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const std::string& file);
 } // namespace Explore
 

@@ -20,13 +20,12 @@
 
 namespace
 {
-/// Per inch, of a screen of X11; 0 if it does not tell. VTK 9.1 asks other systems only.
+/// Dots per inch of an X11 screen; 0 if it does not report them. VTK 9.1 asks other systems only.
 double FindDots([[maybe_unused]] vtkRenderWindow* window)
 {
   double dots = 0.0;
 #if defined(__linux__)
-  // Of the library that VTK has loaded, in case it has. X11's header defines macros with common
-  // names.
+  // From the library that VTK has loaded, if it has. X11's header defines macros with common names.
   void* const library = window->IsA("vtkXOpenGLRenderWindow")
     ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD)
     : nullptr;

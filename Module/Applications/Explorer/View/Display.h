@@ -7,14 +7,14 @@ class vtkRenderWindow;
 
 namespace Explore
 {
-/// Whether the environment names a display, if windows need one. VTK's X11 windows abort the
-/// program without it, also those that are drawn off screen.
+/// Whether the environment names a display, if windows need one. Without it, VTK's X11 windows
+/// abort the program, also off screen.
 bool HasDisplay();
 
-/// Gives the window the dots per inch of its screen, with which all texts and what surrounds them
-/// grow: what is 72 for VTK is 96 for a screen. A screen that reports up to 105, as most do
-/// whatever they have, leaves the window as it is; one that reports more than 300 is taken to have
-/// 300. The desktop's own scale (the X resource Xft.dpi) goes before what the screen reports.
+/// Sets the window's dots per inch to its screen's, which scales all texts and their surroundings:
+/// 72 in VTK is 96 on a screen. A screen that reports up to 105, as most do regardless of their
+/// size, leaves the window as it is; more than 300 counts as 300. The desktop's own scale (the X
+/// resource Xft.dpi) has priority over the screen's report.
 void FollowScreen(vtkRenderWindow* window);
 } // namespace Explore
 

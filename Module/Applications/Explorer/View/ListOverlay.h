@@ -12,7 +12,7 @@
 
 namespace Explore
 {
-/// A list over the scene, of which one line is marked: the choice of a file or of a series.
+/// A list over the scene with one marked line: to choose a file or a series.
 class ListOverlay
 {
 public:
@@ -39,8 +39,8 @@ private:
   std::string Title;
   std::vector<std::string> Lines;
   int Marked = 0;
-  int First = 0; ///< of the lines that are seen
-  int Seen = 0;  ///< their number
+  int First = 0; ///< the first visible line
+  int Seen = 0;  ///< the number of visible lines
 };
 } // namespace Explore
 

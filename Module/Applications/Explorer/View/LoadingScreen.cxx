@@ -14,7 +14,7 @@
 
 namespace
 {
-/// The bar, in parts of the window.
+/// The bar, in fractions of the window.
 constexpr double LEFT = 0.3;
 constexpr double WIDTH = 0.4;
 constexpr double BOTTOM = 0.46;

@@ -14,7 +14,7 @@
 
 namespace Explore
 {
-/// Tells in a window how far the program is, until the scene is there.
+/// Shows the program's progress in a window, until the scene is there.
 class LoadingScreen
 {
 public:
@@ -25,7 +25,7 @@ public:
   LoadingScreen(const LoadingScreen&) = delete;
   LoadingScreen& operator=(const LoadingScreen&) = delete;
 
-  /// Shows a step that begins, and the share of the work that is done (0 to 1).
+  /// Shows a step that begins, and the fraction of the work that is done (0 to 1).
   void Tell(const std::string& step, double share);
 
 private:

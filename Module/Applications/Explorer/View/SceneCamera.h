@@ -12,9 +12,9 @@ namespace Explore
 /// Looks along the view frame at its centre, upright, from `distance`.
 void AimCamera(vtkRenderer* renderer, const ViewFrame& view, double distance);
 
-/// The same with a distance from the middle of the box at which all of it is just visible in a
-/// picture of this aspect (width / height). If the box itself is not seen, its content may be a
-/// little smaller.
+/// As AimCamera, from a distance from the middle of the box at which the whole box is just visible
+/// in a picture of this aspect (width / height). If the box itself is not drawn, its content may be
+/// a little smaller.
 void FitCamera(vtkRenderer* renderer, const ViewFrame& view, const double bounds[6], double aspect,
   bool isBoxSeen);
 } // namespace Explore

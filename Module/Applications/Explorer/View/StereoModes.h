@@ -12,7 +12,7 @@ namespace Explore
 /// VTK's number of a stereo mode ("anaglyph"). Throws InputError with the names for any other.
 int FindStereoMode(const std::string& name);
 
-/// Prepares a window that has not been shown yet; an empty name is no stereo.
+/// Prepares a window that has not been shown yet; an empty name means no stereo.
 void SetStereo(vtkRenderWindow* window, const std::string& name);
 } // namespace Explore
 

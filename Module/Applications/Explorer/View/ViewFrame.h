@@ -6,7 +6,7 @@
 #include "vtkVersionMacros.h"
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #include "vtkVector.h"
-#else // before it had operators
+#else // before vtkVector had operators
 #include "vtkVectorOperators.h"
 #endif
 
@@ -28,7 +28,7 @@ struct ViewFrame
 };
 
 /// A camera in front, a little above and to the left of an object that looks along `front` ("-y")
-/// with its top at `up` ("+z"). Throws InputError unless these name two different axes.
+/// with its top at `up` ("+z"). Throws InputError unless they name two different axes.
 ViewFrame MakeViewFrame(const double centre[3], const std::string& front, const std::string& up);
 } // namespace Explore
 

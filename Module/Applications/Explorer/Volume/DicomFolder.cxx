@@ -35,7 +35,7 @@ std::string NameOf(const DicomHeader& slice)
   return vtksys::SystemTools::GetFilenameName(slice.File);
 }
 
-/// Each series on a line.
+/// One line per series.
 std::string ListSeries(const std::vector<DicomSeries>& all)
 {
   std::string list;
@@ -50,7 +50,7 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
 {
   for (const DicomHeader& slice : slices)
   {
-    // One that is deflated as a whole has no size that could be read.
+    // A slice that is deflated as a whole has no readable size.
     if (!slice.IsPlain() && (!Explore::CanUnpackDicom() || slice.Width == 0))
     {
       throw InputError(path,
@@ -73,7 +73,7 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
   }
 }
 
-/// The distance from slice to slice (mm); 0 if there is one.
+/// The distance between slices (mm); 0 if there is only one.
 double FindSpacing(const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
 {
   if (slices.size() < 2)
@@ -108,7 +108,7 @@ struct ValueRange
   bool AreWhole = true;
 };
 
-/// The values that the samples of all slices may mean.
+/// The possible values of the samples of all slices.
 ValueRange FindValues(const std::vector<DicomHeader>& slices)
 {
   ValueRange range;
@@ -128,7 +128,7 @@ ValueRange FindValues(const std::vector<DicomHeader>& slices)
   return range;
 }
 
-/// The smallest type that has room for all of them.
+/// The smallest type that holds all of them.
 int ChooseType(const ValueRange& range)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })
@@ -142,8 +142,7 @@ int ChooseType(const ValueRange& range)
   return VTK_FLOAT;
 }
 
-/// Number `at` among the samples of a slice. Bits beyond those that are stored may belong to an
-/// overlay.
+/// Sample number `at` of a slice. Bits above the stored ones may belong to an overlay.
 double Sample(const std::string& bytes, std::size_t at, const DicomHeader& slice)
 {
   const auto size = static_cast<std::size_t>(slice.Bits / 8);
@@ -171,8 +170,8 @@ void Fill(const std::string& bytes, const DicomHeader& slice, Value* values)
   }
 }
 
-/// The value of pixels that were not measured, if the file tells it. Its two bytes may or may not
-/// have a sign, whatever those of the pixels have.
+/// The value of pixels that were not measured, if the file gives it. Its two bytes may or may not
+/// have a sign, independent of the pixels'.
 std::optional<double> FindPadding(const DicomHeader& slice)
 {
   if (!slice.Padding)
@@ -183,7 +182,7 @@ std::optional<double> FindPadding(const DicomHeader& slice)
   return slice.Slope * (*slice.Padding - sign) + slice.Intercept;
 }
 
-/// Gives pixels that were not measured the least value of the others. Returns how many they are.
+/// Sets pixels that were not measured to the least value of the others. Returns their number.
 template <typename Value>
 vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count, Value* values)
 {

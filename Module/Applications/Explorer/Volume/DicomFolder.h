@@ -11,12 +11,12 @@ namespace Explore
 {
 /// Reads one series of uncompressed DICOM slices, sorted by their position, with the rescale to
 /// Hounsfield units applied, from a folder or the folders below it. `series` is its number in the
-/// list of all, from 1 on; 0 is the one with most pixels, and a note lists the others. Throws
+/// list of all, from 1 on; 0 is the series with most pixels, and a note lists the others. Throws
 /// InputError if the folder holds something else.
 Volume ReadDicomFolder(const std::string& path, int series = 0);
 
-/// The same from the folder of a file: the series to which the slice belongs, or for the directory
-/// of a medium (DICOMDIR) as from a folder.
+/// As ReadDicomFolder, from the folder of a file: the series to which the slice belongs, or for the
+/// directory of a medium (DICOMDIR) as from a folder.
 Volume ReadDicomFile(const std::string& path, int series = 0);
 
 /// Whether a file is a DICOM slice, or the directory of a medium.

@@ -28,22 +28,22 @@ using Explore::UNKNOWN_LENGTH;
 constexpr std::uint32_t PIXELS = 0x7fe00010;
 constexpr std::uint32_t SHARED_GROUPS = 0x52009229;
 constexpr std::uint32_t FRAME_GROUPS = 0x52009230;
-constexpr std::uint32_t LONGEST_VALUE = 1024; // of those that are wanted
+constexpr std::uint32_t LONGEST_VALUE = 1024; // the longest value that is read
 constexpr int MOST_FRAMES = 100000;
 constexpr const char* IMPLICIT_LITTLE = "1.2.840.10008.1.2";
 constexpr const char* EXPLICIT_LITTLE = "1.2.840.10008.1.2.1";
 constexpr const char* EXPLICIT_BIG = "1.2.840.10008.1.2.2";
 constexpr const char* DEFLATED = "1.2.840.10008.1.2.1.99";
 
-/// The places of the frames of a file with several ones.
+/// The places of the frames in a file with several.
 struct FramePlaces
 {
-  std::vector<DicomHeader> Groups; // of each frame: what differs from the file's header
+  std::vector<DicomHeader> Groups; // per frame: differences from the file's header
   std::vector<double> Offsets;     // along the normal, mm
   double Step = 0.0;               // from frame to frame, mm
 };
 
-/// Without the blank or zero that makes lengths even.
+/// Removes the blank or zero that makes lengths even.
 std::string TrimValue(std::string text)
 {
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
@@ -52,7 +52,7 @@ std::string TrimValue(std::string text)
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// Decimal numbers between backslashes; false if there are fewer.
+/// Decimal numbers between backslashes; false if there are too few.
 bool ReadDecimals(const std::string& text, double* numbers, int count)
 {
   std::string plain = text;
@@ -186,8 +186,8 @@ bool IsGroup(std::uint32_t tag)
   return tag == 0x00289110 || tag == 0x00209113 || tag == 0x00209116 || tag == 0x00289145;
 }
 
-/// Calls with the value of an element, unless that is longer, and goes on behind it. False if the
-/// file ends too early.
+/// Calls `take` with the value of an element, unless it is longer, and continues after it. False if
+/// the file ends too early.
 template <typename Take>
 bool TakeAndSkip(
   DicomStream& stream, const DicomStream::Element& element, std::uint32_t longest, Take&& take)
@@ -201,8 +201,8 @@ bool TakeAndSkip(
   return stream.Skip(element);
 }
 
-/// Calls for each value in a sequence, with the number of its item in the outermost one; groups are
-/// entered, other sequences are not. False if the file ends too early.
+/// Calls `take` for each value in a sequence, with the number of its item in the outermost
+/// sequence; groups are entered, other sequences are not. False if the file ends too early.
 template <typename Take>
 bool WalkItems(
   DicomStream& stream, const DicomStream::Element& sequence, Take&& take, int number, int depth)
@@ -219,7 +219,7 @@ bool WalkItems(
     if (element.Tag == ITEM)
     {
       number += depth == 0 ? 1 : 0;
-      continue; // into it: its elements follow
+      continue; // enter it: its elements follow
     }
     if (element.Tag == ITEM_END)
     {
@@ -246,7 +246,7 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
 {
   double normal[3];
   vtkMath::Cross(orientation, orientation + 3, normal);
-  // Else there is no orientation in the header: an axial slice, as scanners make them by default.
+  // Else the header has no orientation: an axial slice, as scanners make them by default.
   if (vtkMath::Normalize(normal) > 0.5)
   {
     std::copy_n(orientation, 3, header.Row);
@@ -256,15 +256,15 @@ void OrientSlice(const double orientation[6], DicomHeader& header)
   header.Along = vtkMath::Dot(header.Position, header.Normal);
 }
 
-/// The transfer syntax, which says how the data set is written, from the part before it. False if
-/// this is not a DICOM file.
+/// Reads the transfer syntax, which says how the data set is written, from the part before the data
+/// set. False if this is not a DICOM file.
 bool ReadMeta(DicomStream& stream, DicomHeader& header)
 {
   constexpr std::uint64_t preamble = 128;
   stream.GoTo(preamble);
   if (stream.Read(4) != "DICM")
   {
-    // Of before the standard: at once with the data set, which begins with group 2 or 8.
+    // Files older than the standard begin with the data set, in group 2 or 8.
     stream.GoTo(0);
     const std::string first = stream.Read(6);
     stream.GoTo(0);
@@ -297,7 +297,7 @@ bool ReadMeta(DicomStream& stream, DicomHeader& header)
   return true;
 }
 
-/// Everything up to the pixels; false if they do not come.
+/// Reads everything up to the pixels; false if there are none.
 bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
 {
   double orientation[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
@@ -355,7 +355,7 @@ bool ReadDataSet(DicomStream& stream, DicomHeader& header, FramePlaces& places)
   header.Pixels = stream.Place();
   header.Frames = std::max(header.Frames, 1);
   header.Stored = header.Stored > 0 ? std::min(header.Stored, header.Bits) : header.Bits;
-  // The parts of compressed pixels have no length in all.
+  // The parts of compressed pixels have no common length.
   header.IsWhole = element.Length == UNKNOWN_LENGTH
     ? stream.Left() > 16 && stream.SkipItems()
     : stream.Left() >= header.GetSize() * static_cast<std::uint64_t>(header.Frames);
@@ -372,7 +372,7 @@ bool ReadHeader(const std::string& path, DicomHeader& header, FramePlaces& place
   header = {};
   header.File = path;
   DicomStream stream(path);
-  // A deflated one is no slice that can be read.
+  // A deflated file is not a readable slice.
   return ReadMeta(stream, header) &&
     (header.TransferSyntax == DEFLATED || ReadDataSet(stream, header, places));
 }
@@ -431,7 +431,7 @@ std::vector<DicomHeader> ReadDicomSlices(const std::string& path)
     }
     if (count == 1)
     {
-      continue; // its header tells, or it is where a scanner puts slices by default
+      continue; // its header has a place, or it is at a scanner's default place
     }
     const double step =
       haveOffsets ? places.Offsets[i] - places.Offsets[0] : places.Step * static_cast<double>(i);

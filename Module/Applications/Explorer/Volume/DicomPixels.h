@@ -9,21 +9,21 @@
 
 namespace Explore
 {
-/// Reads the samples of slices. It keeps those of the last compressed file, whose frames come one
-/// after the other.
+/// Reads the samples of slices. It stores those of the last compressed file, whose frames follow
+/// each other.
 class DicomPixels
 {
 public:
-  /// The samples of a slice of a series at `path`, which is for errors. The header is changed to
-  /// what they are once they are unpacked. Throws an InputError.
+  /// The samples of a slice in a series at `path`, which is used in errors. Changes the header to
+  /// describe the unpacked samples. Throws an InputError.
   std::string Read(const std::string& path, DicomHeader& slice);
 
 private:
   void Unpack(const std::string& path, const DicomHeader& slice);
 
-  std::string File; // that is unpacked
+  std::string File; // the unpacked file
   std::string Bytes;
-  DicomHeader Unpacked; // what its samples are
+  DicomHeader Unpacked; // describes its samples
 };
 } // namespace Explore
 

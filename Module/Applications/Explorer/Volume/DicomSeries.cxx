@@ -17,7 +17,7 @@ using Explore::DicomHeader;
 using Explore::DicomSeries;
 using Files = vtksys::SystemTools;
 
-constexpr int DEEPEST_FOLDER = 8;        // of patient, study and series there are fewer
+constexpr int DEEPEST_FOLDER = 8;        // patient, study and series need fewer
 constexpr double SAME_DIRECTION = 0.999; // cosine
 constexpr double SAME_PLACE = 1e-3;      // mm
 
@@ -48,7 +48,7 @@ void AddFolder(
     if (Files::FileIsDirectory(path))
     {
       hasFolders = true;
-      // A link may lead back to where it is.
+      // A link may lead back to its own folder.
       if (depth < DEEPEST_FOLDER && !Files::FileIsSymlink(path))
       {
         AddFolder(path, depth + 1, all, hasFolders);

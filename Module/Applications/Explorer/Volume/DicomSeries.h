@@ -20,14 +20,14 @@ struct DicomSeries
 };
 
 /// All series in a folder and the folders below it, in the order of the numbers that the scanner
-/// has given them. `hasFolders` tells whether there were folders.
+/// has given them. `hasFolders` is set if there were folders.
 std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders);
 
-/// The one with most pixels.
+/// The series with most pixels.
 std::size_t FindLargest(const std::vector<DicomSeries>& series);
 
-/// Whether each of the folders holds one series, and these have slices of the same size at the same
-/// places: the phases of a volume that moves.
+/// Whether each of the folders holds one series, with slices of the same size at the same places:
+/// the phases of a moving volume.
 bool ArePhases(const std::vector<std::string>& folders);
 } // namespace Explore
 

@@ -15,9 +15,9 @@ constexpr std::uint32_t UNKNOWN_LENGTH = 0xffffffff;
 constexpr std::uint32_t ITEM = 0xfffee000;
 constexpr std::uint32_t ITEM_END = 0xfffee00d;
 constexpr std::uint32_t SEQUENCE_END = 0xfffee0dd;
-constexpr int DEEPEST = 16; // sequences in sequences
+constexpr int DEEPEST = 16; // nesting of sequences
 
-/// The parts of a DICOM file one after the other: tag, type of the value, length and value.
+/// The elements of a DICOM file in order: tag, type of the value, length and value.
 class DicomStream
 {
 public:
@@ -39,10 +39,10 @@ public:
   std::string Read(std::size_t count);
   std::uint32_t Number(const std::string& bytes, std::size_t first, std::size_t count) const;
   bool Next(Element& element);
-  /// Over the value of an element, whose items may have any length.
+  /// Skips the value of an element, whose items may have any length.
   bool Skip(const Element& element, int depth = 0);
-  /// Over the items of compressed pixels, whose end some writers leave out. False if one of them
-  /// is not whole.
+  /// Skips the items of compressed pixels; some writers omit the end. False if an item is not
+  /// complete.
   bool SkipItems();
 
 private:

@@ -15,8 +15,8 @@ namespace Explore
 namespace
 {
 /// Whether the colours of a JPEG stream are luminance and differences. The header of the file may
-/// say RGB all the same, as GDCM's own writer does. By the markers of JFIF and Adobe, else by the
-/// names of the components, as decoders do. Empty if the stream does not tell.
+/// still say RGB, as GDCM's own writer does. Decided by the markers of JFIF and Adobe, else by the
+/// names of the components, as in decoders. Empty if the stream does not show it.
 std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
 {
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes);
@@ -46,7 +46,7 @@ std::optional<bool> IsYbrStream(const char* bytes, std::size_t size)
   return {};
 }
 
-/// Whether what GDCM has unpacked is luminance and differences.
+/// Whether GDCM's unpacked image is luminance and differences.
 bool IsYbr(const gdcm::Image& image)
 {
   const gdcm::PhotometricInterpretation meaning = image.GetPhotometricInterpretation();
@@ -77,7 +77,7 @@ bool CanUnpackDicom()
 
 bool UnpackDicom(DicomHeader& slice, std::string& bytes)
 {
-  gdcm::Trace::WarningOff(); // the caller tells
+  gdcm::Trace::WarningOff(); // the caller reports errors
   gdcm::Trace::ErrorOff();
   gdcm::ImageReader reader;
   reader.SetFileName(slice.File.c_str());

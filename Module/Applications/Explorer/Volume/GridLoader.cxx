@@ -43,7 +43,7 @@ struct Format
   const char* Ending;
   const char* Name;
   vtkSmartPointer<vtkAlgorithm> (*MakeReader)(const std::string& path);
-  double MetersPerUnit = 0.001; // OpenFOAM has metres, others don't say
+  double MetersPerUnit = 0.001; // OpenFOAM uses metres, others don't say
 };
 
 template <typename Reader>
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
   return reader;
 }
 
-/// It takes folder and name apart by itself only if it is asked to.
+/// The reader splits folder and name only on request.
 vtkSmartPointer<vtkAlgorithm> MakeEnSightReader(const std::string& path)
 {
   auto reader = vtkSmartPointer<vtkGenericEnSightReader>::New();
@@ -171,7 +171,7 @@ vtkSmartPointer<vtkImageData> Resample(vtkDataObject* data, vtkImageData* frame)
   return image;
 }
 
-/// Outside of all cells, scalars are the least value inside; vectors and tensors are 0 there.
+/// Outside of all cells, sets scalars to the least value inside, vectors and tensors to 0.
 void FillOutside(vtkImageData* image)
 {
   constexpr const char* maskName = "vtkValidPointMask";
@@ -204,7 +204,7 @@ void FillOutside(vtkImageData* image)
   }
 }
 
-/// The active array of a kind, by the part that has one.
+/// The active array of a kind, from the part that has one.
 std::string FindActive(const std::vector<vtkDataSet*>& parts)
 {
   for (vtkDataSet* const part : parts)

@@ -18,7 +18,7 @@ vtkSmartPointer<vtkPolyData> FindEdges(vtkDataSet* part)
   constexpr double sharp = 30.0; // degrees
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(part);
-  // The faces of a structured grid have points of their own.
+  // The faces of a structured grid do not share points.
   vtkNew<vtkCleanPolyData> join;
   join->SetInputConnection(surface->GetOutputPort());
   join->ToleranceIsAbsoluteOn();

@@ -13,7 +13,7 @@ class vtkDataSet;
 namespace Explore
 {
 /// Lines that show where the cells of a grid are: the sharp edges and the open ends of the surfaces
-/// of its parts or, if these have none, the box around all of them.
+/// of its parts or, if there are no such lines, the box around all parts.
 vtkSmartPointer<vtkPolyData> MakeGridOutline(const std::vector<vtkDataSet*>& parts);
 } // namespace Explore
 

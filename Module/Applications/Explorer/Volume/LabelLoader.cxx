@@ -53,7 +53,7 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
   }
 }
 
-/// The numbers of labels, without 0. Throws InputError if there are others or too many.
+/// The numbers of labels, without 0. Throws InputError for other values, or too many.
 std::set<int> FindLabels(const std::string& path, vtkImageData* image)
 {
   constexpr std::size_t most = 4096;
@@ -80,7 +80,7 @@ std::set<int> FindLabels(const std::string& path, vtkImageData* image)
   return labels;
 }
 
-/// Hues as far from one another as the golden section puts them.
+/// Spreads hues by the golden section.
 void SetColor(vtkHapticLabelTable* table, int label, std::size_t number)
 {
   const double hue = std::fmod(0.08 + 0.618034 * static_cast<double>(number), 1.0);

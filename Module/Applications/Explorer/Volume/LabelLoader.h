@@ -11,14 +11,14 @@
 namespace Explore
 {
 /// Gives a volume the labels of a segmentation, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti, with
-/// the names that the file has, and tables of labels, which add up: see
-/// vtkHapticLabelTable::ReadFile. Throws InputError, with the fault and the cure.
+/// the file's names, and tables of labels, which add up: see vtkHapticLabelTable::ReadFile. Throws
+/// InputError, with the fault and the cure.
 void LoadLabels(
   Volume& volume, const std::string& segmentation, const std::vector<std::string>& tables);
 
-/// Takes the volume itself as a label image: its values are numbers of labels, with the names and
-/// colours that the file at `path` has for them, and others for the rest. Throws InputError if they
-/// can't be that.
+/// Uses the volume itself as a label image: its values are numbers of labels, with the names and
+/// colours from the file at `path`, and others for the rest. Throws InputError if the values can't
+/// be labels.
 void TakeAsLabels(Volume& volume, const std::string& path, const std::vector<std::string>& tables);
 } // namespace Explore
 

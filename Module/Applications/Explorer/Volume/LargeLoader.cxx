@@ -23,7 +23,7 @@ using Files = vtksys::SystemTools;
 
 constexpr vtkIdType MOST_COARSE_VOXELS = 1 << 22;
 
-/// Without the slash that shells put behind the names of folders.
+/// Removes the slash that shells append to names of folders.
 std::string PlainName(const std::string& path)
 {
   std::string name = path;
@@ -42,7 +42,7 @@ bool OpensItself(const std::string& path)
   return ending == ".vtkhdf" || ending == ".zarr";
 }
 
-/// Whether a name is that of a MetaImage or NRRD file, which may well fit into memory.
+/// Whether a name belongs to a MetaImage or NRRD file, which may well fit into memory.
 bool HasRawHeader(const std::string& path)
 {
   const std::string ending = EndingOf(path);
@@ -66,7 +66,7 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
 double FindSize(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
-  std::string error; // who reads it as a whole tells
+  std::string error; // the reader of the whole file reports it
   if (!source->OpenFile(PlainName(path).c_str(), error))
   {
     return 0.0;

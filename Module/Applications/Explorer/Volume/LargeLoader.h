@@ -10,11 +10,10 @@
 namespace Explore
 {
 /// Whether a volume is felt from its file, region by region: VTKHDF and Zarr always; raw samples
-/// behind a MetaImage or NRRD header if that is wanted, or if they take more than half of the
-/// memory that is free.
+/// behind a MetaImage or NRRD header on request, or if they take more than half of the free memory.
 bool IsLargeVolume(const std::string& path, bool isWanted);
 
-/// Opens such a file. Its image is a coarse level, of the file or made of its samples. Throws
+/// Opens such a file. Its image is a coarse level, from the file or made from its samples. Throws
 /// InputError.
 Volume LoadLargeVolume(const std::string& path);
 } // namespace Explore

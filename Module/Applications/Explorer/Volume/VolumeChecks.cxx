@@ -104,7 +104,7 @@ void FindScalars(const std::string& path, Volume& volume)
   }
 }
 
-/// Bytes of red, green and blue, and perhaps opacity: how bright they are is what is felt.
+/// Bytes of red, green and blue, and perhaps opacity: the brightness is felt.
 void UseBrightness(Volume& volume)
 {
   vtkDataArray* const colours = volume.Image->GetPointData()->GetScalars();
@@ -162,7 +162,7 @@ void CheckRange(const std::string& path, vtkImageData* image)
   }
 }
 
-/// Gives samples outside the value with which the filter would feel them: for the picture, the
+/// Sets samples outside to the value with which the filter would feel them: for the picture, the
 /// thresholds and the kind of the volume, too.
 void UseOutside(Volume& volume)
 {
@@ -184,8 +184,8 @@ void UseOutside(Volume& volume)
   volume.Image = image; // the scalars may end with the image before
 }
 
-/// Hounsfield units that are stored higher, as scanners do, become what they are: for the picture,
-/// the thresholds and the kind of the volume, too.
+/// Corrects Hounsfield units that are stored higher, as by scanners: for the picture, the
+/// thresholds and the kind of the volume, too.
 void UseHounsfieldUnits(Volume& volume)
 {
   if (volume.IsField)

@@ -9,8 +9,8 @@ namespace Explore
 {
 struct Volume;
 
-/// Throws InputError unless the volume can be touched; on the way it makes the first point array
-/// (or the cells' one) the active scalars and cuts it down to its first component, with a note.
+/// Throws InputError unless the volume can be touched; makes the first point array (or cell array)
+/// the active scalars and reduces it to its first component, with a note.
 void CheckVolume(const std::string& path, Volume& volume);
 } // namespace Explore
 

@@ -12,27 +12,27 @@
 
 namespace Explore
 {
-/// The point arrays of an image that modes can be about: vectors of 3 components, and tensors of 6
-/// or 9. They go with the image, whatever becomes of its scalars.
+/// The point arrays of an image that modes can use: vectors of 3 components, and tensors of 6 or 9.
+/// They stay with the image, whatever happens to its scalars.
 class VolumeFields
 {
 public:
-  /// An image that has no active scalars, but a field, gets the magnitude of its first field as
-  /// scalars, so that there is something to be seen. Returns whether it did.
+  /// If an image has no active scalars, but a field, sets the scalars to the magnitude of its first
+  /// field, so that something is visible. Returns whether it did.
   bool Take(vtkImageData* image);
-  /// The same, with the values of a point array, or the magnitude of a field, as scalars. Returns
-  /// whether it is a field. Throws InputError, with the arrays that there are, if it is not there.
+  /// As Take, with the values of a point array, or the magnitude of a field, as scalars. Returns
+  /// whether it is a field. Throws InputError, with the existing arrays, if it does not exist.
   bool TakeWith(const std::string& name, const std::string& path, vtkImageData* image);
-  /// The first vectors, or those of a name if there is one; empty if there are none.
+  /// The first vectors, or those with this name if it is given; empty if there are none.
   static std::string FindFlow(vtkImageData* image, const std::string& name);
-  /// Gives the fields to the image that was made of the other one, along the axes of the world.
+  /// Copies the fields to the image that was made from the other one, along the axes of the world.
   /// Vectors stay as they are: their components are along the axes of the world.
   void GiveTo(vtkImageData* aligned) const;
 
 private:
   void Collect(vtkImageData* image);
 
-  vtkSmartPointer<vtkImageData> Source; // the geometry
+  vtkSmartPointer<vtkImageData> Source; // has the geometry
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };
 } // namespace Explore

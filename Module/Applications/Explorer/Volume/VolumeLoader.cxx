@@ -90,7 +90,7 @@ std::string FindSamples(const std::string& path)
     data, vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(path)));
 }
 
-/// How many bytes of samples are in the file that has them, at most; -1 if it is damaged.
+/// The largest number of bytes of samples in the file that has them; -1 if it is damaged.
 double CountHeld(const std::string& path, const std::string& samples)
 {
   const std::string lower = vtksys::SystemTools::LowerCase(path);
@@ -106,7 +106,7 @@ double CountHeld(const std::string& path, const std::string& samples)
   const bool isRaw = isMeta
     ? vtksys::SystemTools::LowerCase(header.Value({ "BinaryData" })) != "false"
     : encoding == "raw" || EndsWith(lower, ".nii");
-  // Lines before what is packed are not looked for, nor the end of a very long header.
+  // Not checked: files with skipped lines before packed data, or with a very long header.
   const bool isHere = samples == path && (isMeta || isNrrd);
   const bool isPlain = header.Value({ "line skip", "lineskip", "HeaderSize" }).empty();
   const auto length = static_cast<double>(vtksys::SystemTools::FileLength(samples));
@@ -119,8 +119,8 @@ double CountHeld(const std::string& path, const std::string& samples)
   return isRaw && !isPacked ? length : smallest * length;
 }
 
-/// Why a reader's information can't be true of its file; empty if it can. Readers take memory for
-/// all that a header promises before they look at the samples.
+/// Why a reader's information can't be true for its file; empty if it can. Readers allocate memory
+/// for all that a header promises before they read the samples.
 std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
 {
   vtkInformation* const information = reader->GetOutputInformation(0);
@@ -147,7 +147,7 @@ std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
   const std::string samples = FindSamples(path);
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
-    return {}; // which is the reader's to tell
+    return {}; // which the reader reports
   }
   const double held = CountHeld(path, samples);
   return held < 0.0 ? "its compressed samples are damaged, or cut off"
@@ -182,7 +182,7 @@ vtkSmartPointer<vtkImageData> Run(Reader* reader, const std::string& path, const
   return image;
 }
 
-/// Whole numbers of 64 bits as those of 16 or 32, if they fit, for mappers that know no others.
+/// Converts 64-bit integers to 16 or 32 bits, if they fit, for mappers that support no others.
 void NarrowSamples(vtkImageData* image)
 {
   vtkDataArray* const wide = image ? image->GetPointData()->GetScalars() : nullptr;
@@ -215,7 +215,8 @@ Volume ReadVti(const std::string& path)
   return { Run(reader.Get(), path, "VTK image (.vti)"), {}, "VTK image", {}, {}, {} };
 }
 
-/// Whether vtkMetaImageReader knows its type, with MetaIO's size of it, and its dimensions.
+/// Whether vtkMetaImageReader supports the file's type, with MetaIO's size of it, and its
+/// dimensions.
 bool IsKnownToVTK(const std::string& path)
 {
   const VolumeHaptics::HeaderText header(path, '=');
@@ -231,7 +232,7 @@ bool IsKnownToVTK(const std::string& path)
 vtkSmartPointer<vtkImageData> ReadRawMetaImage(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
-  vtkNew<vtkImageData> region; // and what tells that it is one
+  vtkNew<vtkImageData> region; // with the array that marks it as a region
   std::string error;
   if (!source->OpenFile(path.c_str(), error) ||
     !source->ReadRegion(source->GetWholeExtent(), region, error))
@@ -269,8 +270,8 @@ Volume ReadNrrd(const std::string& path)
   return volume;
 }
 
-/// Turns stored numbers into the values that a NIfTI header means by them, as vtkNIFTIImageReader
-/// does not. Whole numbers stay whole if the header only adds one.
+/// Turns stored numbers into the values that a NIfTI header defines, as vtkNIFTIImageReader does
+/// not. Whole numbers stay whole if the header only adds one.
 void ApplyNiftiScale(double slope, double intercept, Volume& volume)
 {
   vtkDataArray* const scalars = volume.Image->GetPointData()->GetScalars();
@@ -398,7 +399,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     {
       throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
     }
-    // That of an OpenFOAM case is, and only tells its folder.
+    // An OpenFOAM case's file is empty, and only names its folder.
     const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");
     if (!mayBeEmpty && vtksys::SystemTools::FileLength(path) == 0)
     {
@@ -416,7 +417,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 double FindNiftiSpacing(const std::string& path, double unknown)
 {
   vtkNew<vtkNIFTIImageReader> reader;
-  const MessageCapture capture; // the volume's reader tells what is wrong
+  const MessageCapture capture; // the volume's reader reports the fault
   if (!IsNifti(vtksys::SystemTools::LowerCase(path)) || !reader->CanReadFile(path.c_str()))
   {
     return 0.0;
@@ -427,7 +428,7 @@ double FindNiftiSpacing(const std::string& path, double unknown)
   {
     return 0.0;
   }
-  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // of the NIfTI header
+  constexpr int seconds = 8, milliseconds = 16, microseconds = 24; // in the NIfTI header
   const int unit = reader->GetNIFTIHeader()->GetXYZTUnits() & 56;
   const double scale = unit == milliseconds ? 1e-3 : unit == microseconds ? 1e-6 : 1.0;
   const double spacing = scale * reader->GetTimeSpacing();
@@ -437,7 +438,7 @@ double FindNiftiSpacing(const std::string& path, double unknown)
 
 namespace
 {
-/// `judge` looks at the values, along the axes of the file.
+/// `judge` reads the values, along the axes of the file.
 template <typename Judge>
 Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
 {
@@ -446,7 +447,7 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   volume.Flow = volume.IsGrid ? VolumeFields::FindFlow(volume.Image, array) : std::string();
   if (!array.empty() || !volume.Flow.empty())
   {
-    // What is felt is seen.
+    // Show what is felt.
     const std::string& shown = array.empty() ? volume.Flow : array;
     volume.IsField = fields.TakeWith(shown, path, volume.Image) || volume.IsField;
   }

@@ -31,39 +31,40 @@ struct Volume
   // A segmentation, if there is one, with the geometry of its own file.
   vtkSmartPointer<vtkImageData> Labels;
   vtkSmartPointer<vtkHapticLabelTable> LabelTable;
-  // If it moves: all frames, at times in seconds, the first of which is the image.
+  // If the volume moves: all frames, at times in seconds; the first one is the image.
   vtkSmartPointer<vtkHapticFrameSource> Frames = nullptr;
-  std::string Displacements = {}; // their array that tells where the material goes; empty if none
-  // If it is read where the hand is: what reads it. The image is a coarse level of it.
+  std::string Displacements = {}; // array with the frames' material motion; empty if none
+  // If the volume is read around the hand only: its source. The image is a coarse level of it.
   vtkSmartPointer<vtkHapticRegionSource> Large = nullptr;
   WorldAxes Axes = WorldAxes::Unknown;
-  double MetersPerUnit = 0.001; // of lengths in the file's world
+  double MetersPerUnit = 0.001; // for lengths in the file's world
   bool IsGrid = false;          // resampled from cells
-  bool IsField = false; // its values are those of a grid or the magnitude of a field, of no tissue
+  bool IsField = false; // its values come from a grid or are the magnitude of a field, of no tissue
   vtkSmartPointer<vtkPolyData> Outline = nullptr; // where the cells of a grid are
-  // Of a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which this is.
+  // For a DICOM folder: its series, as `"Thorax", CT, 133 slices of 512 x 512`, and which one this
+  // is.
   std::vector<std::string> Series = {};
   int SeriesNumber = 0;
   bool MayBeLabels = false; // its values look like the numbers of labels
-  bool AreLabels = false;   // they are taken as such
-  std::string Flow = {};    // the vectors of a grid, which are followed without another wish
+  bool AreLabels = false;   // they are used as labels
+  std::string Flow = {};    // the vectors of a grid, followed by default
 };
 
 /// Reads a file or a folder as LoadVolume does, with the voxels as they are: of any type, and along
-/// axes of any direction. The times of a NIfTI file are its components if wanted, else the first
-/// one is read. Of a DICOM folder, the series of a number is read, or for 0 the largest one.
+/// axes of any direction. The times of a NIfTI file become components on request, else the first
+/// one is read. From a DICOM folder, the series with a number is read, or for 0 the largest one.
 Volume ReadVolume(const std::string& path, bool timesAreComponents = false, int series = 0);
 
-/// The time (s) from one volume to the next of a NIfTI file that has several; `unknown` if it does
-/// not tell. 0 for any other file.
+/// The time (s) between the volumes of a NIfTI file that has several; `unknown` if it does not give
+/// it. 0 for any other file.
 double FindNiftiSpacing(const std::string& path, double unknown);
 
 /// Reads .vti .mhd .mha .nii .nii.gz .nrrd, a grid (GridLoader.h), a folder of DICOM slices or one
-/// of them. Of several arrays, the values of one, or the magnitude of its vectors, are shown and
-/// felt if it is named. Throws InputError for anything else, with the fault and the cure.
+/// of them. If an array is named, its values, or the magnitude of its vectors, are shown and felt.
+/// Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
-/// The image alone, of a further frame of a volume that moves.
+/// Only the image, of a further frame of a moving volume.
 vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array);
 } // namespace Explore
 

@@ -75,7 +75,7 @@ WorldAxes FindMetaImageAxes(const std::string& path)
 {
   const std::string letters =
     VolumeHaptics::HeaderText(path, '=').Value({ "AnatomicalOrientation" });
-  // Three letters, one of each of these pairs; MetaIO writes ??? if it does not know.
+  // Three letters, one from each of these pairs; MetaIO writes ??? for unknown axes.
   const bool isPatient = letters.size() == 3 && letters.find_first_of("RL") != std::string::npos &&
     letters.find_first_of("AP") != std::string::npos &&
     letters.find_first_of("SI") != std::string::npos;
@@ -96,7 +96,7 @@ void SetFrame(vtkImageData* image, const double axes[9], const double origin[3])
   }
   if (std::abs(vtkMatrix3x3::Determinant(unit)) < 1e-6)
   {
-    return; // the header has nonsense in it: the plain axes are better than none
+    return; // the header is nonsense: the plain axes are better than none
   }
   image->SetDirectionMatrix(unit);
   image->SetOrigin(origin);
@@ -148,7 +148,7 @@ std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image)
   const bool leftAnterior = space == "left-anterior-superior" || space == "LAS";
   if ((leftAnterior || space == "3D-left-handed") && header.Value({ "encoding" }) == "raw")
   {
-    // For these spaces VTK's reader reverses the rows of raw files, and of no others.
+    // For these spaces only, VTK's reader reverses the rows of raw files.
     const double rows = image->GetDimensions()[1] - 1;
     for (int row = 0; row < 3; ++row)
     {

@@ -11,15 +11,15 @@
 
 namespace Explore
 {
-/// What a file says of the axes of its world.
+/// What a file says about its world axes.
 enum class WorldAxes
 {
-  Unknown, // it does not say
-  Patient, // left, posterior and superior, once they are turned
+  Unknown, // the file does not say
+  Patient, // left, posterior and superior, after conversion
   Other
 };
 
-/// Of a NRRD file, by its `space`; of a MetaImage, by its `AnatomicalOrientation`.
+/// From the `space` of a NRRD file; from the `AnatomicalOrientation` of a MetaImage.
 WorldAxes FindNrrdAxes(const std::string& path);
 WorldAxes FindMetaImageAxes(const std::string& path);
 
@@ -35,7 +35,7 @@ void ApplyMetaImageOrientation(const std::string& path, vtkImageData* image);
 /// every anatomical space into left-posterior-superior. Returns a note if it turned something.
 std::string ApplyNrrdOrientation(const std::string& path, vtkImageData* image);
 
-/// The same note of a NRRD file, without an image.
+/// The same note for a NRRD file, without an image.
 std::string DescribeNrrdTurn(const std::string& path);
 
 /// Places a NIfTI image by its sform or qform matrix (millimetres to right-anterior-superior), or
@@ -46,7 +46,7 @@ void ApplyNiftiOrientation(vtkMatrix4x4* form, vtkImageData* image);
 void ScaleLengths(vtkImageData* image, double factor);
 
 /// The same voxels at the same positions, reordered so that index axis c runs along world axis c as
-/// nearly as possible. Nothing is interpolated; if there is nothing to do, the input is returned.
+/// nearly as possible. Nothing is interpolated; if nothing has to change, the input is returned.
 vtkSmartPointer<vtkImageData> AlignToAxes(vtkImageData* image);
 } // namespace Explore
 

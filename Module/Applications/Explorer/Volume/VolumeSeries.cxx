@@ -32,7 +32,7 @@ using Explore::InputError;
 using Explore::Volume;
 using Files = vtksys::SystemTools;
 
-/// Files that do not tell their times: so many of them are a second.
+/// For files without times: this many make a second.
 constexpr double FRAMES_PER_SECOND = 10.0;
 
 struct FramePath
@@ -100,7 +100,7 @@ std::vector<FramePath> MakeFrames(const std::vector<std::string>& paths)
 }
 
 /// The volumes in a folder, or the folders in it if it has no files and they hold the slices of
-/// phases; none if it has less than two.
+/// phases; none if there are fewer than two.
 std::vector<FramePath> ListFolder(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -180,7 +180,7 @@ bool HasGeometryOf(vtkImageData* image, vtkImageData* other)
     std::equal(a, a + 9, b);
 }
 
-/// Before the rest is read.
+/// Checks before the rest is read.
 void CheckMemory(const std::string& path, vtkImageData* first, std::size_t frames)
 {
   constexpr double mebibyte = 1024.0;
@@ -220,7 +220,7 @@ void AddFrame(Volume& volume, const std::string& path, vtkImageData* image, doub
   volume.Frames->AddFrame(image, time);
 }
 
-/// Drops a last frame that repeats the first one, and notes what the user should know.
+/// Drops a last frame that repeats the first one, and adds notes for the user.
 void Finish(Volume& volume)
 {
   vtkHapticFrameSource* const frames = volume.Frames;

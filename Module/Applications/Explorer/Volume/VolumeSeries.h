@@ -12,14 +12,14 @@ namespace Explore
 {
 /// Reads a volume as LoadVolume does, or one that moves: several files, a folder of volumes or of
 /// folders of DICOM slices, in the order of their names and the numbers in them; a .pvd file; or a
-/// NIfTI file with several times. All frames are in memory. Its image is the first frame. One that
-/// is large, or wanted to be read as such, is read as LoadLargeVolume does. With a number of a
-/// DICOM series, a folder holds no frames. The array is that of LoadVolume. Throws InputError.
+/// NIfTI file with several times. All frames are in memory. Its image is the first frame. A volume
+/// that is large, or requested as large, is read as by LoadLargeVolume. With a number of a DICOM
+/// series, a folder holds no frames. The array is as in LoadVolume. Throws InputError.
 Volume LoadVolumes(const std::vector<std::string>& paths, bool isLarge = false, int dicomSeries = 0,
   const std::string& array = "");
 
-/// Has an array of vectors tell where the material of each frame is in the next one. Throws
-/// InputError, if a frame has none.
+/// Sets the array of vectors that gives the motion of each frame's material to the next frame.
+/// Throws InputError if a frame lacks it.
 void UseDisplacements(Volume& volume, const std::string& array);
 } // namespace Explore
 

@@ -12,9 +12,9 @@
 
 namespace
 {
-constexpr std::size_t PART_SIZE = 1 << 18; // bytes that are unpacked at once
+constexpr std::size_t PART_SIZE = 1 << 18; // bytes unpacked at once
 constexpr int ANY_HEADER = 15 + 32;        // zlib's or gzip's
-constexpr std::size_t LONGEST_END = 1024;  // bytes in which a file of XML has its end
+constexpr std::size_t LONGEST_END = 1024;  // bytes in which an XML file has its end
 
 std::string ReadPart(std::ifstream& in, std::size_t from, std::size_t size)
 {
@@ -51,7 +51,7 @@ double CountUnpacked(const std::string& file, std::size_t offset)
     {
       if (state == Z_STREAM_END && stream.avail_in > 0)
       {
-        // gzip files may follow each other; what else follows is no part of them.
+        // gzip files may follow each other; other data after them are no part of them.
         const bool isGzip = *stream.next_in == 0x1f;
         if (hasAny && !isGzip)
         {
@@ -95,7 +95,7 @@ std::string FindMissingEnd(const std::string& file)
     const std::string name = vtksys::SystemTools::CollapseFullPath(piece.match(1),
       vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::CollapseFullPath(file)));
     text.erase(0, piece.end());
-    // That a piece is not there is the reader's to tell.
+    // The reader reports a missing piece.
     const std::string missing =
       vtksys::SystemTools::FileExists(name, true) ? FindMissingEnd(name) : std::string();
     if (!missing.empty())
