@@ -308,7 +308,7 @@ inline void SetMaterials(const HapticModel& model, const Vector3& index, const S
 inline void ReadMaterials(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   const Surface& surface, LabelMemory& memory, MaterialPoint& point) noexcept
 {
-  // Before the values: their sampling hides the lookup's latency.
+  // Look up first: the sampling of the values then hides the lookup's latency.
   const DistinctnessTable::Values distinct = FindDistinctness(model, surface);
   SetMaterials(model, index, surface, distinct, field.Values(index, surface.Reach), memory, point);
 }

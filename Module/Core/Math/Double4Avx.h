@@ -65,8 +65,7 @@ VOLUME_HAPTICS_INLINE Double4 ChooseEqual(
 /** Whole numbers of less than 2^51. */
 VOLUME_HAPTICS_INLINE void StoreWhole(const Double4& from, std::int64_t* to)
 {
-  // There is no instruction for this: the lowest bits of the sum with this number are those of the
-  // number.
+  // There is no instruction for this: the lowest bits of (number + shift) are those of the number.
   const Double4 shift = _mm256_set1_pd(0x1.8p52);
   const __m256i whole =
     _mm256_sub_epi64(_mm256_castpd_si256(from + shift), _mm256_castpd_si256(shift));

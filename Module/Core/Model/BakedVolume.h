@@ -90,7 +90,7 @@ struct BakedVolume
   const std::shared_ptr<const CutAway> Cut; ///< null if all of the volume is felt
   /** Whether surfaces depend on more than the scalars: labels or a cut. */
   const bool HasOtherSurfaces;
-  const std::vector<BakedMode> Modes;          ///< of HapticMethod::Primitives
+  const std::vector<BakedMode> Modes;          ///< for HapticMethod::Primitives
   const std::shared_ptr<const BakedTool> Tool; ///< null if the hand feels with a point
 
   /** The share that is felt at an index of a cut volume: see CutPlace::Share. */

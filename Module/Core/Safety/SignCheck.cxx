@@ -138,7 +138,7 @@ void SignCheck::Rest() noexcept
   }
 }
 
-/** Pushes; `distance` is that of a measured tip from the line, along the push (m). */
+/** Goes on with a push; `distance` is the measured tip's from the line, along the push (m). */
 void SignCheck::Push(double distance) noexcept
 {
   const double time = this->Time - this->Start;

@@ -29,7 +29,7 @@ struct ShellPose
 struct ShellSum
 {
   double Energy = 0.0;       ///< J
-  double Gradient[6] = {};   ///< of the energy; N and N m
+  double Gradient[6] = {};   ///< the energy's, in N and N m
   double Curvature[21] = {}; ///< of the energy: the lower triangle, row by row
   std::uint32_t Contacts = 0;
   std::uint32_t Yielding = 0; ///< contacts that press with all the force that their material takes

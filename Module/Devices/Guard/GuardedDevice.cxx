@@ -129,7 +129,7 @@ void GuardedDevice::Rescue() noexcept
   }
   catch (const std::exception&)
   {
-    // Such as no memory: nothing more can be done.
+    // No memory or similar: nothing more can be done.
   }
 }
 

@@ -59,7 +59,7 @@ struct HaplyArm
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
   std::optional<Vector3> Force;          ///< N: the force that the service commands
-  std::optional<Quaternion> Orientation; ///< its body's
+  std::optional<Quaternion> Orientation; ///< orientation of its body
   std::optional<HaplyTransform> Transform;
   /** The position or the transform is there, but not as numbers: NaN is written as null. */
   bool IsSpoilt = false;

@@ -15,7 +15,10 @@ namespace
 constexpr double Circle = 6.283185307179586;
 constexpr double GimbalCounts = 1024.0;
 
-/** Of Polhem's linkage (m): between the cranks, the two cranks, the rod, and c to b to the tip. */
+/**
+ * Polhem's linkage (m): distance between the cranks, the two cranks, the rod, and c to b to the
+ * tip.
+ */
 constexpr double L0 = 0.034;
 constexpr double L1 = 0.165;
 constexpr double L2 = 0.025;

@@ -193,7 +193,7 @@ HidReport PidDevice::SetEffect(std::int64_t block, int axis, double duration) co
   PidDevice::Put(report, this->Duration,
     std::max<std::int64_t>(1, ToLogical(this->Duration.Field, duration, 1e-3)));
   PidDevice::Put(report, this->EffectGain, this->EffectGain.Field.LogicalMaximum);
-  // By the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
+  // Uses the direction if there is one, as in Linux. If the axes' bits are set instead, firmwares
   // interpret the direction differently.
   const bool hasDirection = this->DirectionEnable.Known && !this->HasShares;
   PidDevice::SwitchOn(report, hasDirection ? this->DirectionEnable : this->AxisEnable[axis]);
@@ -221,7 +221,7 @@ HidReport PidDevice::SetConstant(
 {
   HidReport report = PidDevice::Begin(this->Constant);
   PidDevice::Put(report, this->ConstantBlock, block);
-  // The same scale both ways, even if the range has one value more below zero.
+  // Uses one scale both ways, even if the range has one more value below zero.
   const HidField& field = this->Magnitude.Field;
   const auto fullScale = static_cast<double>(std::min(
     -ClampToField(field, field.LogicalMinimum), ClampToField(field, field.LogicalMaximum)));

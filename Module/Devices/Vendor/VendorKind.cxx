@@ -28,7 +28,7 @@ std::vector<DeviceListing> ListVendors()
         all.push_back({ "vendor:" + file.Plugin + ":" + std::to_string(number), device.Name,
           device.IsOpen ? "in use" : "available",
           device.Serial.empty()
-            ? std::string() // it may have one that only the open device reports
+            ? std::string() // a serial number may become known once the device is open
             : VendorLibrary::MakeIdentity(file.Plugin, number, device.Serial) });
         ++number;
       }

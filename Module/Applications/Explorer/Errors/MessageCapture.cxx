@@ -72,7 +72,8 @@ MessageCapture::MessageCapture()
   , Cout(std::cout.rdbuf(this->Stream.rdbuf()))
 {
   vtkOutputWindow::SetInstance(this->Window);
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // since VTK 9 it gets a copy
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // since VTK 9, stderr also gets a copy
+                                                           // of each message
 }
 
 MessageCapture::~MessageCapture()

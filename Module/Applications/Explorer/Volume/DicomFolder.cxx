@@ -128,7 +128,7 @@ ValueRange FindValues(const std::vector<DicomHeader>& slices)
   return range;
 }
 
-/// The smallest type that holds all of them.
+/// The smallest type that holds all values of a range.
 int ChooseType(const ValueRange& range)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT })

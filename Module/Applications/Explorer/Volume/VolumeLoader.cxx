@@ -147,7 +147,7 @@ std::string FindFalsePromise(vtkAlgorithm* reader, const std::string& path)
   const std::string samples = FindSamples(path);
   if (!vtksys::SystemTools::FileExists(samples, true))
   {
-    return {}; // which the reader reports
+    return {}; // the reader reports this fault
   }
   const double held = CountHeld(path, samples);
   return held < 0.0 ? "its compressed samples are damaged, or cut off"

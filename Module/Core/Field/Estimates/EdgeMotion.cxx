@@ -24,7 +24,7 @@ constexpr std::int64_t EdgeReach = 64;
  */
 constexpr double LeastEdgeSlope = 0.03;
 constexpr double LeastEdgeRise = 0.1;
-/** And by these multiples of the noise. */
+/** And at least by these multiples of the noise. */
 constexpr double SlopeOverNoise = 4.0;
 constexpr double RiseOverNoise = 10.0;
 /** A plateau begins where the rest of the rise is less than this fraction of the range. */

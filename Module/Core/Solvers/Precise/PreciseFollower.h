@@ -51,7 +51,7 @@ public:
   void TakeOver(const Surface& there, const Vector3& motion) noexcept;
   /** Moves the tip straight to a position, and the proxy after it. */
   void Follow(const Vector3& tip) noexcept;
-  /** Writes material, proxy and forces. */
+  /** Writes material, proxy and forces to the record. */
   void Write(TickRecord& record) const noexcept;
   /**
    * Writes the part of the force's change that comes from leaps of the proxy: the part that neither

@@ -147,7 +147,7 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   ++this->Looks;
   const bool isDescending = Law::Orient(this->Model, lag, surface);
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
-  // Before the values: their sampling hides the lookup's latency.
+  // Look up first: the sampling of the values then hides the lookup's latency.
   const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
   const double share = surface.IsWall ? 0.0 : distinct[0] * surface.Fade;
   FarWalk walk;
@@ -343,7 +343,7 @@ Arrival PreciseSurroundings::DrawBack(const Departure& start, const Motion& moti
   const Vector3 normalPart =
     rest.IsWhole ? displacement : Dot(displacement, first.There.Normal) * first.There.Normal;
   const Vector3 tangentPart = displacement - normalPart;
-  // By the law at its beginning, a motion ends with a remainder of 0.
+  // With the law at its beginning, a motion ends with a remainder of 0.
   const auto along = [&](const Remainder& r)
   { return rest.IsWhole ? std::min(r.Normal, r.Tangent) : r.Normal; };
   RootBracket normal(Norm(normalPart), along(rest), this->Voxels(normalPart));

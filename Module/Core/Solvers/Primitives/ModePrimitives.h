@@ -52,7 +52,7 @@ class HapticModel;
 /** The number of primitives that an active mode adds, wherever it is read. */
 int CountPrimitives(ModeKind kind) noexcept;
 
-/** Modes in the order in which their primitives are added; borrows them. */
+/** A volume's modes, in the order in which their primitives are added; borrows the modes. */
 class ModeField
 {
 public:

@@ -132,7 +132,7 @@ private:
     return Rate((before - Dot(this->Rest, first)) / length);
   }
 
-  /** By the midpoint method, to where D ends at the rate of the middle. */
+  /** Uses the midpoint method, to where D ends at the rate of the middle. */
   double StepShortly(double rate) noexcept
   {
     const Vector3 from = this->Place;

@@ -330,7 +330,7 @@ private:
     this->Contradictions += state != before ? 1 : 0;
   }
 
-  /** All primitives that hold, at their common anchor. */
+  /** Computes the forces of all holding primitives at their common anchor. */
   bool Share() noexcept
   {
     const Vector3* const anchor = this->Held.Spring;

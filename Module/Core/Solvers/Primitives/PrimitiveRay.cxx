@@ -235,7 +235,7 @@ private:
       const double bend = p.Strength * inverse;
       this->Force[at] = -bend * aside;
       this->Yielding += this->Force[at];
-      // Of the turns' parts across the line, the part across the force turns it.
+      // Only the part of a turn that is across both line and force turns the force.
       const double share = inverse * inverse;
       const double firstAlong = isLine ? Dot(turns[0], p.Direction) : 0.0;
       const double secondAlong = isLine ? Dot(turns[1], p.Direction) : 0.0;

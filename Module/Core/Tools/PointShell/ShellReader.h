@@ -74,7 +74,7 @@ using PlaceFunction = void (*)(const ShellFrame&, const ShellPlacement&, ShellBa
 /** Value, gradient and derivatives in the cell at a place: seven numbers. */
 using FootFunction = void (*)(
   const ShellReading&, double x, double y, double z, double* to) noexcept;
-/** Reads the same for a batch, at Place. */
+/** Reads value, gradient and cell derivatives for a batch, at Place. */
 using ReadFunction = void (*)(const ShellReading&, ShellBatch&) noexcept;
 /**
  * Computes the other results from these, Index, Offset and Solid. Sets the bits of points that may
