@@ -3,8 +3,8 @@
 /**
  * @file
  * Memory for arrays whose size comes from data. These functions throw std::bad_alloc where VTK's
- * own arrays would end the program (in all builds of VTK but those with NDEBUG; Debian's ParaView
- * contains a VTK of its own).
+ * own arrays would end the program. VTK's arrays do so except in builds with NDEBUG; the VTK in
+ * Debian's ParaView is built without it.
  */
 #ifndef ArrayMemory_h
 #define ArrayMemory_h

@@ -23,8 +23,8 @@ namespace VolumeHaptics
 {
 
 /**
- * Largest number of points: more would take too long for any servo's tick, and too much memory in
- * it.
+ * Largest number of points: with more, a tick would take too long for any servo. Their memory must
+ * stay available.
  */
 constexpr int MostShellPoints = 100000;
 
