@@ -239,7 +239,10 @@ public:
     }
     return this->BlendValue(other, other.Share, index);
   }
-  /** At the other frame's share, and at another one, which is faster than two calls of Value. */
+  /**
+   * The values at the other frame's share and at a second share, which is faster than two calls of
+   * Value.
+   */
   SharePair Values(const OtherFrame& other, double share, const Vector3& index,
     const FrameTaps* taps = nullptr) const noexcept
   {

@@ -81,7 +81,7 @@ struct HapticSettings
   SurfaceSide Side = SurfaceSide::Higher;
   bool SameShape = false;           ///< one stiffness for all materials that are felt
   double ReleaseTime = 0.005;       ///< s, duration of a leap of Precise with FarSide; 0: at once
-  double CouplingStiffness = 500.0; ///< N/m, with SameShape, and for Primitives
+  double CouplingStiffness = 500.0; ///< N/m, with SameShape and for Primitives
   double TickPeriod = 1e-3;         ///< s
   double TimeUnitsPerSecond = 1.0;  ///< data time that passes in a second of the hand
   ForceCaps Caps;                   ///< the user's; the device has its own: HapticModel::Caps

@@ -227,7 +227,8 @@ void ForceGate::NoteCommand(bool flows) noexcept
   {
     this->EndFade();
   }
-  // The hand moved unseen. Not while there is force: that would end in a step.
+  // The hand moved unseen: begin at the tip, but not while there is force, which would end in a
+  // step.
   this->Restarts = this->Restarts || (!flows && (this->Retreated || this->Retreats));
   this->Retreated = this->Retreats;
   this->Rests = this->Held && !flows;

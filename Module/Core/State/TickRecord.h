@@ -35,7 +35,7 @@ struct TickRecord : MaterialPoint
   /// The rotation of a tool with a shape, whose origin is the proxy, to the device's axes; else
   /// NoOrientation.
   Quaternion ToolOrientation = NoOrientation;
-  /// The rotation of the hand that holds it, to the device's axes; else NoOrientation.
+  /// The rotation of the hand that holds the tool, to the device's axes; else NoOrientation.
   Quaternion HandOrientation = NoOrientation;
   double NormalForce = 0.0;   ///< N, magnitude before the drag step
   double FrictionForce = 0.0; ///< N, magnitude before the drag step

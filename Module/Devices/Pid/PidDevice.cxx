@@ -76,7 +76,7 @@ bool PidDevice::Map(const HidReportDescriptor& descriptor, std::string& error)
   {
     mapper.Find(AxisUsages[axis], this->AxisEnable[axis], PidMapper::Of(PidUsage::AxesEnable));
   }
-  // There is one angle, or there are several, numbered ones.
+  // There is one angle, or there are several with numbers.
   const bool isNumbered =
     mapper.Find(MakeHidUsage(OrdinalPage, 1), this->Direction, PidMapper::Of(PidUsage::Direction));
   if (!isNumbered)

@@ -24,7 +24,8 @@ namespace Explore
 class KeptWork
 {
 public:
-  /// `shown` is the window's file. Stores edited functions only, and those of the outside.
+  /// `shown` is the window's file. Functions that have not changed since the window's start are not
+  /// stored; of the two looks, the outside's functions are stored.
   KeptWork(TouchScene& touch, vtkVolumeHapticsFilter* filter, SavedMeasurements& measurements,
     HandTool& tool, LookSwitch& look, vtkRenderWindowInteractor* interactor,
     const FileChoice& shown);

@@ -138,7 +138,7 @@ private:
     s.Room += RoomStep * this->Carver.GetVoxel();
     if (s.Room > this->Carver.GetVoxel())
     {
-      // No tissue is left to spend more on.
+      // No tissue is left to spend energy on.
       s.Room = before;
       s.Unspent = std::min(s.Unspent, earned);
       return;

@@ -137,7 +137,10 @@ void SetPuncture(const HapticModel& model, const NeedleTissueReader& reader, con
   }
 }
 
-/** The first place on a way that resists; its end is known to resist, its beginning is not. */
+/**
+ * The first place on a way that resists; the end of the way is known to resist, its beginning is
+ * not.
+ */
 Vector3 FindFirstResistance(
   const NeedleTissueReader& reader, const Vector3& from, const Vector3& to) noexcept
 {
