@@ -20,7 +20,7 @@ site=$(realpath -m "${1:-$root/build/site}")
 cd "$root"
 # shellcheck source=../../CMake/install-packages.sh
 source CMake/install-packages.sh
-require_packages doxygen python3 python3-venv
+require_packages cmake doxygen python3 python3-venv
 
 packages=(sphinx==8.1.3 myst-parser==4.0.1 pydata-sphinx-theme==0.16.1 sphinx-gallery==0.22.1)
 python=build/site-python
@@ -38,6 +38,7 @@ fi
 
 rm -rf "$site" build/pyvista-pages
 mkdir -p "$site"
+cmake -D page=build/settings.md -P CMake/Settings.cmake
 warnings=$(mktemp)
 trap 'rm -f "$warnings"' EXIT
 "$python/bin/sphinx-build" -q -W --keep-going -c Documentation/site -d "$root/build/site-doctrees" . "$site"

@@ -60,6 +60,12 @@ struct SettingFacts
   const char* Documentation;
 };
 
+/** The nearest value that a setting may have; the minimum, which is the safe one, for NaN. */
+inline double Clamp(const SettingFacts& setting, double value)
+{
+  return value > setting.Minimum ? std::min(value, setting.Maximum) : setting.Minimum;
+}
+
 /** A setting of the class Owner. Every value that a setting can have fits into a double. */
 template <typename Owner>
 struct HapticSetting : SettingFacts

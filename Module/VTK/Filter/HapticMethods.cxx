@@ -12,6 +12,7 @@ namespace VolumeHaptics
 const std::vector<MethodChoice>& MethodChoices()
 {
   using A = vtkVolumeHapticsAlgorithm;
+  using FilterSettingRows::MethodNames;
   constexpr int any = MethodChoice::AnySolver;
   const std::string proxy = MethodNames[A::PROXY].Text + std::string(", ");
   // Never destroyed, because objects that are deleted while the process exits still read it.

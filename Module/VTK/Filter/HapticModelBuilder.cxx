@@ -13,7 +13,7 @@
 #include "VTK/Filter/RegionSeries.h"
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPropertySettings.h"
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/RemovalAccess.h"
 
 #include "vtkDataArray.h"

@@ -4,9 +4,9 @@
 
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
-#include "VTK/Modes/HapticModeSettings.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/ModePresets.h"
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkHapticMode.h"

@@ -7,6 +7,7 @@
 #include "VTK/Base/HapticVolume.h"
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Modes/GuideShapes.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModeSettings.h"
 
 #include "vtkHapticGuideMode.h"

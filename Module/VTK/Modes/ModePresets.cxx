@@ -3,7 +3,7 @@
 #include "VTK/Modes/ModePresets.h"
 
 #include "VTK/Base/HapticFiles.h"
-#include "VTK/Modes/HapticModeSettings.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/ModeProposal.h"
 
 #include "vtkDataArray.h"

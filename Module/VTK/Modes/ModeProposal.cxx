@@ -5,7 +5,7 @@
 #include "Core/Field/FieldSampler.h"
 #include "Core/Math/SymmetricEigen.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Modes/HapticModeSettings.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModes.h"
 
 #include "vtkImageData.h"

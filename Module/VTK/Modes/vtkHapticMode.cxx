@@ -3,7 +3,7 @@
 #include "vtkHapticMode.h"
 
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Modes/HapticModeSettings.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/ModeProposal.h"
 
 #include "vtkPiecewiseFunction.h"

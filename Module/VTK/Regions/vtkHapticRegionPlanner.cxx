@@ -10,7 +10,7 @@
 #include "Core/Solvers/Precise/FarSide.h"
 #include "VTK/Base/WholeFacts.h"
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Modes/HapticModeSettings.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Regions/HapticRegionSettings.h"
 
 #include "vtkHapticMode.h"

@@ -4,6 +4,7 @@
 
 #include "VTK/Base/PassSettings.h"
 #include "VTK/Material/HapticSetupFunctions.h"
+#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModeSettings.h"
 
 #include "vtkHapticGuideMode.h"

@@ -4,6 +4,7 @@
 
 #include "VTK/Base/PassSettings.h"
 #include "VTK/Material/HapticSetupFunctions.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/HapticToolSettings.h"
 
 #include "vtkVolumeHapticsAlgorithm.h"

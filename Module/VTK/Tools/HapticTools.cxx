@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Tools/BurrDescription.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Tools/ShellDescription.h"
 

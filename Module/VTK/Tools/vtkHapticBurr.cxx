@@ -3,7 +3,7 @@
 #include "vtkHapticBurr.h"
 
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"

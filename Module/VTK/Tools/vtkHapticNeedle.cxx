@@ -4,7 +4,7 @@
 
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPresets.h"
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/NeedleTrace.h"
 
 #include "vtkObjectFactory.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticPointShell.h"
 
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticTool.h"
 
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 
 //------------------------------------------------------------------------------
 vtkHapticTool::vtkHapticTool() = default;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The public headers, ParaView's XML and the core say the same as the lists of settings.
+ * The public headers, ParaView's XML and the core say the same as Module/VTK/Settings.json.
  */
 
 #include "Rigs/SettingChecks.h"
@@ -11,6 +11,7 @@
 #include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Modes/HapticModeSettings.h"
 #include "VTK/Regions/HapticRegionSettings.h"
+#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Trace/Paths/HapticPathSettings.h"
 
@@ -28,15 +29,13 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace settingtest;
 using namespace VolumeHaptics;
 
 namespace
 {
-/// A slider goes from one end of a range to the other: of no use for ranges that are larger.
-constexpr double LongestSlider = 1000.0;
-
 /// The words of a text, with one space between them.
 std::string Words(const std::string& text)
 {
@@ -49,13 +48,13 @@ std::string Words(const std::string& text)
   return words;
 }
 
-/// The filter or the device as ParaView has it: the first proxy of a file.
+/// The filter or the device as ParaView gets it: the first proxy of a file that CMake has made.
 class ParaViewProxy
 {
 public:
   explicit ParaViewProxy(const char* file)
     : Tree(vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(
-        (Root + "/Plugin/VolumeHapticsPlugin/" + file).c_str())))
+        (std::string(VolumeHaptics_SETTINGS_XML "/") + file).c_str())))
   {
   }
 
@@ -87,80 +86,26 @@ public:
     return text ? std::stod(text) : std::nan("");
   }
 
+  /// ParaView offers all settings of a list, but for those that it needs not.
+  template <typename Settings>
+  void ExpectAll(const Settings& settings, const std::vector<std::string>& needless = {}) const
+  {
+    for (const auto& setting : settings)
+    {
+      SCOPED_TRACE(setting.Name);
+      vtkXMLDataElement* const property = this->Find(setting.Name);
+      const auto name = std::find(needless.begin(), needless.end(), setting.Name);
+      ASSERT_EQ(property == nullptr, name != needless.end());
+      if (property)
+      {
+        EXPECT_PRED2(BeginsWith, Documentation(property), setting.Documentation);
+      }
+    }
+  }
+
 private:
   vtkSmartPointer<vtkXMLDataElement> Tree;
 };
-
-void ExpectRange(vtkXMLDataElement* property, const SettingFacts& setting)
-{
-  vtkXMLDataElement* const integers = property->FindNestedElementWithName("IntRangeDomain");
-  vtkXMLDataElement* const numbers = property->FindNestedElementWithName("DoubleRangeDomain");
-  vtkXMLDataElement* const range = integers ? integers : numbers;
-  if (!range)
-  {
-    EXPECT_NE(property->FindNestedElementWithName("ArrayRangeDomain"), nullptr);
-    return;
-  }
-  EXPECT_EQ(integers != nullptr, setting.Kind == SettingKind::Integer);
-  const double minimum = ParaViewProxy::Number(range, "min");
-  const double maximum = ParaViewProxy::Number(range, "max");
-  EXPECT_EQ(std::isnan(minimum) ? -LargestNumber : minimum, setting.Minimum);
-  if (setting.Maximum <= LongestSlider || !std::isnan(maximum))
-  {
-    EXPECT_EQ(maximum, setting.Maximum);
-  }
-}
-
-void ExpectChoices(vtkXMLDataElement* property, const SettingFacts& setting)
-{
-  vtkXMLDataElement* const list = property->FindNestedElementWithName("EnumerationDomain");
-  ASSERT_NE(list, nullptr);
-  ASSERT_EQ(list->GetNumberOfNestedElements(), setting.Maximum + 1.0);
-  for (int i = 0; i < list->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* const entry = list->GetNestedElement(i);
-    EXPECT_EQ(ParaViewProxy::Number(entry, "value"), i);
-    EXPECT_STREQ(entry->GetAttribute("text"), setting.Choices[i].Text);
-  }
-}
-
-void ExpectProperty(vtkXMLDataElement* property, const SettingFacts& setting)
-{
-  ASSERT_NE(property, nullptr);
-  EXPECT_EQ(property->GetName(),
-    std::string(
-      setting.Kind == SettingKind::Number ? "DoubleVectorProperty" : "IntVectorProperty"));
-  EXPECT_EQ(ParaViewProxy::Number(property, "default_values"), setting.Default);
-  if (setting.Kind == SettingKind::Choice)
-  {
-    ExpectChoices(property, setting);
-  }
-  else if (setting.Kind == SettingKind::Flag)
-  {
-    EXPECT_NE(property->FindNestedElementWithName("BooleanDomain"), nullptr);
-  }
-  else
-  {
-    ExpectRange(property, setting);
-  }
-}
-
-template <typename Owner>
-void ExpectVector(vtkXMLDataElement* property, const HapticVectorSetting<Owner>& setting)
-{
-  ASSERT_NE(property, nullptr);
-  EXPECT_STREQ(property->GetName(), "DoubleVectorProperty");
-  EXPECT_EQ(ParaViewProxy::Number(property, "number_of_elements"), setting.Size);
-  double numbers[LongestVector] = {};
-  ASSERT_EQ(property->GetVectorAttribute("default_values", LongestVector, numbers), setting.Size);
-  EXPECT_TRUE(std::equal(numbers, numbers + setting.Size, setting.Default.begin()));
-  vtkXMLDataElement* const range = property->FindNestedElementWithName("DoubleRangeDomain");
-  ASSERT_NE(range, nullptr);
-  const double minimum = ParaViewProxy::Number(range, "min");
-  const double maximum = ParaViewProxy::Number(range, "max");
-  EXPECT_EQ(std::isnan(minimum) ? -LargestNumber : minimum, setting.Minimum);
-  EXPECT_EQ(std::isnan(maximum) ? LargestNumber : maximum, setting.Maximum);
-}
 } // namespace
 
 TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
@@ -277,83 +222,71 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticBurr", HapticBurrSettings);
 }
 
-TEST(SettingLists, ParaViewHasTheSameSettings)
+TEST(SettingLists, ParaViewHasAllSettings)
 {
-  const ParaViewProxy paraview("VolumeHapticsFilter.xml");
-  for (const FilterSetting& setting : FilterSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ExpectProperty(property, setting);
-    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
-    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
-  }
-  for (const FilterText& setting : FilterTexts)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ASSERT_NE(property, nullptr);
-    EXPECT_STREQ(property->GetName(), "StringVectorProperty");
-    // VTK's parser has no empty attributes.
-    const char* const standard = property->GetAttribute("default_values");
-    EXPECT_STREQ(standard ? standard : "", setting.Default);
-    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
-    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
-  }
-  // A preset and the scales of the functions are ParaView's own: it adds what they mean here.
-  for (const PropertySetting& setting : PropertySettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ExpectProperty(property, setting);
-    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
-    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
-  }
+  const ParaViewProxy filter("VolumeHapticsFilter.xml");
+  filter.ExpectAll(FilterSettings);
+  filter.ExpectAll(FilterTexts);
+  filter.ExpectAll(PropertySettings);
+  filter.ExpectAll(PropertyFunctions);
   for (const PropertyFunction& function : PropertyFunctions)
   {
     SCOPED_TRACE(function.Name);
-    vtkXMLDataElement* const property = paraview.Find(function.Name);
-    ASSERT_NE(property, nullptr);
-    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), function.Documentation);
-    vtkXMLDataElement* const scale = paraview.Find(function.Name + std::string("Scale"));
+    vtkXMLDataElement* const property = filter.Find(function.Name);
+    vtkXMLDataElement* const scale = filter.Find(function.Name + std::string("Scale"));
     vtkXMLDataElement* const domain = property->FindNestedElementWithName("HapticFunctionDomain");
     ASSERT_NE(domain, nullptr);
     EXPECT_EQ(ParaViewProxy::Number(domain, "initial") *
         (scale ? ParaViewProxy::Number(scale, "default_values") : 1.0),
       function.Default);
   }
+  const ParaViewProxy device("HapticDevice.xml");
+  // ParaView calls the device all the time, and has no tools.
+  device.ExpectAll(DeviceSettings, { "AttentionTime", "MaximumTorque" });
+  device.ExpectAll(HardwareSettings);
+  device.ExpectAll(HardwareVectors);
+  device.ExpectAll(StateSourceSettings);
+  const ParaViewProxy path("HapticPath.xml");
+  path.ExpectAll(PathSettings);
+  path.ExpectAll(PathVectors);
 }
 
-TEST(SettingLists, ParaViewHasTheSameDevice)
+TEST(SettingLists, ParaViewsPropertiesAreOfTheirTypes)
 {
-  const ParaViewProxy paraview("HapticDevice.xml");
-  const auto expect = [&](const auto& settings)
+  const auto expect = [](const char* file, const std::string& name, const std::string& attributes,
+                        const std::string& domain)
   {
-    for (const auto& setting : settings)
+    SCOPED_TRACE(name);
+    const ParaViewProxy proxy(file);
+    vtkXMLDataElement* const property = proxy.Find(name);
+    ASSERT_NE(property, nullptr);
+    std::ostringstream found;
+    found << property->GetName();
+    for (const char* const attribute : { "command", "number_of_elements", "default_values" })
     {
-      SCOPED_TRACE(setting.Name);
-      if (vtkXMLDataElement* const property = paraview.Find(setting.Name))
-      {
-        ExpectProperty(property, setting);
-        EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
-      }
-      else // ParaView calls the device all the time, and has no tools
-      {
-        const std::string name = setting.Name;
-        EXPECT_TRUE(name == "AttentionTime" || name == "MaximumTorque") << name;
-      }
+      const char* const text = property->GetAttribute(attribute);
+      found << " " << (text ? text : "none");
     }
+    EXPECT_EQ(found.str(), attributes);
+    std::ostringstream inside;
+    property->GetNestedElement(0)->PrintXML(inside, vtkIndent());
+    EXPECT_EQ(Words(inside.str()), domain);
   };
-  expect(DeviceSettings);
-  expect(HardwareSettings);
-  expect(StateSourceSettings);
-  for (const HardwareVector& setting : HardwareVectors)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ExpectVector(property, setting);
-    EXPECT_PRED2(BeginsWith, ParaViewProxy::Documentation(property), setting.Documentation);
-  }
+  expect("VolumeHapticsFilter.xml", "KernelRadius", "IntVectorProperty SetKernelRadius 1 2",
+    "<IntRangeDomain name=\"range\" min=\"1\" max=\"16\"/>");
+  expect("VolumeHapticsFilter.xml", "ReleaseTime", "DoubleVectorProperty SetReleaseTime 1 0.005",
+    "<DoubleRangeDomain name=\"range\" min=\"0\" max=\"1\"/>");
+  expect("VolumeHapticsFilter.xml", "ServoRate", "DoubleVectorProperty SetServoRate 1 1000",
+    "<DoubleRangeDomain name=\"range\" min=\"1\"/>"); // no slider up to 100000
+  expect("VolumeHapticsFilter.xml", "SameShape", "IntVectorProperty SetSameShape 1 0",
+    "<BooleanDomain name=\"bool\"/>");
+  expect("VolumeHapticsFilter.xml", "Solver", "IntVectorProperty SetSolver 1 1",
+    "<EnumerationDomain name=\"enum\"> <Entry value=\"0\" text=\"Paper\"/> "
+    "<Entry value=\"1\" text=\"Precise\"/> </EnumerationDomain>");
+  expect("HapticPath.xml", "Normal", "DoubleVectorProperty SetNormal 3 0 0 1",
+    "<DoubleRangeDomain name=\"range\"/>");
+  expect("HapticDevice.xml", "HomingTime", "DoubleVectorProperty none 1 120",
+    "<DoubleRangeDomain name=\"range\" min=\"1\"/>");
 }
 
 TEST(SettingLists, ParaViewHasTheSameMaximumOfVoxels)
@@ -369,27 +302,6 @@ TEST(SettingLists, ParaViewHasTheSameMaximumOfVoxels)
   ASSERT_NE(range, nullptr);
   EXPECT_EQ(ParaViewProxy::Number(range, "min"), row->Minimum);
   EXPECT_EQ(ParaViewProxy::Number(range, "max"), row->Maximum);
-}
-
-TEST(SettingLists, ParaViewHasTheSamePath)
-{
-  const ParaViewProxy paraview("HapticPath.xml");
-  for (const PathSetting& setting : PathSettings)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ExpectProperty(property, setting);
-    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
-    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
-  }
-  for (const PathVector& setting : PathVectors)
-  {
-    SCOPED_TRACE(setting.Name);
-    vtkXMLDataElement* const property = paraview.Find(setting.Name);
-    ExpectVector(property, setting);
-    EXPECT_EQ(property->GetAttribute("command"), std::string("Set") + setting.Name);
-    EXPECT_EQ(ParaViewProxy::Documentation(property), setting.Documentation);
-  }
 }
 
 TEST(SettingLists, TheCoreHasTheSameDefaults)

@@ -119,7 +119,7 @@ void vtkHapticPathSource::SetBoxBounds(const double bounds[6])
 //------------------------------------------------------------------------------
 std::string vtkHapticPathSource::CheckSettings() const
 {
-  const std::string shape = VolumeHaptics::ShapeNames[this->Shape].Name;
+  const std::string shape = VolumeHaptics::PathSettingRows::ShapeNames[this->Shape].Name;
   const bool isRound = this->Shape == CIRCLE || this->Shape == SPIRAL;
   const bool isBox = this->Shape == PRESS_AND_SLIDE;
   const std::pair<const char*, const double*> places[] = { { "Point1", this->Point1 },
