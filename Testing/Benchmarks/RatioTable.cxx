@@ -45,7 +45,7 @@ constexpr double RestTarget = 60.0;
 constexpr double PaperFilterTarget = 250.0;
 constexpr double PreciseFilterTarget = 600.0;
 /** The time of a tick that goes into its trace, ns. */
-constexpr double TraceTarget = 40.0;
+constexpr double TraceTarget = 150.0;
 
 void PrintTitle(const char* title)
 {

@@ -17,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <new>
 
@@ -40,12 +39,9 @@ inline void AllocateTuples(vtkDataArray* array, vtkIdType tuples)
     return;
   }
   void* const memory =
-    std::malloc(static_cast<std::size_t>(size > 0 ? values * size : (values + 7) / 8));
-  if (!memory)
-  {
-    throw std::bad_alloc();
-  }
-  array->SetVoidArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+    ::operator new(static_cast<std::size_t>(size > 0 ? values * size : (values + 7) / 8));
+  array->SetVoidArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction([](void* owned) { ::operator delete(owned); });
 }
 
 /** Creates an array of one of VTK's types. */

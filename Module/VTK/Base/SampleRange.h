@@ -2,25 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The range of a component of a vtkDataArray, found some four times as fast as the array does it.
+ * The range of a component of a vtkDataArray, found on any thread.
  */
 #ifndef SampleRange_h
 #define SampleRange_h
 
-class vtkDataArray;
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 
 namespace VolumeHaptics
 {
 
-///@{
 /**
- * The smallest and the largest value; NaN does not count. The first is larger if there are none.
- * The same as vtkDataArray::GetRange and GetFiniteRange give, which takes 0.1 s for 2^26 samples,
- * but nothing is kept in the array.
+ * The smallest and the largest finite value; the first is larger if there are none. As
+ * vtkDataArray::GetFiniteRange, which keeps ranges in the array's information: here a view of the
+ * same values keeps them, so that another thread may read the array meanwhile.
  */
-void FindRange(vtkDataArray* array, int component, double range[2]);
-void FindFiniteRange(vtkDataArray* array, int component, double range[2]);
-///@}
+inline void FindFiniteRange(vtkDataArray* array, int component, double range[2])
+{
+  const auto view = vtk::TakeSmartPointer(array->NewInstance());
+  view->ShallowCopy(array);
+  view->GetFiniteRange(range, component);
+}
 
 } // namespace VolumeHaptics
 

@@ -495,7 +495,6 @@ int vtkVolumeHapticsFilter::TouchPath(
       return 0;
     }
   }
-  walk.Finish();
   trace.WriteTo(output, walk.GetRows(), paths.AreSeveral());
   if (const auto* const shares = walk.GetFinalShares())
   {

@@ -3,8 +3,8 @@
 #include "VTK/Trace/HapticTrace.h"
 
 #include "Core/Model/BakedVolume.h"
+#include "VTK/Base/ArrayMemory.h"
 #include "VTK/Trace/HapticTraceColumns.h"
-#include "VTK/Trace/TraceBlocks.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataArray> NewArray(const TraceColumn& column, vtkIdType tick
   }
   array->SetName(column.Name);
   array->SetNumberOfComponents(column.Components);
-  TraceBlocks::Allocate(array, ticks);
+  AllocateTuples(array, ticks);
   return array;
 }
 
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
     offsets->SetValue(static_cast<vtkIdType>(i) + 1, end);
   }
   vtkNew<vtkIdTypeArray> points;
-  TraceBlocks::Allocate(points, ticks);
+  AllocateTuples(points, ticks);
   std::iota(points->GetPointer(0), points->GetPointer(0) + ticks, vtkIdType(0));
   auto lines = vtkSmartPointer<vtkCellArray>::New();
   lines->SetData(offsets, points);
@@ -67,7 +67,7 @@ vtkSmartPointer<vtkCellArray> NewLines(const std::vector<HapticTrace::Rows>& pat
 HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume)
 {
   this->Proxies->SetDataTypeToDouble();
-  TraceBlocks::Allocate(this->Proxies->GetData(), ticks);
+  AllocateTuples(this->Proxies->GetData(), ticks);
   const auto remember = [this](vtkDataArray* array, std::size_t offset)
   { this->Columns[offset] = static_cast<unsigned char*>(array->GetVoidPointer(0)); };
   remember(this->Proxies->GetData(), offsetof(TraceRow, Proxy));
@@ -89,7 +89,7 @@ HapticTrace::HapticTrace(vtkIdType ticks, TraceArrayChoice choice, const BakedVo
   {
     vtkNew<vtkLongLongArray> labels;
     labels->SetName(LabelColumn);
-    TraceBlocks::Allocate(labels, ticks);
+    AllocateTuples(labels, ticks);
     this->LabelNumbers = labels->GetPointer(0);
     this->Arrays.emplace_back(labels.Get());
   }

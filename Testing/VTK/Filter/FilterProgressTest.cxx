@@ -6,12 +6,8 @@
  */
 
 #include "Rigs/ApiRig.h"
-#include "Rigs/Eventually.h"
-
-#include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <random>
 #include <thread>
 
@@ -38,7 +34,6 @@ protected:
       {
         auto* const test = static_cast<FilterProgress*>(self);
         test->Shares.push_back(*static_cast<double*>(share));
-        test->MostThreads = std::max(test->MostThreads, CountThreads());
         if (test->Shares.back() > test->AbortAt)
         {
           test->Filter->SetAbortExecute(1);
@@ -47,15 +42,8 @@ protected:
     this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
 
-  static std::ptrdiff_t CountThreads()
-  {
-    const std::filesystem::directory_iterator threads("/proc/self/task");
-    return std::distance(threads, std::filesystem::directory_iterator());
-  }
-
   vtkNew<vtkCallbackCommand> Command;
   std::vector<double> Shares;
-  std::ptrdiff_t MostThreads = 0; ///< during an Update()
   double AbortAt = 2.0;
 };
 } // namespace
@@ -68,27 +56,6 @@ TEST_F(FilterProgress, RisesFromZeroToOne)
   EXPECT_TRUE(std::is_sorted(this->Shares.begin(), this->Shares.end()));
   EXPECT_EQ(this->Shares.front(), 0.0);
   EXPECT_EQ(this->Shares.back(), 1.0);
-}
-
-TEST_F(FilterProgress, AThreadThatWritesTheTraceChangesNothing)
-{
-  const std::string before = vtkSMPTools::GetBackend();
-  for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
-  {
-    this->Filter->SetSolver(solver);
-    ASSERT_TRUE(vtkSMPTools::SetBackend("Sequential"));
-    const auto alone = (this->Run(Ticks), Keep(this->Filter));
-    ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-    vtkSMPTools::Initialize(2);
-    const std::ptrdiff_t threads = CountThreads();
-    this->MostThreads = 0;
-    this->Filter->Modified();
-    EXPECT_TRUE(IsSame(this->Run(Ticks), alone));
-    EXPECT_GT(this->MostThreads, threads);
-    EXPECT_TRUE(devicetest::Eventually([=] { return CountThreads() == threads; }));
-  }
-  vtkSMPTools::Initialize();
-  vtkSMPTools::SetBackend(before.c_str());
 }
 
 TEST_F(FilterProgress, AbortKeepsTheTicksSoFar)

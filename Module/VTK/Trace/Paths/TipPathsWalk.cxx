@@ -5,14 +5,12 @@
 #include "Core/Realtime/ServoClock.h"
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Trace/TracePart.h"
-#include "VTK/Trace/TracePipe.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <system_error>
 #include <utility>
 
 namespace VolumeHaptics
@@ -34,8 +32,6 @@ constexpr std::size_t RunnersOfAThread = 16;
 constexpr vtkIdType TicksOfAThread = 65536;
 /** No stretch begins later (ns) in a round, so that the caller can stop slow methods, too. */
 constexpr std::int64_t RoundTime = 50 * ServoClock::Millisecond;
-/** A path that is as long as this (ticks) is worth a thread that writes its trace. */
-constexpr vtkIdType LongPath = 4 * static_cast<vtkIdType>(TracePipe::BlockSize);
 
 /**
  * The removal from which a path goes on, which no other one changes: that of the model, or of the
@@ -109,8 +105,7 @@ struct TipPathsWalk::Runner
   TipPathWalk Walk;
   std::shared_ptr<const HapticModel> Model; ///< placed as a recording says
   WorkMeter Work;
-  std::unique_ptr<TracePipe> Pipe; ///< null if the thread that ticks writes the trace
-  bool IsTaken = false;            ///< by a thread
+  bool IsTaken = false; ///< by a thread
 };
 
 TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticModel> model,
@@ -122,12 +117,9 @@ TipPathsWalk::TipPathsWalk(const TipPaths& paths, std::shared_ptr<const HapticMo
 {
   const std::size_t count = paths.GetNumberOfPaths();
   const vtkIdType ticks = paths.GetNumberOfTicks();
-  const bool areMore =
-    vtkSMPTools::GetEstimatedNumberOfThreads() > 1 && !vtkSMPTools::IsParallelScope();
   this->Threads = this->Finder || count == 1
     ? 1
     : std::max<vtkIdType>(1, vtkSMPTools::GetEstimatedNumberOfThreads());
-  this->HasPipe = count == 1 && areMore && ticks >= LongPath;
   // Each has a removal of its own, of several megabytes.
   const std::size_t runners = this->Model->Baked->Removal ? 1 : RunnersOfAThread;
   this->MostRunning = this->Finder ? 1 : runners * static_cast<std::size_t>(this->Threads);
@@ -156,34 +148,6 @@ vtkIdType TipPathsWalk::GetTicksLeft(std::size_t path) const
   return this->Paths.GetNumberOfTicks(path) - this->Rows[path].Count;
 }
 
-void TipPathsWalk::AddPipe(Runner& runner) const
-{
-  if (runner.Walk.IsPlain(*runner.Model) && this->Trace.GetModeForces().empty() &&
-    !this->Trace.GetOrientations() && !this->Trace.GetForbiddenTouches())
-  {
-    try
-    {
-      runner.Pipe =
-        std::make_unique<TracePipe>(this->Trace, runner.Model, this->Rows[runner.Path].First);
-    }
-    catch (const std::system_error&)
-    {
-      // No thread: this one writes the trace.
-    }
-  }
-}
-
-void TipPathsWalk::Finish()
-{
-  for (const std::unique_ptr<Runner>& runner : this->Running)
-  {
-    if (runner->Pipe)
-    {
-      runner->Pipe->Finish();
-    }
-  }
-}
-
 void TipPathsWalk::Fill()
 {
   for (; this->Running.size() < this->MostRunning && this->NextPath < this->Rows.size();
@@ -193,10 +157,6 @@ void TipPathsWalk::Fill()
     {
       this->Running.push_back(
         std::make_unique<Runner>(this->Paths, this->NextPath, this->Model, this->Finder));
-      if (this->HasPipe)
-      {
-        this->AddPipe(*this->Running.back());
-      }
     }
   }
 }
@@ -298,17 +258,6 @@ void TipPathsWalk::Advance()
 void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
 {
   HapticTrace::Rows& rows = this->Rows[runner.Path];
-  if (runner.Pipe)
-  {
-    for (vtkIdType i = 0; i < ticks; ++i)
-    {
-      runner.Walk.Tick(*runner.Model, runner.Pipe->GetNext());
-      runner.Pipe->Append(runner.Walk.GetTime());
-    }
-    rows.Count += ticks;
-    this->TicksDone += ticks;
-    return;
-  }
   const bool isRecording = this->Paths.GetRecording() != nullptr;
   const bool hasModes = !this->Trace.GetModeForces().empty();
   TracePart part(this->Trace, rows.First + rows.Count, runner.Work);

@@ -33,7 +33,7 @@ namespace VolumeHaptics
  * The paths advance in rounds, between which the caller can report progress and stop. In a round,
  * threads take stretches of the paths, one by one, until it has had its ticks. If a model has to be
  * found for each tick, paths go on one after another, on the calling thread. A single path is felt
- * on the calling thread, too; another one writes its trace if there are more (TracePipe).
+ * on the calling thread, too.
  */
 class TipPathsWalk
 {
@@ -50,8 +50,6 @@ public:
   /** A tick of a recording that gave numbers that are not finite; -1 if there is none. */
   vtkIdType GetFlaw() const { return this->Flaw; }
 
-  /** To be called after the last round: waits for what another thread writes. */
-  void Finish();
   /** What is left of the tissue at the end of the only path, if that is of a burr; or null. */
   const std::vector<BrickShares>* GetFinalShares() const
   {
@@ -63,8 +61,6 @@ public:
 private:
   struct Runner;
   vtkIdType GetTicksLeft(std::size_t path) const;
-  /** Lets another thread write the trace of a path if that can be. */
-  void AddPipe(Runner& runner) const;
   ///@{
   /** Called with the mutex. Fill lets paths begin; Take returns null at the end of the round. */
   void Fill();
@@ -81,7 +77,6 @@ private:
   const ModelFinder Finder;
   vtkIdType Threads = 1;
   std::size_t MostRunning = 1;
-  bool HasPipe = false;
   vtkIdType RoundTicks = 0;
   std::vector<HapticTrace::Rows> Rows;
   std::atomic<vtkIdType> TicksDone{ 0 };
