@@ -4,10 +4,11 @@
  * @class   vtkHapticDevice
  * @brief   a stylus in a hand, and the servo loop that makes it feel a volume
  *
- * The device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with
- * exactly the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither
- * locks, allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands
- * it immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
+ * Opens a haptic device and lets a hand feel the volume of a vtkVolumeHapticsFilter with it. The
+ * device ticks at ServoRate on a thread of its own (vtkMultiThreader::SpawnThread), with exactly
+ * the code that vtkVolumeHapticsFilter runs offline. The loop never waits: it neither locks,
+ * allocates nor calls a vtkObject. The thread that owns this object (the GUI thread) hands it
+ * immutable snapshots of the filter with Publish, and takes the latest state with UpdateState.
  *
  *   device->Open("virtual");
  *   device->SetVolumeHaptics(filter);

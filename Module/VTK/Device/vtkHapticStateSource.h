@@ -4,8 +4,12 @@
  * @class   vtkHapticStateSource
  * @brief   the latest state of a device as geometry, for any pipeline
  *
- * Shows the latest state of a device as plain cells, with the same content as
- * vtkHapticRepresentation: vertices for the tip, the proxy and the positions x_s and x_v at which
+ * Shows the latest state of a device in any pipeline:
+ *
+ *   source->SetDevice(device);
+ *   mapper->SetInputConnection(source->GetOutputPort());
+ *
+ * The output consists of plain cells with the content of vtkHapticRepresentation: vertices for the tip, the proxy and the positions x_s and x_v at which
  * the materials were read, and lines for the spring and the forces. The cell array "Part"
  * identifies them (see Parts); "Newtons" (N) is the size of a force. Lines begin at the point on
  * which a force acts and are Newtons / ForceScale world units long. The field arrays "Contact",

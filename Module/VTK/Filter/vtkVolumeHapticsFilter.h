@@ -4,11 +4,19 @@
  * @class   vtkVolumeHapticsFilter
  * @brief   the forces on a hand that moves a stylus through a volume
  *
- * Computes the forces on a stylus that moves through a volume, by the method of Lundin, Ynnerman
- * and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric Density Data", 2002. A proxy is
- * tied to the stylus' tip by a spring of stiffness k. Virtual surfaces, perpendicular to the
- * gradient of the volume, hold it back, as do friction and drag. The force on the hand is k (x_p -
- * x_tip). With the material from vtkHapticProperty, a tick moves the proxy x_p from x_0 to
+ * Computes the forces on a stylus that moves through a volume, along a path or, with a
+ * vtkHapticDevice, in a hand:
+ *
+ *   filter->SetInputConnection(reader->GetOutputPort());   // the volume
+ *   filter->SetPathConnection(path->GetOutputPort());      // such as a vtkHapticPathSource
+ *   filter->GetProperty()->ApplyPreset("CT contrast");
+ *   filter->Update();                                      // the trace: proxy and forces by tick
+ *
+ * It implements Lundin, Ynnerman and Gudmundsson, "Proxy-based Haptic Feedback from Volumetric
+ * Density Data", 2002. A proxy is tied to the stylus' tip by a spring of stiffness k. Virtual
+ * surfaces, perpendicular to the gradient of the volume, hold the proxy back, as do friction and
+ * drag. The force on the hand is k (x_p - x_tip). With the material from vtkHapticProperty, a tick
+ * moves the proxy x_p from x_0 to
  *
  *   N = grad V / |grad V|,  d = x_tip - x_p,  T = T_N W_d(|grad V|)
  *   x_p += N sgn(d.N) (|d.N| - T/k)      if k |d.N| > T; outward with T = 0       (eqs. 12, 13)

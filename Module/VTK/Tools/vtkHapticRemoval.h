@@ -5,8 +5,13 @@
  * @brief   the tissue that a vtkHapticBurr has removed from a volume
  *
  * Keeps the share rho of tissue that remains at each sample of the volume on port 0 of a filter;
- * 255 stands for all of it. vtkVolumeHapticsFilter::GetRemoval() returns this object. The felt
- * value is
+ * 255 stands for all of it:
+ *
+ *   vtkHapticRemoval* removal = filter->GetRemoval();
+ *   removal->Undo();                  // the last stroke
+ *   removal->WriteFile("cavity.vti");
+ *
+ * The felt value is
  *
  *   V' = V - (1 - rho/255) (V - AirValue),
  *

@@ -5,8 +5,14 @@
  * @brief   the path of a stylus' tip, to be felt by vtkVolumeHapticsFilter
  *
  * Makes the path of a stylus' tip: a line, a circle, a spiral, a press that slides and lifts, or
- * the contents of a file. The hand moves with constant speed along the path; the output has a point
- * for its position at each tick,
+ * the contents of a file:
+ *
+ *   path->SetShapeToCircle();
+ *   path->SetRadius(10.0); // world units
+ *   filter->SetPathConnection(path->GetOutputPort());
+ *
+ * The hand moves with constant speed along the path; the output has a point for its position at
+ * each tick,
  *
  *   x_i = x(i L / n),  i = 0 ... n,
  *   n = the least whole number with L / n <= Speed / PointsPerSecond,
