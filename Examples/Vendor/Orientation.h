@@ -16,7 +16,7 @@ inline void ToQuaternion(const double m[3][3], double q[4])
   q[1] = half(1.0 + m[0][0] - m[1][1] - m[2][2]);
   q[2] = half(1.0 - m[0][0] + m[1][1] - m[2][2]);
   q[3] = half(1.0 - m[0][0] - m[1][1] + m[2][2]);
-  // Take signs from the row of the largest component: in a half turn the antisymmetric part vanishes.
+  // Take signs from the row of the largest component: a half turn has no antisymmetric part.
   const int largest = static_cast<int>(std::max_element(q, q + 4) - q);
   const double part[4][4] = {
     { 1.0, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1] },
