@@ -31,7 +31,7 @@
 namespace
 {
 
-constexpr std::int64_t LongestForce = 50'000'000;    // ns without a new force
+constexpr std::int64_t LongestForce = 50'000'000;    // ns that a force lasts without renewal
 constexpr std::int64_t LongestSilence = 100'000'000; // ns, of the scheduler
 constexpr HDulong SchedulerRate = 1000;              // Hz
 

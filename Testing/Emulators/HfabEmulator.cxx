@@ -276,7 +276,7 @@ Triple HfabEmulator::GetForce() const
     torques[j] = 1e-3 * this->Currents[j] * row.TorqueConstants[j] * SignOf(row, j) *
       row.BodyDiameters[j] / row.CapstanDiameters[j];
   }
-  // Joint torques are the force along each slope: three equations for the force.
+  // Each joint torque is the force along that joint's slope: three equations for the force.
   const std::array<Triple, 3> m = SlopesOf(this->Model, this->Angles);
   const Triple x{ m[0][0], m[1][0], m[2][0] };
   const Triple y{ m[0][1], m[1][1], m[2][1] };

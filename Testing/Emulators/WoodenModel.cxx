@@ -173,7 +173,7 @@ void WoodenModel::SendCounts()
 
 Triple WoodenModel::ComputeForce() const
 {
-  // Joint torques are the force along each slope: three equations for the force.
+  // Each joint torque is the force along that joint's slope: three equations for the force.
   Triple torques;
   for (int j = 0; j < 3; ++j)
   {

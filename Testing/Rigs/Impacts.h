@@ -109,7 +109,7 @@ inline Field MakeWall(double stiffness)
   };
 }
 
-/// A body at `phase` of a tick's distance before the wall.
+/// A body that flies towards the wall and reaches it after `phase` of a tick.
 inline Body Throw(double mass, double speed, double phase)
 {
   return { mass, { 0.0, 0.0, phase * speed * Period }, { 0.0, 0.0, -speed } };

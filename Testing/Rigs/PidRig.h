@@ -24,7 +24,7 @@ struct Stick
   const char* Without = ""; ///< the omitted part
 };
 
-/** Logical 0 to 255, one byte; block indices 1 to 40, one byte. */
+/** Fields of one byte: values of 0 to 255, and block indices of 1 to 40. */
 inline const Bytes OneByte{ 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes OneOfForty{ 0x09, 0x22, 0x15, 0x01, 0x25, 0x28, 0x75, 0x08, 0x95, 0x01 };
 inline const Bytes Output{ 0x91, 0x02 };

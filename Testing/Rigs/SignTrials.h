@@ -14,7 +14,7 @@
 
 namespace signtest
 {
-/** A device as seen by the servo. */
+/** The properties of a device that matter to the servo. */
 struct Port
 {
   double Rate = 1000.0;     ///< Hz, of the servo

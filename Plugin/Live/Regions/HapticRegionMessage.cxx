@@ -32,7 +32,7 @@ constexpr int MessageTag = 78231;
 constexpr vtkIdType PartSize = vtkIdType{ 1 } << 24;
 /** The most bytes of a region. */
 constexpr std::int64_t MostBytes = std::int64_t{ 1 } << 36;
-/** A computer with another byte order reads a different number. */
+/** Marks the byte order: a computer with another one reads a different number. */
 constexpr std::int32_t Mark = 0x01020304;
 enum Contents : std::int32_t
 {
