@@ -77,8 +77,18 @@ def check_mentions(path, text):
             yield f"{path}: names {name}, which does not exist"
 
 
+def check_class_index():
+    """The index of classes lists every public class."""
+    page = "Documentation/first-touch.md"
+    index = (ROOT / page).read_text(encoding="utf-8")
+    for header in sorted((ROOT / "Module" / "VTK").rglob("vtk*.h")):
+        if f"class VTKVOLUMEHAPTICS_EXPORT {header.stem}" in header.read_text(encoding="utf-8"):
+            if f"`{header.stem}`" not in index:
+                yield f"{page}: lists no {header.stem}"
+
+
 def main():
-    wrong = []
+    wrong = [*check_class_index()]
     sources, tests = [], []
     for path in (path for folder in SOURCES for path in sorted((ROOT / folder).rglob("*"))):
         if path.suffix in (".h", ".cxx", ".txt", ".cmake", ".py", ".sh"):
