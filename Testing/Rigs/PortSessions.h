@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Random sessions of a hand, a device and a wall in closed loop through the safety stage,
+ * @file
+ * Random sessions of a hand, a device and a wall in closed loop through the safety stage,
  * with honest devices and devices with wrong signs. Unstable loops are in ArmSessions.h.
  *
  * The hand is a mass with a spring and a damper to its goal: a minimum-jerk

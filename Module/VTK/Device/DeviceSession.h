@@ -96,7 +96,7 @@ public:
   ServoLoop* GetLoop() const { return this->Servo ? &this->Servo->GetLoop() : nullptr; }
   /**
    * Sets how the hand holds its tool, in the device's space, if the device measures no orientation:
-   * see HandTurn.h. Holds for this and later servos, until it is changed.
+   * see HandTurn.h. Holds for this and later servos. An empty `orientation` removes it.
    */
   void TurnHand(const std::optional<Quaternion>& orientation);
   ///@{

@@ -103,8 +103,7 @@ public:
    * Bakes an image without changing it, for ticks of a period (s). Null, with the cure in `error`,
    * if it can't be touched.
    * @param recording the recording that is replayed, whose version decides where the material is
-   * read;
-   * null if there is none
+   * read; null if there is none
    */
   std::shared_ptr<const HapticModel> BakeImage(vtkImageData* image, double tickPeriod,
     const ForceCaps& deviceCaps, vtkMatrix4x4* deviceToWorld, std::string& error,

@@ -69,7 +69,7 @@ public:
   const EdgeHistogram* FollowEdges(
     const SearchedData& data, vtkTable* boundaries, int kernelRadius);
 
-  /** Ends the work on any other image, which the program may remove, and waits for it. */
+  /** Ends the work on any other image, which the program may remove, without waiting for it. */
   void EndUnless(vtkImageData* image);
 
   /** Progress of the search, 0 to 1; 1 if no search is under way. */

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Writes and reads measurements as markups of 3D Slicer (.mrk.json), by its published schema,
+ * @file
+ * Writes and reads measurements as markups of 3D Slicer (.mrk.json), by its published schema,
  * version 1.0.3.
  *
  * | measurement | markup |

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Writes and reads measurements as CSV: a line of titles, then a line for each point.
+ * @file
+ * Writes and reads measurements as CSV: a line of titles, then a line for each point.
  *
  *   measurement,name,kind,value,unit,point,x,y,z,time (s),force x (N),...,surface value
  *   1,Nasion,Point,53,,0,1.5,-82,31,...

@@ -40,7 +40,8 @@ public:
    *
    * @param wanted the arrays to be sampled, besides the active scalars, vectors and tensors
    * @param spacing spacing of the grid; 0 stands for the edge of a cube as large as the average
-   * cell Null, with the reason and the cure in `error`, if the data have no volume or no array.
+   * cell
+   * @return null, with the reason and the cure in `error`, if the data have no volume or no array
    */
   static std::shared_ptr<DataSetSampler> Make(vtkDataObject* data,
     const std::vector<std::string>& wanted, double spacing, std::string& error);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Writes and reads remaining tissue as field arrays of traces and recordings, and as plain
+ * @file
+ * Writes and reads remaining tissue as field arrays of traces and recordings, and as plain
  * numbers for files.
  *
  * Two arrays have a tuple for each brick of 8 x 8 x 8 samples from which tissue was removed: its

@@ -141,7 +141,7 @@ public:
   {
     double least = std::numeric_limits<double>::max();
     std::size_t nearest = this->Members.front().second;
-    constexpr double shortest = 0.05; // edge of a cube
+    constexpr double shortest = 0.05; // fraction of a cube's edge
     for (double radius = std::max(within, shortest * this->Cell);; radius *= 2.0)
     {
       this->ForNear(place.Position, radius,

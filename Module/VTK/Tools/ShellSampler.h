@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Converts the surface of a tool from triangles to points that stand for equal parts of it.
+ * @file
+ * Converts the surface of a tool from triangles to points that stand for equal parts of it.
  *
  * The surface is covered with many candidates of the same area. Some of them are chosen, and the
  * most crowded ones removed one by one, until the wanted number is left (weighted sample

@@ -99,7 +99,7 @@ public:
    * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
    * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
    * position. Point arrays: Depth (world units), the way along the needle; cell arrays, for each
-   * stretch of the needle: Label and Length (world units). Field arrays, one number each: Depth,
+   * stretch of the track: Label and Length (world units). Field arrays, one number each: Depth,
    * the greatest depth; Angle (degrees), between the track and the normal of the surface at the
    * entry, or -1 without one; and ForbiddenTouches, if the trace has it. Returns false if the trace
    * has no needle; the track, then empty, reports the error. Trace and track must be different

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Lists the arrays of traces and recordings with their names, types and units.
+ * @file
+ * Lists the arrays of traces and recordings with their names, types and units.
  *
  * The filter's output, the journal of a recording and both file formats are made from these lists.
  */

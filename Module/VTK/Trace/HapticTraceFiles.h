@@ -25,7 +25,7 @@ struct RecordedTips
 {
   std::vector<Vector3> Tips;
   std::vector<double> Times;            ///< time of every tip (s); empty if the file has none
-  std::vector<Quaternion> Orientations; ///< not checked; empty if the file has none
+  std::vector<Quaternion> Orientations; ///< of every tip, not checked; empty if there are none
   /** Whether tips and orientations are in device space; otherwise they are in the world. */
   bool InDeviceSpace = false;
 };

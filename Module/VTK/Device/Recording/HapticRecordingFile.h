@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Makes the file of a recording from its journal: .vtp (everything) or .csv (the point
+ * @file
+ * Makes the file of a recording from its journal: .vtp (everything) or .csv (the point
  * arrays, one line for each tick, and the field arrays in .csv.json beside it). The memory that
  * this needs does not depend on the recording's length.
  *

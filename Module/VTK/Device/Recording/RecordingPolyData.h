@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Writes the .vtp of a recording block by block; vtkXMLPolyDataWriter would need the whole
+ * @file
+ * Writes the .vtp of a recording block by block; vtkXMLPolyDataWriter would need the whole
  * recording in memory.
  */
 #ifndef RecordingPolyData_h

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Reads lists of labels that other programs write, one line for each label: names, most of
+ * @file
+ * Reads lists of labels that other programs write, one line for each label: names, most of
  * them with colours.
  *
  *   ITK-SNAP (label descriptions)   1   255   0   0   1  1  1   "Left ventricle"
@@ -34,7 +35,7 @@ bool IsNameList(std::string_view text);
 ///@}
 
 ///@{
-/** Read such a list. False, with the reason and the cure, and entries unchanged, if they can't. */
+/** Read such a list. On failure, false, with the reason and the cure, and entries unchanged. */
 bool ReadItkSnapTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadFreeSurferTable(std::string_view text, LabelEntries& entries, std::string& error);
 bool ReadNameList(std::string_view text, LabelEntries& entries, std::string& error);

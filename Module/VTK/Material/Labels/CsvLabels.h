@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Reads and writes tables of labels as CSV (RFC 4180); the first line names the columns.
+ * @file
+ * Reads and writes tables of labels as CSV (RFC 4180); the first line names the columns.
  *
  *   label,name,stiffness,friction,viscosity,strength,felt,forbidden,color
  *   5,liver,300,0.1,0.5,1.5,1,0,#dd8265

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Reads and writes a table of labels as arrays of a vtkFieldData, with a tuple for each
+ * @file
+ * Reads and writes a table of labels as arrays of a vtkFieldData, with a tuple for each
  * label.
  *
  * | array | type | where nothing is set |

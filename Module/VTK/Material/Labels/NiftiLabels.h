@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Finds the tables of labels that NIfTI files carry between header and samples.
+ * @file
+ * Finds the tables of labels that NIfTI files carry between header and samples.
  *
  * TotalSegmentator, and programs of the Human Connectome Project, store a header extension in XML,
  * with an element <Label Key="5" Red="1" Green="0" Blue="0" Alpha="1">liver</Label> for each label.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Reads the samples of a segmentation in a NRRD file: their geometry, and one label for each
+ * @file
+ * Reads the samples of a segmentation in a NRRD file: their geometry, and one label for each
  * voxel.
  *
  * Overlapping segments are in layers, which are one more axis of the samples, in most files the

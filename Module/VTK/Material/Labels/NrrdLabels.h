@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Reads the header of a NRRD file, and the segments that 3D Slicer and VolView store in it
+ * @file
+ * Reads the header of a NRRD file, and the segments that 3D Slicer and VolView store in it
  * (.seg.nrrd).
  *
  * A segment has a name, a colour, a layer and the value of its voxels there: SegmentN_Name, _Color,

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Writes removed tissue into the texture of an array that a vtkOpenGLGPUVolumeRayCastMapper
+ * @file
+ * Writes removed tissue into the texture of an array that a vtkOpenGLGPUVolumeRayCastMapper
  * draws, a brick at a time.
  *
  * It observes the mapper's rendering events and works within them: there the texture exists, and

@@ -12,7 +12,10 @@ namespace VolumeHaptics
 namespace
 {
 
-/** Computes the data time: the first step's at the hand's time 0, then up to the last step's. */
+/**
+ * Computes the data time: the first step's at the hand's time 0, and never before the first step's
+ * or after the last step's.
+ */
 double FindDataTime(const HapticModel& model, double time)
 {
   const std::vector<FieldFrame>& frames = model.Baked->Frames;
