@@ -92,7 +92,7 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
 {
   if (!axes.isArray())
   {
-    return; // before version 0.3, the axes are always z, y and x
+    return; // before version 0.3, the axes always end with z, y and x
   }
   std::string last;
   for (const Json::Value& axis : axes)
