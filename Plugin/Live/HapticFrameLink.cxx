@@ -33,7 +33,10 @@ constexpr double SingleStep = 0.1;
  * Feel a step within this fraction of the last step's time, so that it ends before the next step.
  */
 constexpr double StepShare = 0.9;
-/** The longest standstill (s of the servo) on the way before the servo is no longer awaited. */
+/**
+ * If the data time stands still for longer than this (s, by the time of the servo's states),
+ * IsThere() stops waiting for the servo to get to the next image.
+ */
 constexpr double Patience = 0.5;
 /** The time (s) in which the servo gets to the first image. */
 constexpr double BeginTime = 0.005;

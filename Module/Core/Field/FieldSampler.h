@@ -38,7 +38,7 @@ struct FieldSample
 /** The samples and the weights of a kernel; borrows both. */
 struct FieldView
 {
-  /** Data points to the volume's first sample; only a region of the samples may be resident. */
+  /** Its pointer Data is that of the volume's first sample, even if only a region is resident. */
   VolumeView Volume;
   KernelView Kernel;
   double First[3] = { 0.0, 0.0, 0.0 }; ///< the smallest resident index along each axis

@@ -140,7 +140,7 @@ inline Surface FindFieldSurface(
                                : MakeNoSurface(model);
 }
 
-/** Where surfaces depend on more than the scalars: FieldSurface.cxx. */
+/** Finds the surface where labels or a cut matter, not only the scalars. In FieldSurface.cxx. */
 Surface FindOtherSurface(const HapticModel& model, const FieldAtTime& field, const Vector3& index,
   LabelMemory& memory) noexcept;
 

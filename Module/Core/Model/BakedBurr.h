@@ -33,10 +33,10 @@ using SpecificEnergyTable = PiecewiseTable<2>;
 struct BurrDescription
 {
   BurrSettings Settings;
-  Polyline SpecificEnergy = ConstantPolyline(10.0); ///< fraction of the force, 0 to 1
+  Polyline SpecificEnergy = ConstantPolyline(10.0); ///< U, J/mm^3 of the hand's space, at least 0
 };
 
-/** bit of the device's button, 0 to 31: the burr spins while it is pressed; -1: none */
+/** A burr as a tick reads it, with what follows from its settings. Immutable. */
 struct BakedBurr
 {
   explicit BakedBurr(const BurrDescription& description);

@@ -292,7 +292,8 @@ LabelWall LabelWalls::FindInRuns(const Vector3& index) const noexcept
 template <typename F>
 LabelWall LabelWalls::FindNearest(int count, const std::int64_t* labels, F&& share) const noexcept
 {
-  // From the hardest label on; the nearest wall between labels of different order.
+  // Sort the labels, hardest first. A wall is where the shares of the hardest ones add up to 1/2,
+  // if the next label has a lower order. Find the nearest wall.
   LabelOrder order[LabelBlock::Most];
   int sorted[LabelBlock::Most];
   for (int i = 0; i < count; ++i)

@@ -19,8 +19,9 @@ constexpr int PlateauSteps = 8;
 /** A plateau begins where the slope is this fraction of the largest one, or noise. */
 constexpr double PlateauShare = 0.03;
 /**
- * A slope below this fraction of the largest one that has not fallen to DriftFall within a voxel
- * belongs to a drifting plateau, as under a bias.
+ * Recognizes a plateau that drifts, for example because of a bias field: its slope is below
+ * DriftShare of the largest slope, and still more than DriftFall of the slope DriftSteps earlier
+ * (one voxel).
  */
 constexpr double DriftShare = 0.15;
 constexpr double DriftFall = 0.9;

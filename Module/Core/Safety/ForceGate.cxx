@@ -222,7 +222,8 @@ void ForceGate::EndFade() noexcept
 void ForceGate::NoteCommand(bool flows) noexcept
 {
   this->Flows = flows;
-  // The slew limit may delay a command behind its share: a fade ends when the command does.
+  // The slew limit may keep the command above zero after the gate has closed. A fade therefore
+  // ends only when the command is zero as well.
   if (!flows && this->Ending != End::None && this->Opening == 0.0)
   {
     this->EndFade();

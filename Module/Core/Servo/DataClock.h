@@ -71,7 +71,8 @@ public:
   {
     None,
     Within, ///< to another time of the model: the force may leap
-    Away    ///< from a time that the model does not have, or through a single frame
+    /** The last time is not in the model, or the last tick's model had only one frame. */
+    Away
   };
   /**
    * Before a tick of a period (s): sets state.DataTime. After Leap::Away, the tick has to begin at

@@ -74,7 +74,7 @@ struct NeedleState
   double Puncture = 0.0;    ///< N; if more than 0, a boundary in front of the tip holds with it
   double PuncturedAt = 0.0; ///< m; the depth of the last puncture
   std::int64_t PuncturedLabel = NoLabel; ///< the punctured label
-  Vector3 Motion;            ///< m, the hand's while the needle is free; older motions count less
+  Vector3 Motion;            ///< m: recent motion of a free needle's tip; older steps count less
   double Pushed = 0.0;       ///< m, the free needle's way through a surface that still holds
   std::uint32_t Touches = 0; ///< how often a forbidden label stopped this insertion
   bool IsTouching = false;   ///< a forbidden label stops it now

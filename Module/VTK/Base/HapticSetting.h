@@ -227,7 +227,10 @@ struct VectorAccess
     static_cast<void (Owner::*)(const type*)>(&Owner::Set##name)>::Make(#name, minimum, maximum, \
     unit, text, { __VA_ARGS__ })
 
-/** Of settings without limit; those that VTK's macros clamp at 0 have VTK_DOUBLE_MAX, 1e299. */
+/**
+ * The limits of settings that are not limited. Numbers that VTK's macros clamp to be at least 0
+ * have the upper limit VTK_DOUBLE_MAX (1e299) instead.
+ */
 inline constexpr double LargestNumber = std::numeric_limits<double>::max();
 inline constexpr double LargestInteger = std::numeric_limits<int>::max();
 

@@ -23,7 +23,7 @@ struct MethodChoice
   int Solver;       ///< vtkVolumeHapticsAlgorithm::SolverType, or AnySolver
   const char* Name; ///< the name in programs
   std::string Text; ///< the name that the user sees
-  bool IsPrepared;  ///< whether it may need a second of preparation on the GUI thread
+  bool IsPrepared;  ///< whether a switch to it may keep the GUI thread busy for about a second
 };
 
 /** Lists all choices, in the order in which a key switches through them. */

@@ -29,7 +29,7 @@
 namespace VolumeHaptics
 {
 
-/** The world of the measurements. */
+/** The length unit and the axes of the world coordinates of measurements. */
 struct MarkupsFrame
 {
   double MetersPerWorldUnit = 1e-3;

@@ -438,7 +438,8 @@ double FindNiftiSpacing(const std::string& path, double unknown)
 
 namespace
 {
-/// `judge` reads the values, along the axes of the file.
+/// Loads a volume and aligns it to the axes. Before the alignment, calls `judge` with the volume,
+/// whose samples are still ordered as in the file.
 template <typename Judge>
 Volume LoadAligned(const std::string& path, int series, const std::string& array, Judge&& judge)
 {

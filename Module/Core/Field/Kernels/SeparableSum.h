@@ -27,8 +27,8 @@ struct Footprint
 };
 
 /**
- * Two rows of N samples, N even: in fours, with one more four for the remaining pairs of both. The
- * remainder of a sum of rows holds two partial sums.
+ * Two rows of N samples (N even) in vectors of four. If N is no multiple of four, Rest holds the
+ * last two samples of Even, then those of Odd; RowSum::Rest keeps separate sums for the two.
  */
 template <int N>
 struct RowPair

@@ -54,7 +54,7 @@ struct Walk
     }
   }
 
-  /** At the border a single step remains. */
+  /** Counts a last step without a partner, if the walk stopped at the border, as half a pair. */
   void AddRest() noexcept
   {
     if (this->Steps % 2 != 0)

@@ -328,7 +328,8 @@ PreciseSurroundings::Remainder PreciseSurroundings::Judge(const Motion& motion,
   const double pull = Dot(lag.Tangent, aside);
   const double normal = goesIn ? lag.Push - holds : (goesOut ? std::max(0.0, -lag.Push) : 0.0);
   const double tangent = goesAcross ? (pull > 0.0 ? lag.Length : pull / across) - grip : 0.0;
-  // If both parts remain, drag holds them together; if one went too far, drag holds each by itself.
+  // If neither part is negative, subtract the drag from the length of both parts combined.
+  // Otherwise, subtract from each part the drag's share in that direction.
   const bool isWhole = normal >= 0.0 && tangent >= 0.0;
   const double total = std::sqrt(normal * normal + tangent * tangent) - drag;
   const bool saysNormal = goesIn || (goesOut && drag > 0.0);

@@ -64,7 +64,10 @@ public:
    */
   std::vector<FollowedShape> Find(const Vector3& place);
 
-  /** Turns a direction to the direction of a mode's line at a place; false if there is no line. */
+  /**
+   * Replaces `direction` by the unit vector along a mode's line at a place, in the sense that is
+   * closer to it. False if there is no line.
+   */
   bool Turn(int mode, const Vector3& place, Vector3& direction);
   /**
    * Moves a place near a mode's line back to it, if the line has its own anchor: a step along its

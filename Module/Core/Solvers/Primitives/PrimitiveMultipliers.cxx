@@ -56,7 +56,7 @@ public:
     const double promised = Dot(slope, step);
     const double before = this->Value;
     const Vector3 from = this->Sum;
-    // Also false for NaN.
+    // Stop if the function does not fall along the step, or if the slope along it is NaN.
     if (!(promised < 0.0))
     {
       return false;

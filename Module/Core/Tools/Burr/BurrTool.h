@@ -52,7 +52,7 @@ struct BurrHand
   double Step = 0.0; ///< s, since the last tick; with 0, nothing is removed
 };
 
-/** The memory that grows with the tool, from tick to tick. */
+/** The working memory of a burr, kept between ticks. Larger tools need more of it. */
 struct BurrMemory
 {
   ShellMemory& Shell;

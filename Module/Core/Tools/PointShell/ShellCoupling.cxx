@@ -12,7 +12,10 @@ namespace
 
 /** The farthest hand (m). */
 constexpr double FarthestHand = 1e9;
-/** The limits of a servo tick: looks, and points in all looks. */
+/**
+ * The most poses at which a tick evaluates the contacts (each is one "look"), and the most points
+ * that it reads at all of them together. Two poses are always allowed.
+ */
 constexpr std::size_t MostLooks = 16;
 constexpr std::size_t MostPointsRead = 40000;
 /** Where a burr has removed tissue, reading a point takes about this many times as long. */

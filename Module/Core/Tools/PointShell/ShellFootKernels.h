@@ -126,7 +126,8 @@ VOLUME_HAPTICS_INLINE FourFeet AddFeet(const FourFeet& a, const FourFeet& b)
 }
 
 /**
- * A line along x of each cell, with its neighbours along y and z; IsRow: its samples are adjacent.
+ * Computes the share of one line along x in the sums of ReadFoot, for four cells at a time.
+ * isSecondY and isSecondZ choose one of a cell's four lines. IsRow: its samples are adjacent.
  */
 template <typename T, bool IsRow>
 VOLUME_HAPTICS_INLINE FourFeet ReadLine(const FourCells<T>& at, const std::int64_t* stride,

@@ -28,7 +28,10 @@ VOLUME_HAPTICS_INLINE std::uint32_t CountLanes(std::uint64_t bits)
     (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1));
 }
 
-/** The first or the last four of the eight numbers of four contacts. */
+/**
+ * Loads four of the eight numbers of four contacts: those from number `first` (0 or 4) on. Each
+ * result holds one number, with one contact in each lane.
+ */
 VOLUME_HAPTICS_INLINE void LoadContacts(const ShellContact* const* from, std::size_t first,
   Double4& a, Double4& b, Double4& c, Double4& d)
 {

@@ -70,9 +70,9 @@ HapticFunctionChart::HapticFunctionChart()
   this->Chart->GetAxis(vtkAxis::RIGHT)->SetGridVisible(false);
   this->Chart->GetAxis(vtkAxis::TOP)->SetGridVisible(false);
 
-  // The control points work between 0 and 1. So do the other plots, on an invisible axis: plots on
-  // separate axes would be painted before or after all plots of this axis. The left axis shows the
-  // value of 1.
+  // Put all plots on the invisible right axis, from 0 to 1, which the control points need: plots on
+  // another axis would be painted before or after all of these. The left axis, from 0 to the scale,
+  // only shows the values.
   for (vtkPlot* plot : std::initializer_list<vtkPlot*>{
          this->Bars, this->Edges, this->Bands, this->Proposed, this->Curve, this->Points })
   {

@@ -41,7 +41,10 @@ Bool Note(Display*, XEvent* event, char* data)
   return False;
 }
 
-/** X11 of the library that VTK has loaded, if it has: not every VTK is linked to X11. */
+/**
+ * Finds a function of libX11 if the process has loaded that library; otherwise returns nullptr.
+ * Not every build of VTK is linked to X11.
+ */
 template <typename Function>
 Function* FindFunction(const char* name)
 {

@@ -19,7 +19,7 @@ namespace VolumeHaptics
  */
 struct RayPace
 {
-  static constexpr double MostSteps = 6.0; ///< steps between rays; a step is a factor of sqrt(2)
+  static constexpr double MostSteps = 6.0; ///< 8 pixels; a step multiplies the distance by sqrt(2)
 
   /** The distance for the next frame, pixels. `longest`: the most time for that frame, s. */
   double Next(double longest)

@@ -386,7 +386,7 @@ bool HapticInteraction::PressKey(const std::string& pressed)
   }
   else if (key == "M" && this->Modes.Next())
   {
-    // Frames.Draw below shows this.
+    // Nothing left to do: Next() has changed the mode, and Frames.Draw below shows it.
   }
   else if (!this->Displays.Press(key) && !this->Editor.Press(key) && !this->Playback.Press(key) &&
     !this->Measure.Press(key))

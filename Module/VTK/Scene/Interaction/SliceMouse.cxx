@@ -19,7 +19,7 @@ int SliceMouse::Find(int x, int y) const
 {
   vtkHapticSliceView* const slices = this->Scene.Slices;
   vtkRenderWindowInteractor* const interactor = this->Scene.Style->GetInteractor();
-  // A motion that began in the scene continues over the slices.
+  // Find no slice while a drag that began in the scene is still going on.
   return slices && slices->GetRenderWindow() == interactor->GetRenderWindow() &&
       this->Scene.Style->GetState() == VTKIS_NONE
     ? slices->FindSlice(x, y)

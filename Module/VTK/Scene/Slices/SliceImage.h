@@ -71,8 +71,8 @@ public:
   std::array<double, 3> GetCentre() const;
 
   /**
-   * The remaining value of the nearest sample: its component, or the magnitude of several
-   * components, as UsesMagnitude says.
+   * Returns the value of the nearest sample after tissue was removed: the chosen component, or the
+   * magnitude of all components if UsesMagnitude is true.
    */
   double GetValue(const std::array<double, 3>& index) const;
   /** "magnitude " or "component 1 of 3: " in front of a value; empty for plain scalars. */

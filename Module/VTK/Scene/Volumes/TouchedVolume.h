@@ -61,7 +61,7 @@ public:
     const CarvedPictures& carved);
 
 private:
-  /** What shows the volume now. */
+  /** Returns the drawing mapper's input, as the application set it; null if there is none. */
   vtkAlgorithmOutput* FindInput(const CarvedPictures& carved) const;
   void Place(vtkAlgorithmOutput* input, vtkImageData* shown, vtkVolumeHapticsFilter* filter);
   /** Touches the array, and of its components the one, that the mapper draws. */
