@@ -33,7 +33,7 @@ struct ToolOptions
   double ServoRate = 1000.0;        ///< Hz
   double Newtons[2] = { 100, 100 }; ///< a stick's at full scale, along x and y
   bool HasNewtons = false;          ///< the user has given them
-  int Axis = -1; ///< of the wall, or to be calibrated; negative: depends on the device
+  int Axis = -1; ///< of the wall's normal, or to be calibrated; negative: by the kind of device
   bool IsAxisNegative = false; ///< the axis was given with a minus
   double Grams = 0.0;          ///< grams of the hung weight; 0: a scale is pressed
   bool HasScale = false;

@@ -16,10 +16,11 @@
  * exp(-t^2 / (2 s^2)) - exp(-c^2 / (2 s^2)) is zero there: no tap enters or leaves with a step. The
  * factor 0.53 compensates for the cut: at the default radius of 2 white noise of one unit gives a
  * gradient with a standard deviation of 0.106 units per voxel, as an uncut Gaussian of scale Radius
- * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are smoothing
- * w_i / sum w, derivative  w_i (t_i - m) / sum w (t - m)^2, that is, the least-squares fit of a
- * line. They are tabulated over the sub-voxel fraction and interpolated by quintic polynomials,
- * which keeps the sums that make linear fields exact.
+ * / 2 does. With m the mean of the tap offsets t_i under w, the weights along an axis are
+ *   smoothing   w_i / sum w,
+ *   derivative  w_i (t_i - m) / sum w (t - m)^2,
+ * that is, the least-squares fit of a line. They are tabulated over the sub-voxel fraction and
+ * interpolated by quintic polynomials, which keeps the sums that make linear fields exact.
  *
  * These gradients are not quite normal to the levels of any function. If that matters (a surface
  * with them as its normals would give a sliding hand energy), GaussianWeights::OwnDerivative takes

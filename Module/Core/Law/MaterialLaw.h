@@ -184,7 +184,7 @@ inline void LimitDrag(const HapticModel& model, double slack, MaterialPoint& poi
   {
     if (slack == 0.0 && k >= coupling)
     {
-      return; // R/k is the shorter one, apart from rounding
+      return; // R/k is not longer, whatever rounding says
     }
     longest = std::max(longest, drag / coupling);
   }

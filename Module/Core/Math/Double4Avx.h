@@ -211,7 +211,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes: first of each half, then of both halves. */
+/** The sum of the lanes: first those two apart (0 and 2, 1 and 3), then both of these sums. */
 VOLUME_HAPTICS_INLINE __m128d AddHalves(const Double4& a)
 {
   return _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));

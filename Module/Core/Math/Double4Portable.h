@@ -202,7 +202,7 @@ VOLUME_HAPTICS_INLINE void Transpose(Double4& a, Double4& b, Double4& c, Double4
 }
 
 ///@{
-/** The sum of the lanes: first of each half, then of both halves. */
+/** The sum of the lanes: first those two apart (0 and 2, 1 and 3), then both of these sums. */
 VOLUME_HAPTICS_INLINE double AddLanes(const Double4& a)
 {
   return (a[0] + a[2]) + (a[1] + a[3]);

@@ -22,8 +22,9 @@ struct BurrSettings
   double Radius = 2.0;    ///< a, world units
   double Speed = 1000.0;  ///< n, revolutions a second
   double Friction = 0.3;  ///< mu, between burr and tissue
-  double Vibration = 0.0; ///< share of the force, 0 to 1
-  int SpinButton = 0;     ///< of the device, from 0 to 31: it spins while that is pressed; -1: none
+  double Vibration = 0.0; ///< fraction of the force, 0 to 1
+  /// Bit of the device's button, 0 to 31: the burr spins while it is pressed; -1: none.
+  int SpinButton = 0;
 };
 
 /** The energy (J/mm^3) for removing tissue, by value: channel 0. */

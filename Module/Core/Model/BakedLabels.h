@@ -64,7 +64,7 @@ struct BakedLabels
 
   /**
    * Replaces the functions' values at a position by the materials of the labels there, mixed by the
-   * trilinear shares of the eight voxels around it. The share of labels without a material keeps
+   * trilinear shares of the eight voxels around it. The share of labels without a value keeps
    * the functions' value; if no label has one, the values stay the same to the bit. `baked` is the
    * number of the volume with these labels.
    */

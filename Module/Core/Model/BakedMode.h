@@ -68,7 +68,7 @@ struct ModeDescription
   VectorAxes Axes = VectorAxes::World;
   Polyline First = ConstantPolyline(2.0);  ///< N
   Polyline Second = ConstantPolyline(0.0); ///< N
-  bool IsActive = true;                    ///< if false, it adds no primitives
+  bool IsActive = true;                    ///< if not, it adds no primitives, but keeps its number
   bool IsDark = false;                     ///< Ridge: the vessel is darker than its surroundings
   double SnapDistance = 3.0;               ///< Ridge: voxels within which the hold is whole
   std::shared_ptr<const GuidePath> Guide;  ///< not null for a Guide

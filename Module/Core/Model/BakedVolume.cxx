@@ -27,7 +27,7 @@ GaussianWeights ChooseWeights(const HapticSettings& settings)
   return isPrecise ? GaussianWeights::OwnDerivative : GaussianWeights::FittedLine;
 }
 
-/** The stiffness of all materials that are felt. */
+/** The stiffness of all materials that have one. */
 Polyline MakeStiffness(const HapticModelDescription& d)
 {
   if (!d.Settings.SameShape)

@@ -52,7 +52,7 @@ void GuideMesh::FindFaces()
     const auto& [a, b, c] = this->Mesh->GetTriangle(static_cast<std::int32_t>(i)).Corner;
     Face& face = this->Faces[static_cast<std::size_t>(i)];
     const Vector3 cross = Cross(b - a, c - a);
-    const double area = Norm(cross); // twice the area; without an area the mesh has no triangles
+    const double area = Norm(cross); // twice the area; no triangle of the mesh is without one
     const double length[3] = { Norm(c - b), Norm(a - c), Norm(b - a) };
     face.Normal = (1.0 / area) * cross;
     for (int e = 0; e < 3; ++e)

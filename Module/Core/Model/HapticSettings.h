@@ -79,7 +79,7 @@ struct HapticSettings
   SurfaceGeometry Geometry = SurfaceGeometry::Scalars; ///< Scalars without labels
   MaterialPlacement Placement = MaterialPlacement::FarSide;
   SurfaceSide Side = SurfaceSide::Higher;
-  bool SameShape = false;           ///< one stiffness for all materials that are felt
+  bool SameShape = false;           ///< one stiffness for all materials that have any
   double ReleaseTime = 0.005;       ///< s, duration of a leap of Precise with FarSide; 0: at once
   double CouplingStiffness = 500.0; ///< N/m, with SameShape and for Primitives
   double TickPeriod = 1e-3;         ///< s

@@ -10,9 +10,9 @@
  *   strength     Strongest dV / dV_max of the largest rise dV of a boundary that leads into it; the
  *                Ceiling for the largest rise into a material with another one in front of it and
  *                none behind
- * friction     rises from material to material, as their values do drag         as friction; none
- * outside distinctness 0 up to the larger one of 3.4 sigma_g and 0.2 g_max, 1 from 0.5 g_max on;
- * g_max is
+ *   friction     rises from material to material, as their values do
+ *   drag         as friction; none outside
+ *   distinctness 0 up to the larger one of 3.4 sigma_g and 0.2 g_max, 1 from 0.5 g_max on; g_max is
  *                the largest slope that the estimator finds at the weakest boundary, and sigma_g
  *                the noise of its gradients
  *

@@ -54,7 +54,7 @@ public:
 
   /**
    * Called by one thread, which gets the priority of a servo (ServoPriority::RaiseThread) and
-   * leaves the sleeper's processor. Returns only after RequestStop.
+   * leaves the sleeper's processor. Returns after RequestStop, which holds for good.
    */
   void Watch() noexcept;
   void RequestStop() noexcept { this->StopRequested.store(true, std::memory_order_release); }

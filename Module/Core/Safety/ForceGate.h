@@ -11,9 +11,9 @@
  * States
  * ------
  *
- * Disarmed    no force, from the tick on in which it is entered Fault       no force; the reason
- * names the fault, and stays until Arm Fading      the share falls to 0 within FadeTime, after
- * FadeOut, because the owner is silent or
+ *   Disarmed    no force, from the tick on in which it is entered
+ *   Fault       no force, from that tick on; the reason names the fault, and stays until Arm
+ *   Fading      the share falls to 0 within FadeTime, after FadeOut, because the owner is silent or
  *               because the loop is unstable
  *   Holding     the same for as long as it is held, for example during long work
  *   Retreating  no samples: the last force falls to zero by itself (SafetyStage), no new one flows

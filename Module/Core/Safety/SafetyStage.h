@@ -14,9 +14,11 @@
  *    limited (the slew limit). A force may fall at once. GrowthLimit.h keeps the account of both:
  *    work that the hand was spared on the way in is not given to it on the way out.
  * 5. If the loop swings by itself (EnergyObserver.h), it is damped (PortDamper.h). If that does not
- *    end it, the force fades, with a fault. The torque has its own stage with the same gate:
- *    TorqueStage.h. Stiffness and damping are capped in the computation of the force: see
- *    HapticModel::Caps. Joint commands are scaled down together, by the back end: SaturateTogether.
+ *    end it, the force fades, with a fault.
+ *
+ * The torque has its own stage with the same gate: TorqueStage.h. Stiffness and damping are capped
+ * in the computation of the force: see HapticModel::Caps. Joint commands are scaled down together,
+ * by the back end: SaturateTogether.
  *
  * No rule adds energy, and nothing grows faster than the slew limit allows. A fault and disarming
  * cut the force at once.

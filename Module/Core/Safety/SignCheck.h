@@ -122,7 +122,7 @@ private:
   int Axis = 0;
   Phase Now = Phase::Rest;
   double Time = 0.0;           ///< s since Begin
-  double Start = 0.0;          ///< s, in the phase
+  double Start = 0.0;          ///< s, when the phase began
   double Duration = 0.0;       ///< s, of the push
   double Clear = 0.0;          ///< m: a smaller distance is no vote
   double Farthest = 0.0;       ///< m, of the trial, with the sign of the motion

@@ -49,7 +49,7 @@ struct DataClockOrders
 {
   Playback Mode = Playback::Once;
   bool Plays = false;
-  double Rate = 1.0;        ///< data seconds per second
+  double Rate = 1.0;        ///< data time per second
   double Place = 0.0;       ///< a data time to go to; beyond the series, its nearest end
   std::uint32_t Places = 0; ///< changes whenever Place is set
 };
@@ -57,7 +57,7 @@ struct DataClockOrders
 /** The report of the clock after a tick. */
 struct DataClockReport
 {
-  bool IsMoving = false;    ///< the volume moves
+  bool IsMoving = false;    ///< the volume is one that moves, also while time holds
   bool IsWaiting = false;   ///< frames have not come: time holds
   bool IsBackward = false;  ///< time runs backward, or would
   double Wanted = 0.0;      ///< the data time whose frames are wanted, if it waits for them

@@ -5,9 +5,9 @@
  * The time that positions and forces take through the servo loop, as it is measured.
  *
  * Let a device measure its tip at the times m, and let it take the force that answers such a
- * measurement at a(m). From then until it takes the next force, at a(m'), it pushes by a place that
- * the tip has left: a spring of stiffness k pulls by k times the way since m, along the motion. On
- * the average over that time the place is
+ * measurement at a(m). From then until it takes the force of the next measurement m', at a(m'), it
+ * pushes by a place that the tip has left: a spring of stiffness k pulls by k times the way since
+ * m, along the motion. On the average over that time the place is
  *
  *   ((a(m) - m) + (a(m') - m)) / 2 = T / 2
  *

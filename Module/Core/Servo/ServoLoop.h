@@ -130,7 +130,7 @@ public:
   /** The generation that the loop has seen. */
   std::uint64_t GetAcknowledged() const noexcept { return this->Models.GetAcknowledged(); }
 
-  /** The lowest generation of the states that are yet to be read or drained. */
+  /** No state that is yet to be read or drained is of a lower generation than this. */
   std::uint64_t GetWrittenGeneration() const noexcept
   {
     return this->WrittenGeneration.load(std::memory_order_acquire);

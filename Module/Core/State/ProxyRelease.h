@@ -10,7 +10,7 @@
  * forces before the leaps. A leap that changes f by L (TickRecord::Leap) subtracts L from e, so
  * that g goes on. From then on e fades, in a tick of dt by
  *
- * |e| dt/(tau + dt), but at most FastestRelease dt,
+ *   |e| dt/(tau + dt), but at most FastestRelease dt,
  *
  * with tau the ReleaseTime. The force that a wall holds, and when it gives way, do not depend on e.
  * With the kernel's materials, as in the paper, the law alone is felt.

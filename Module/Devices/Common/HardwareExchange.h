@@ -9,7 +9,7 @@
  * and the device always gets the latest force. A force that the servo stops renewing falls to zero.
  *
  * If the exchange is in memory that two processes share, that thread may be in the other process
- * (Devices/Guard): it has values, atomics and a file descriptor with the same number in both.
+ * (Devices/Guard): the exchange has values, atomics and a file descriptor of one number in both.
  */
 #ifndef HardwareExchange_h
 #define HardwareExchange_h

@@ -35,7 +35,7 @@ enum class FalconLoaderFault : std::uint8_t
   None,
   NoImage,        ///< the image is empty
   Refused,        ///< a request or a write did not go through
-  NoGreeting,     ///< no answer to any of FalconMostGreetings greetings
+  NoGreeting,     ///< FalconMostGreetings were sent, and the last one had no answer
   WrongGreeting,  ///< wrong answer to the last greeting
   NoHandshake,    ///< no answer at the loading rate
   WrongHandshake, ///< wrong answer at the loading rate

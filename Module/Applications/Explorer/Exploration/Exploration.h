@@ -35,8 +35,8 @@ struct Settings
   // See vtkVolumeHapticsFilter::GetMethodNames; "auto" is primitives if the volume is a grid with
   // vectors, which are followed, else proxy.
   std::string Method = "auto";
-  std::vector<std::string> Modes; // of the method primitives: see ModeChoice.h
-  std::string Guide;              // for the method primitives: see ModeChoice.h
+  std::vector<std::string> Modes; // for the method primitives: see ModeChoice.h
+  std::string Guide;              // a file that guides the hand: see GuideFile.h; empty: none
 };
 
 /// The results: everything that the pictures and the summary show.

@@ -21,7 +21,7 @@ namespace Explore
 enum class MapperChoice
 {
   // The GPU's mapper if the window and the volume allow it, else the CPU's; in a window to touch
-  // in, the GPU's also if OpenGL runs on the CPU.
+  // in, the CPU's also if OpenGL runs on the CPU.
   Auto,
   GPU,
   CPU

@@ -27,8 +27,8 @@ struct BackgroundLevel
 
   /**
    * Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless the
-   * values are one heap. If a darker material stands out of the background in places where values
-   * are even, the threshold is the one between these.
+   * values are one heap. As long as a darker material stands out of the background in places where
+   * values are even, the threshold becomes the one between these, and so on.
    */
   static BackgroundLevel Find(const NoiseSamples& samples);
   /** As above, to the bit, for a volume that is not a piece. */

@@ -100,7 +100,10 @@ private:
     this->Add(PrimitiveKind::Line, curl, strengths[1]);
   }
 
-  /** The displacement (world) to the core, and the strength's share of its hold: 0 if it is far. */
+  /**
+   * Writes the displacement (world) to the core; returns the share of the strength with which the
+   * core holds: 0 if it is far.
+   */
   double FindCore(
     const Vector3& v, const Matrix3& j, const Vector3& axis, Vector3& toCore) const noexcept
   {

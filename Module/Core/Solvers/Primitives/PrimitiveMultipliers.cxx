@@ -18,8 +18,8 @@ namespace
  */
 constexpr double Penalty = 1000.0;
 /**
- * N. A round that changes forces by at most this is settled if places are off by at most that
- * fraction of it, 1/m.
+ * N. A round that changes no force by more than this is settled: places are then off by at most the
+ * fraction 1/m of it.
  */
 constexpr double SettledRound = 1e-10;
 constexpr int MostHalvings = 30;

@@ -9,7 +9,7 @@
  * leaves it is unknown. With b the spring's force at the anchor and F(d) the sum of the yielding
  * forces, which does not depend on the distance, the best place on a ray is at rho = d.(b + F), and
  * d is the direction in which b + F has no part across it. Newton's method on the sphere computes
- * it, in two or three steps from the direction of the proxy's last motion.
+ * it, in two or three steps from the direction in which the proxy was last.
  *
  * - A plane on which the proxy slides restricts d to a circle; the plane's force is the missing
  *   part along its normal. A line that holds, or two such planes, leave no choice of d.
@@ -29,8 +29,8 @@ namespace VolumeHaptics
 {
 
 /**
- * In addition to FindExactBalance, which it does not replace: also false if the anchors differ or
- * if more holds than a plane or two or a line.
+ * As FindExactBalance, which it does not replace: also false if the anchors differ or if more holds
+ * than a plane or two or a line.
  *
  * @param towards the expected direction of the proxy, seen from the anchor, of any length; 0 if
  * unknown

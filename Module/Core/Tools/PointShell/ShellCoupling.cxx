@@ -21,8 +21,8 @@ constexpr std::size_t MostPointsRead = 40000;
 /** Where a burr has removed tissue, reading a point takes about this many times as long. */
 constexpr std::size_t PointsOfCarved = 5;
 /**
- * A tick ends if the next step would change the force by less than this fraction, and by less than
- * this (N).
+ * A tick ends if the next step would change the force by less than the sum of this fraction of it
+ * and this (N).
  */
 constexpr double ForceShare = 5e-3;
 constexpr double ForceTolerance = 5e-4;
