@@ -917,7 +917,7 @@ def measurements(folder):
     assert measured.WriteFile(str(folder / "list.vtp")) and read.ReadFile(str(folder / "list.vtp"))
 
 
-@result("pass a vtkImageData", "choose an array with GetPointData()->SetActiveScalars(name)",
+@result("pass a vtkImageData", "pass a vtkImageData, or call ApplyPreset(name)", "choose an array with GetPointData()->SetActiveScalars(name)",
         "there are no edges to propose functions from. Use another array or component", "points along every axis, or set the functions by hand",
         "has no finite value. Use another array or component")
 def proposals(_):
@@ -929,7 +929,12 @@ def proposals(_):
     volume.GetPointData().SetActiveScalars(None)
     with told(feel, "choose an array with GetPointData()->SetActiveScalars(name)"):
         assert not feel.ProposeFromImage(volume)
+    with told(feel, "choose an array with GetPointData()->SetActiveScalars(name)"):
+        assert not feel.ApplyPreset("MRI", volume)
+    with told(feel, "pass a vtkImageData, or call ApplyPreset(name)"):
+        assert not feel.ApplyPreset("MRI", None)
     volume.GetPointData().SetActiveScalars(name)
+    assert feel.ApplyPreset("MRI") and feel.ApplyPreset("MRI", volume)
     assert feel.ProposeFromImage(volume)
     assert feel.GetStiffness().GetValue(1000.0) > 0.0
     for wrong, word in (

@@ -453,7 +453,8 @@ def _prepare(
     is_large = isinstance(volume, vtkHapticRegionSource)
     known = volume.GetCoarseImage() if is_large else image
     with Errors(touch, touch.GetProperty()) as errors:
-        configure(touch, known or image, preset, settings, errors, "add_haptics")
+        large = volume if is_large else None
+        configure(touch, known or image, preset, settings, errors, "add_haptics", large)
         if look is not None:
             touch.GetProperty().SetVisibilityFrom(look)
         if is_large:

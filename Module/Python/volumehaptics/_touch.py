@@ -114,6 +114,18 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
     return known is not False
 
 
+def apply_preset(material: vtkHapticProperty, name: str, volume: Any) -> bool:
+    """Applies a preset, fitted to the grey levels of a large volume, or of an image with scalars at its points."""
+    if name == "MRI" and isinstance(volume, vtkHapticRegionSource):
+        source, volume = volume, vtkImageData()
+        # Some samples, with what is known of the whole. What can't be read is told when it is felt.
+        if not source.ReadRegion([one + end for one in source.GetWholeExtent()[::2] for end in (0, 2)], volume):
+            return material.ApplyPreset(name)
+    if isinstance(volume, vtkImageData) and volume.GetPointData().GetScalars() is not None:
+        return material.ApplyPreset(name, volume)
+    return material.ApplyPreset(name)
+
+
 def configure(
     haptics: vtkVolumeHapticsFilter,
     image: vtkImageData,
@@ -121,8 +133,10 @@ def configure(
     settings: dict[str, Any],
     errors: Errors,
     caller: str,
+    large: vtkHapticRegionSource | None = None,
 ) -> None:
-    """Applies the settings, then the preset. An unknown one is an error; `errors` may explain it."""
+    """Applies the settings, then the preset. An unknown one is an error; `errors` may explain it. `image` is the coarse
+    level of a large volume."""
     for name, value in settings.items():
         if not _set(haptics, name, value, caller):
             raise ValueError("; ".join(errors) or f"{name}={value!r} is not known")
@@ -132,7 +146,7 @@ def configure(
         if known and "kernel_radius" not in settings:
             haptics.SetKernelRadius(material.GetProposedKernelRadius())
     else:
-        known = preset is None or material.ApplyPreset(preset)
+        known = preset is None or apply_preset(material, preset, large or image)
     if not known:
         raise ValueError("; ".join(errors))
 
@@ -378,7 +392,7 @@ def touch(
     with Errors(haptics, haptics.GetProperty()) as errors, Errors(haptics.GetExecutive()) as failures, Errors(
             haptics, event="WarningEvent") as told:
         coarse = source.GetCoarseImage() if source is not None else None
-        configure(haptics, coarse or image, preset, settings, errors, "touch")
+        configure(haptics, coarse or image, preset, settings, errors, "touch", source)
         if source is not None:
             haptics.SetInputConnection(source.GetOutputPort())
         else:

@@ -24,6 +24,7 @@ except ImportError as error:
 from vtkmodules.vtkIOImage import vtkJPEGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
+from ._touch import apply_preset
 from ._webdoor import door_of, page_now
 from .vtkVolumeHaptics import vtkHapticProperty, vtkVolumeHapticsAlgorithm
 
@@ -234,7 +235,9 @@ class View:
         if self.haptics.closed or name == self._preset:
             return
         # Accept only names in the list: ApplyPreset() takes files, too, and would open a file that a page names.
-        if name in self._presets and self._may_lead(page_now()) and self.haptics.filter.GetProperty().ApplyPreset(name):
+        felt = self.haptics.filter
+        if (name in self._presets and self._may_lead(page_now())
+                and apply_preset(felt.GetProperty(), name, felt.GetInputDataObject(0, 0))):
             self._preset = name
         else:
             self.server.state[self._key("preset")] = self._preset

@@ -22,11 +22,8 @@ const char* const Cure = " Make the region with vtkHapticRegionFilter, which wri
                          "field arrays HapticWholeExtent, HapticNoise and HapticBorderValue to "
                          "touch the image as a volume of its own.";
 
-/**
- * Threshold, Full and Quiet of a component; the first two are equal if there is no background
- * level.
- */
-constexpr vtkIdType NumbersOfSolid = 3;
+/** The numbers of BackgroundLevel for a component; the first two are equal if there is no level. */
+constexpr vtkIdType NumbersOfSolid = 4;
 
 /** The shift, the value of air, whether the values can't be Hounsfield units, and the range. */
 constexpr int NumbersOfShift = 5;
@@ -132,7 +129,7 @@ bool ReadWholeFacts(vtkImageData* image, int component, WholeFacts& facts, std::
       return false;
     }
     facts.Solid = { NumberOf(solid, first) < NumberOf(solid, first + 1), NumberOf(solid, first),
-      NumberOf(solid, first + 1), NumberOf(solid, first + 2) };
+      NumberOf(solid, first + 1), NumberOf(solid, first + 2), NumberOf(solid, first + 3) };
   }
   vtkDataArray* const shift = fields->GetArray(Names::Shift);
   if (shift && shift->GetNumberOfComponents() == NumbersOfShift &&
@@ -185,7 +182,7 @@ void WriteWholeFacts(const WholeFields& facts, vtkImageData* region)
   std::vector<double> solids;
   for (const BackgroundLevel& solid : facts.Solids)
   {
-    solids.insert(solids.end(), { solid.Threshold, solid.Full, solid.Quiet });
+    solids.insert(solids.end(), { solid.Threshold, solid.Full, solid.Dark, solid.Bright });
   }
   AddField<vtkDoubleArray>(region, Names::Solid, solids);
   const vtkNew<vtkDoubleArray> shifts;

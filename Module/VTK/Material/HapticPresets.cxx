@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/HapticPresets.h"
 
+#include "VTK/Base/HapticNoise.h"
+#include "VTK/Base/HapticVolume.h"
+#include "VTK/Base/OutsideFiller.h"
+
+#include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
+#include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -30,12 +38,17 @@ struct Preset
 {
   const char* Name;
   std::vector<Tissue> Tissues;
-  /** Gradient magnitude, per millimetre, from which on a surface begins to be felt. */
+  /**
+   * Gradient magnitude, per millimetre, from which on a surface begins to be felt. Fitted to an
+   * image, it is per voxel: an edge has the same height, but is as many millimetres wide as voxels.
+   */
   double DistinctnessStart;
   double DistinctnessFull; ///< gradient at which it is felt fully; 0: distinctness from the noise
   int Side;
   bool IsOfLabels = false;
   bool IsOfImage = false; ///< whether the image shows what is solid
+  /** For values without a unit: the median of what is brighter than the first tissue; else 0. */
+  double Body = 0.0;
 };
 
 /** More newtons than any device exerts. */
@@ -50,6 +63,13 @@ constexpr double Solid = 12.0;
  * the drag would leave the proxy far behind.
  */
 constexpr double K = 400.0;
+
+/**
+ * A background of magnitudes ends at so many times its brightness. Its noise has Rayleigh's
+ * distribution (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995, 910-914), of which
+ * hardly a value in 3e8 is above 5 times the mean. Faint ghosts of the body are below that, too.
+ */
+constexpr double NoiseEnd = 5.0;
 
 const std::vector<Preset>& Presets()
 {
@@ -127,7 +147,7 @@ const std::vector<Preset>& Presets()
         { "white matter", 115, 135, K, 0.35, 0.40, 2.0 },
         { "fat", 175, 255, K, 0.15, 0.20, 2.6 },
       },
-      3, 70, vtkHapticProperty::BOTH },
+      3, 70, vtkHapticProperty::BOTH, false, false, 90.0 },
     // One hard material in any unit: its surfaces are where the gradient exceeds the noise and
     // leads into something other than background.
     { "Micro-CT", { { "solid", 0, 0, K, 0.30, 0.00, Solid } }, 0, 0, vtkHapticProperty::HIGHER,
@@ -156,44 +176,96 @@ void Empty(vtkPiecewiseFunction* function)
   function->UseLogScaleOff();
 }
 
-void Fill(vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity)
+void Fill(
+  vtkPiecewiseFunction* function, const Preset& preset, double Tissue::*quantity, double scale)
 {
   Empty(function);
   for (const Tissue& tissue : preset.Tissues)
   {
-    function->AddPoint(tissue.Low, tissue.*quantity);
-    function->AddPoint(tissue.High, tissue.*quantity); // the same point if there is no range
+    function->AddPoint(scale * tissue.Low, tissue.*quantity);
+    function->AddPoint(
+      scale * tissue.High, tissue.*quantity); // the same point if there is no range
   }
 }
 
 } // namespace
 
-bool FillFromPreset(const char* name, vtkHapticProperty* property)
+bool FindPresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
+  PresetScale& scale, std::string& error)
+{
+  scale = {};
+  const int component = property->GetComponent();
+  const auto preset = std::find_if(Presets().begin(), Presets().end(),
+    [&](const Preset& one) { return name && std::string(name) == one.Name; });
+  if (preset == Presets().end() || !(preset->Body > 0.0))
+  {
+    return true;
+  }
+  vtkDataArray* const scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars)
+  {
+    error = std::string("The preset \"") + preset->Name +
+      "\" can't be fitted to the image, which " +
+      (image ? "has no active point scalars: choose an array with "
+               "GetPointData()->SetActiveScalars(name), or turn cell data into point data with "
+               "vtkCellDataToPointData."
+             : "is missing: pass a vtkImageData, or call ApplyPreset(name).");
+    return false;
+  }
+  const vtkSmartPointer<vtkDataArray> filled =
+    CopyFilled(FindOutside(image, scalars, component), scalars, component);
+  HapticVolume volume;
+  if (!ReadVolume(image, filled, component, 1, volume, error))
+  {
+    return false;
+  }
+  const BackgroundLevel level =
+    volume.Whole.IsThere ? volume.Whole.Solid : FindSolid(image, filled, volume.View, component);
+  const auto valueOf = [property](double scalar)
+  { return (scalar + property->GetScalarShift()) * property->GetScalarScale(); };
+  const double brightness = valueOf(level.Bright) / preset->Body;
+  if (level.IsThere && brightness > 0.0)
+  {
+    const double noise = NoiseEnd * valueOf(level.Dark);
+    // What is nearly as bright as the body is no noise.
+    scale.Values = noise < brightness * preset->Tissues[1].Low
+      ? std::max(brightness, noise / preset->Tissues[0].High)
+      : brightness;
+    const double* const spacing = image->GetSpacing();
+    const double voxel = (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
+    scale.Gradients = brightness / voxel;
+    scale.AreGradientsPerUnit = true;
+  }
+  return true;
+}
+
+bool FillFromPreset(const char* name, vtkHapticProperty* property, const PresetScale& scale)
 {
   for (const Preset& preset : Presets())
   {
     if (name && std::string(name) == preset.Name)
     {
-      Fill(property->GetStiffness(), preset, &Tissue::Stiffness);
-      Fill(property->GetFriction(), preset, &Tissue::Friction);
-      Fill(property->GetViscosity(), preset, &Tissue::Viscosity);
-      Fill(property->GetSurfaceStrength(), preset, &Tissue::SurfaceStrength);
+      Fill(property->GetStiffness(), preset, &Tissue::Stiffness, scale.Values);
+      Fill(property->GetFriction(), preset, &Tissue::Friction, scale.Values);
+      Fill(property->GetViscosity(), preset, &Tissue::Viscosity, scale.Values);
+      Fill(property->GetSurfaceStrength(), preset, &Tissue::SurfaceStrength, scale.Values);
       vtkPiecewiseFunction* const distinctness = property->GetDistinctness();
       Empty(distinctness);
       if (preset.DistinctnessFull > 0.0)
       {
-        distinctness->AddPoint(preset.DistinctnessStart, 0.0);
-        distinctness->AddPoint(preset.DistinctnessFull, 1.0);
+        distinctness->AddPoint(scale.Gradients * preset.DistinctnessStart, 0.0);
+        distinctness->AddPoint(scale.Gradients * preset.DistinctnessFull, 1.0);
       }
       else
       {
         property->DistinctnessFromNoiseOn();
       }
-      property->SetDistinctnessPerMillimeter(preset.DistinctnessFull > 0.0);
+      property->SetDistinctnessPerMillimeter(
+        preset.DistinctnessFull > 0.0 && !scale.AreGradientsPerUnit);
       property->RemoveAllTissues();
       for (const Tissue& tissue : preset.Tissues)
       {
-        property->AddTissue(tissue.Name, tissue.Low, tissue.High);
+        property->AddTissue(tissue.Name, scale.Values * tissue.Low, scale.Values * tissue.High);
       }
       property->SetSurfaceSide(preset.Side);
       property->SetScalarsAreLabels(preset.IsOfLabels);

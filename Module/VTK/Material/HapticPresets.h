@@ -13,13 +13,29 @@
 #include <string>
 
 class vtkHapticProperty;
+class vtkImageData;
 class vtkPiecewiseFunction;
 
 namespace VolumeHaptics
 {
 
+/** The factors by which an image, as a property scales it, has larger values than a preset. */
+struct PresetScale
+{
+  double Values = 1.0;
+  double Gradients = 1.0;
+  bool AreGradientsPerUnit = false; ///< whether gradients are per world unit, not per millimetre
+};
+
+/**
+ * Finds the factors. Both are 1 if the preset's values have a unit, or if the image has no
+ * background level. Returns false, with an error, if the image is needed and can't be read.
+ */
+bool FindPresetScale(const char* name, vtkImageData* image, vtkHapticProperty* property,
+  PresetScale& scale, std::string& error);
+
 /** Fills a property from a preset. Returns false and changes nothing if there is no such preset. */
-bool FillFromPreset(const char* name, vtkHapticProperty* property);
+bool FillFromPreset(const char* name, vtkHapticProperty* property, const PresetScale& scale = {});
 
 /**
  * Fills the force with which a needle cuts (N), for the presets of CT. Returns false and changes

@@ -33,6 +33,24 @@ double GetDefault(vtkPiecewiseFunction* (vtkHapticProperty::*get)())
   return function->Default;
 }
 
+bool ApplyScaledPreset(
+  vtkHapticProperty* self, const char* name, const VolumeHaptics::PresetScale& scale)
+{
+  if (VolumeHaptics::IsPresetFile(name))
+  {
+    return self->ReadPreset(name);
+  }
+  if (!VolumeHaptics::FillFromPreset(name, self, scale))
+  {
+    vtkErrorWithObjectMacro(self, << "There is no preset \""
+                                  << (name ? VolumeHaptics::Printable(name) : std::string("(null)"))
+                                  << "\". Use one of: " << VolumeHaptics::ListPresets()
+                                  << ", or a file of WritePreset() that ends in .json.");
+    return false;
+  }
+  return true;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -66,19 +84,20 @@ vtkHapticProperty::~vtkHapticProperty() = default;
 //------------------------------------------------------------------------------
 bool vtkHapticProperty::ApplyPreset(const char* name)
 {
-  if (VolumeHaptics::IsPresetFile(name))
+  return ApplyScaledPreset(this, name, {});
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticProperty::ApplyPreset(const char* name, vtkImageData* image)
+{
+  VolumeHaptics::PresetScale scale;
+  std::string error;
+  if (!VolumeHaptics::FindPresetScale(name, image, this, scale, error))
   {
-    return this->ReadPreset(name);
-  }
-  if (!VolumeHaptics::FillFromPreset(name, this))
-  {
-    vtkErrorMacro(<< "There is no preset \""
-                  << (name ? VolumeHaptics::Printable(name) : std::string("(null)"))
-                  << "\". Use one of: " << VolumeHaptics::ListPresets()
-                  << ", or a file of WritePreset() that ends in .json.");
+    vtkErrorMacro(<< error);
     return false;
   }
-  return true;
+  return ApplyScaledPreset(this, name, scale);
 }
 
 //------------------------------------------------------------------------------

@@ -262,6 +262,7 @@ public:
   }
   ///@}
 
+  ///@{
   /**
    * Fill all five functions, in place, and set the surface side from a named preset:
    *
@@ -271,7 +272,8 @@ public:
    *   Subtle on most devices.
    * - "CT angiography": Hounsfield units, with contrast medium in vessels and heart.
    * - "CT chest": Hounsfield units; lung has one drag, from emphysema on.
-   * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides.
+   * - "MRI": T1-weighted magnitude images with 0 ... 255 grey levels; surfaces on both sides. Pass
+   *   the image, so that it is fitted to other grey levels.
    * - "Micro-CT": one solid material, of any unit: micro-CT and industrial CT. Distinctness is from
    *   the noise, and what is background from the values (SolidFromImage).
    * - "Labels": a segmentation as the touched image: all labels but 0 feel alike, from both sides.
@@ -281,8 +283,18 @@ public:
    * project's, chosen by hand; they are not measurements: see Documentation/materials.md. The
    * preset's tissues become those of AddTissue(). A name that ends in ".json" is that of a file:
    * see ReadPreset(). Returns false, with an error and no change, for any other name.
+   *
+   * With an image, a preset whose values have no unit ("MRI") is fitted to the Component of its
+   * active point scalars, with ScalarShift and ScalarScale: what is brighter than the background,
+   * as SolidFromImage finds it, has a median, which over 90 is the factor of the values, unless
+   * the background then ended at less than 5 times its own median: its noise would be felt. The
+   * gradients have the first factor, and are per voxel, of the mean width, not per millimetre. If
+   * there is no background to tell, the preset is as without an image. An image without such
+   * scalars is an error, if it is needed.
    */
   bool ApplyPreset(const char* name);
+  bool ApplyPreset(const char* name, vtkImageData* image);
+  ///@}
 
   /** Get the names that ApplyPreset accepts, besides names of files. */
   static vtkStringArray* GetPresetNames();

@@ -19,10 +19,10 @@
  *                       infinite: the first finite corner of the whole. If a corner is not finite,
  *                       or has a number for missing values, all such samples are outside, and are
  *                       filled with the least value inside
- *   HapticSolid         optional, three numbers a component for vtkHapticProperty's SolidFromImage:
- *                       the value at which the background of the whole ends, the value from which
- *                       on the whole is solid (equal to the first if there is no background), and
- *                       the value that noise of the background rarely exceeds
+ *   HapticSolid         optional, four numbers a component for vtkHapticProperty's SolidFromImage
+ *                       and ApplyPreset(): the value at which the background of the whole ends, the
+ *                       value from which on the whole is solid (equal to the first if there is no
+ *                       background), and the medians of the background and of what is brighter
  *   HapticShift         optional, a tuple of five numbers a component for vtkHapticProperty's
  *                       ShiftFromImage: what to add to the values for Hounsfield units, the value
  *                       of air, 1 if they can't be Hounsfield units, and the range looked at

@@ -55,7 +55,13 @@ protected:
       }
     }
     this->Filter->SetPathData(MakePath(points));
+    if (this->IsFitted)
+    {
+      this->Property->ApplyPreset("MRI", this->Image);
+    }
   }
+
+  bool IsFitted = false; ///< the preset "MRI", to each ball
 
   /**
    * Presses into the ball in worlds of other units, against that of mm. Units that are powers of
@@ -213,6 +219,18 @@ TEST_F(FilterUnits, PresetsFeelTheSameInAWorldOfAnyUnit)
       const bool isGrey = name == "MRI" || name == "Micro-CT";
       this->ExpectSameForces(isGrey ? 0.0 : -1000.0, isGrey ? 200.0 : 60.0, 0.02);
     }
+  }
+}
+
+TEST_F(FilterUnits, PresetsFittedToAnImageFeelTheSameInAWorldOfAnyUnit)
+{
+  this->IsFitted = true;
+  for (const int solver : { vtkVolumeHapticsFilter::PAPER, vtkVolumeHapticsFilter::PRECISE })
+  {
+    SCOPED_TRACE(solver);
+    this->Filter->SetSolver(solver);
+    this->ExpectSameForces(0.0, 40.0, 0.1);
+    EXPECT_FALSE(this->Property->GetDistinctnessPerMillimeter()) << "not fitted";
   }
 }
 

@@ -8,12 +8,14 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkHapticNeedle.h>
+#include <vtkHapticRegionFilter.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <sstream>
 
 using namespace apitest;
@@ -179,6 +181,186 @@ TEST_F(Presets, MriTakesUpItsSurfacesSlowly)
     EXPECT_LT(distinct->GetValue(gradient + 10.0) - distinct->GetValue(gradient), 0.2) << gradient;
   }
   EXPECT_EQ(distinct->GetValue(100.0), 1.0);
+}
+
+TEST_F(Presets, MriIsFittedToTheGreyLevelsOfAnImage)
+{
+  // A head of grey matter, most of it, and white matter, in other grey levels: times 2^n, so that
+  // the functions are multiplied exactly. Forces do not depend on them.
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetPathData(MakePath(Line({ 15.5, 15.5, 0.5 }, { 15.5, 15.5, 14.5 }, 200)));
+  std::vector<double> expected;
+  for (const double times : { 1.0, 0.25, 2.0, 16.0 })
+  {
+    SCOPED_TRACE(times);
+    const auto head = MakeImage(32, VTK_DOUBLE,
+      [=](const Point& x)
+      {
+        const double r = std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5);
+        const double noise = std::abs(std::sin(13.7 * x[0] + 7.1 * x[1] * x[2] + 3.3 * x[2]));
+        const double brain = 40.0 * std::erfc(r - 12.0) + 18.0 * std::erfc(r - 6.0);
+        return times * (brain + 3.0 * noise);
+      });
+    ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
+    // The rows "background" and "grey matter, muscle" of the table.
+    EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(times * 8.0), 0.0);
+    EXPECT_NEAR(this->Property->GetSurfaceStrength()->GetValue(times * 83.0), 1.4, 0.1);
+    EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(times * 120.0), 1.8);
+    filter->SetInputData(0, head);
+    filter->SetProperty(this->Property);
+    filter->Update();
+    vtkPolyData* const output = filter->GetOutput();
+    double largest = 0.0;
+    for (vtkIdType tick = 0; tick < output->GetNumberOfPoints(); ++tick)
+    {
+      const double force = Get(output, "Force", tick, 2);
+      largest = std::max(largest, std::abs(force));
+      if (times == 1.0)
+      {
+        expected.push_back(force);
+      }
+      EXPECT_NEAR(force, expected[static_cast<std::size_t>(tick)], 1e-9) << "tick " << tick;
+    }
+    EXPECT_GT(largest, 0.3);
+  }
+}
+
+TEST_F(Presets, MriIsFittedToTheValuesThatFunctionsTake)
+{
+  const auto head = [](const Point& x)
+  { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); };
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", MakeImage(32, VTK_DOUBLE, head)));
+  vtkNew<vtkHapticProperty> scaled;
+  scaled->SetScalarShift(-100.0);
+  scaled->SetScalarScale(0.5);
+  ASSERT_TRUE(scaled->ApplyPreset(
+    "MRI", MakeImage(32, VTK_DOUBLE, [&](const Point& x) { return 2.0 * head(x) + 100.0; })));
+  for (double value = 0.0; value < 200.0; value += 5.0)
+  {
+    EXPECT_NEAR(scaled->GetSurfaceStrength()->GetValue(value),
+      this->Property->GetSurfaceStrength()->GetValue(value), 1e-9);
+    EXPECT_NEAR(scaled->GetDistinctness()->GetValue(value),
+      this->Property->GetDistinctness()->GetValue(value), 1e-9);
+  }
+}
+
+TEST_F(Presets, MriFeelsEdgesOfCoarseVoxels)
+{
+  // The same samples, so that the same values are on both sides of an edge, over one voxel more or
+  // less: what it holds is the same, whatever the voxels' width, of the same image to the bit.
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  double expected = 0.0;
+  for (const double width : { 1.0, 0.5, 2.0, 4.0 })
+  {
+    SCOPED_TRACE(testing::Message() << "voxels of " << width << " mm");
+    const auto head = MakeImage(32, VTK_DOUBLE,
+      [](const Point& x)
+      {
+        const double noise = std::abs(std::sin(13.7 * x[0] + 7.1 * x[1] * x[2] + 3.3 * x[2]));
+        return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0) + noise;
+      });
+    head->SetSpacing(width, width, width);
+    ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
+    EXPECT_FALSE(this->Property->GetDistinctnessPerMillimeter());
+    Point from = { 15.5 * width, 15.5 * width, 0.5 * width };
+    Point to = { 15.5 * width, 15.5 * width, 12.0 * width };
+    filter->SetPathData(MakePath(Line(from, to, static_cast<int>(115 * width))));
+    filter->SetInputData(0, head);
+    filter->SetProperty(this->Property);
+    filter->Update();
+    double largest = 0.0;
+    for (vtkIdType tick = 0; tick < filter->GetOutput()->GetNumberOfPoints(); ++tick)
+    {
+      largest = std::max(largest, std::abs(Get(filter->GetOutput(), "Force", tick, 2)));
+    }
+    expected = width == 1.0 ? largest : expected;
+    EXPECT_GT(largest, 0.5);
+    EXPECT_NEAR(largest, expected, 0.1 * expected);
+  }
+  // Thick slices: the mean width.
+  const auto thick = MakeImage(32, VTK_DOUBLE,
+    [](const Point& x)
+    { return 45.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", thick));
+  double ends[2] = {};
+  this->Property->GetDistinctness()->GetRange(ends);
+  thick->SetSpacing(1.0, 1.0, 4.0);
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", thick));
+  double thickEnds[2] = {};
+  this->Property->GetDistinctness()->GetRange(thickEnds);
+  EXPECT_EQ(thickEnds[0], 0.5 * ends[0]);
+  EXPECT_EQ(thickEnds[1], 0.5 * ends[1]);
+}
+
+TEST_F(Presets, MriHasNoStrengthInTheNoiseOfAnImage)
+{
+  // The magnitude of a complex signal with normal noise, as MRI has it: without signal, Rayleigh's
+  // distribution, whose mean is sqrt(pi/2) standard deviations.
+  constexpr double sigma = 2.3;
+  constexpr double body = 60.0;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> random(0.0, sigma);
+  double brightest = 0.0;
+  const auto head = MakeImage(40, VTK_DOUBLE,
+    [&](const Point& x)
+    {
+      const double r = std::hypot(x[0] - 19.5, x[1] - 19.5, x[2] - 19.5);
+      const double real = 0.5 * body * std::erfc(r - 14.0) + random(engine);
+      const double value = std::hypot(real, random(engine));
+      brightest = r > 17.0 ? std::max(brightest, value) : brightest;
+      return value;
+    });
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", head));
+  vtkPiecewiseFunction* const strength = this->Property->GetSurfaceStrength();
+  EXPECT_EQ(strength->GetValue(brightest), 0.0);
+  EXPECT_EQ(this->Property->GetViscosity()->GetValue(brightest), 0.0);
+  // The background ends at 5 means, 14.4, where it would at 8 without noise: 12 times 60/90.
+  const double end = 5.0 * std::sqrt(std::acos(0.0)) * sigma;
+  EXPECT_EQ(strength->GetValue(0.97 * end), 0.0);
+  EXPECT_GT(strength->GetValue(1.03 * end), 0.0);
+  EXPECT_GE(strength->GetValue(body), 0.8) << "as fluid";
+  // Edges are as high as the body is bright: 70 for 90.
+  vtkPiecewiseFunction* const distinct = this->Property->GetDistinctness();
+  EXPECT_EQ(distinct->GetValue(70.0 * body / 90.0 * 1.03), 1.0);
+  EXPECT_LT(distinct->GetValue(70.0 * body / 90.0 * 0.97), 1.0);
+  // A region has the grey levels of the whole.
+  vtkNew<vtkHapticRegionFilter> region;
+  region->SetInputData(head);
+  region->SetRegion(14, 25, 14, 25, 14, 25);
+  region->Update();
+  vtkNew<vtkHapticProperty> same;
+  ASSERT_TRUE(same->ApplyPreset("MRI", region->GetOutput()));
+  for (double value = 0.0; value < 200.0; value += 5.0)
+  {
+    EXPECT_EQ(same->GetSurfaceStrength()->GetValue(value), strength->GetValue(value)) << value;
+    EXPECT_EQ(same->GetDistinctness()->GetValue(value), distinct->GetValue(value)) << value;
+  }
+}
+
+TEST_F(Presets, MriTakesNoTissueForNoise)
+{
+  // Of a brain without anything around it, grey matter is the darker heap: no background of noise.
+  const auto brain = MakeImage(32, VTK_DOUBLE,
+    [](const Point& x)
+    { return 75.0 + 20.0 * std::erfc(std::hypot(x[0] - 15.5, x[1] - 15.5, x[2] - 15.5) - 11.0); });
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", brain));
+  EXPECT_GT(this->Property->GetSurfaceStrength()->GetValue(75.0), 0.8);
+}
+
+TEST_F(Presets, AnImageIsLookedAtOnlyIfThereIsNoUnit)
+{
+  EXPECT_TRUE(this->Property->ApplyPreset("CT contrast", nullptr));
+  EXPECT_TRUE(this->Property->ApplyPreset("Micro-CT", nullptr));
+  EXPECT_TRUE(this->Log.Errors.empty());
+  EXPECT_FALSE(this->Property->ApplyPreset("MRI", nullptr));
+  ASSERT_EQ(this->Log.Errors.size(), 1U);
+  EXPECT_NE(this->Log.Errors[0].find("call ApplyPreset(name)"), std::string::npos);
+  EXPECT_TRUE(this->Property->GetSolidFromImage()) << "nothing has changed";
+  // One value tells no background: the table as it is.
+  const auto image = MakeImage(16, VTK_DOUBLE, [](const Point&) { return 900.0; });
+  ASSERT_TRUE(this->Property->ApplyPreset("MRI", image));
+  EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(12.0), 0.0);
+  EXPECT_EQ(this->Property->GetSurfaceStrength()->GetValue(90.0), 1.4);
 }
 
 TEST_F(Presets, PhysicalHasThePublishedLiver)

@@ -209,7 +209,7 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
     return name;
   }
   const MessageCapture capture;
-  if (!filter->GetProperty()->ApplyPreset(name.c_str()))
+  if (!filter->GetProperty()->ApplyPreset(name.c_str(), image))
   {
     throw InputError("--preset " + name, capture.FirstError(),
       "take auto, propose, histogram, one of the presets, or a file that ends in .json, such as "

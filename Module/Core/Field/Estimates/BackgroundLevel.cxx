@@ -27,8 +27,6 @@ constexpr double LeastRise = 0.1;
 constexpr double LeastPart = 0.01;
 ///@}
 constexpr std::size_t LeastBlocks = 64;
-/** The share of even background means that may be brighter than Quiet. */
-constexpr double Rare = 0.005;
 /** From the threshold to Full, as a fraction of the way to the solid's median. */
 constexpr double FullShare = 0.15;
 constexpr int Inner = NoiseBlockSide - 2; // means along an axis of a block
@@ -105,9 +103,9 @@ public:
       even.resize(split.Below);
     }
     level.Full = level.Threshold + FullShare * (solid - level.Threshold);
-    level.Quiet = even.size() < LeastBlocks
-      ? background
-      : even[static_cast<std::size_t>((1.0 - Rare) * static_cast<double>(even.size() - 1))];
+    level.Dark = background;
+    const auto above = std::lower_bound(this->All.begin(), this->All.end(), level.Threshold);
+    level.Bright = *(above + (this->All.end() - above) / 2);
     return level;
   }
 

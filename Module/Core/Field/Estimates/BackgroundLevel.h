@@ -22,8 +22,8 @@ struct BackgroundLevel
   bool IsThere = false;
   double Threshold = 0.0; ///< between the two
   double Full = 0.0;      ///< a little above: values from here on are solid
-  /** Nearly all values of the background are at most this, noise included. */
-  double Quiet = 0.0;
+  double Dark = 0.0;      ///< the median of the background
+  double Bright = 0.0;    ///< the median of what is brighter than the threshold
 
   /**
    * Otsu's threshold (IEEE Transactions on Systems, Man, and Cybernetics 9, 1979), unless the
