@@ -26,7 +26,7 @@ public:
   static constexpr std::uint16_t Vendor = 0x054C;
   static constexpr std::uint16_t Product = 0x0CE6;
   static constexpr std::uint16_t EdgeProduct = 0x0DF2;
-  static constexpr std::uint8_t CalibrationReport = 0x05; ///< a feature; completes reports
+  static constexpr std::uint8_t CalibrationReport = 0x05; ///< a feature; then reports are whole
   static constexpr std::uint8_t FirmwareReport = 0x20;    ///< a feature report
   static constexpr std::size_t LongestReport = 78;
 

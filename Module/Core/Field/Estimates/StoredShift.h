@@ -23,7 +23,7 @@ struct StoredShift
   double Air = 0.0;   ///< the value of air, if there is a shift
   /** Whether the values can't be Hounsfield units: there is neither air nor soft tissue. */
   bool IsStrange = false;
-  double Range[2] = { 1.0, 0.0 }; ///< range of values; the first is larger if there are none
+  double Range[2] = { 1.0, 0.0 }; ///< of the values that were read; the first is larger without any
 
   static StoredShift Find(const NoiseSamples& samples);
   /** As above, to the bit, for a volume that is not a piece. */
