@@ -292,6 +292,49 @@ TEST(ProxyRelease, HoldsItsLimitsOnRandomWalks)
   EXPECT_GT(mostWithout, 1.0);
 }
 
+/**
+ * Tissue of another stiffness at each place, 50 to 1000 N/m, and a hand at up to 0.1 m/s, whose
+ * springs are millimetres long: a proxy that creeps by hundredths of a voxel comes to one that is
+ * softer by percents, of some newtons.
+ */
+TEST(ProxyRelease, HoldsItsLimitsWhereAProxyCreepsToSofterTissue)
+{
+  constexpr double stiffest = 1000.0;
+  constexpr double friction = 0.3;
+  int remains = 0;
+  double mostWithout = 0.0;
+  for (unsigned seed = 1; seed <= 8; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    TestVolume volume(ScalarType::Float32, { 24, 24, 24 });
+    volume.FillRandom(seed);
+    HapticModelDescription d = Describe(volume);
+    d.Material.Stiffness = { { -2e5, 50.0 }, { 2e5, stiffest } };
+    d.Material.Friction = ConstantPolyline(friction);
+    d.Material.SurfaceStrength = ConstantPolyline(seed % 2 == 0 ? 8.0 : 20.0);
+    Pair pair(d);
+    for (int i = 0; i < 8000; ++i)
+    {
+      const double t = 1e-3 * i;
+      double x[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        x[axis] = 0.012 + 0.008 * std::sin((3.1 + 1.3 * axis + 0.2 * seed) * t + 1.7 * seed + axis);
+      }
+      const Vector3 tip{ x[0], x[1], x[2] };
+      const double way = i > 0 ? Norm(tip - pair.StateB.PreviousTip) : 0.0;
+      pair.Tick(tip);
+      const double own = stiffest * std::sqrt(1.0 + friction * friction) * way + 0.02;
+      ASSERT_LT(pair.Step, std::max(MostStep, own)) << i;
+      ASSERT_LE(pair.Work, 1e-9) << i;
+      remains += Norm(pair.GetRemainder()) > 0.0 ? 1 : 0;
+    }
+    mostWithout = std::max(mostWithout, pair.MostWithout);
+  }
+  EXPECT_GT(remains, 500) << "the walks have releases";
+  EXPECT_GT(mostWithout, 1.0);
+}
+
 TEST(ProxyRelease, IsNotOfPaperAndOfTheKernelsMaterials)
 {
   const TestVolume volume = MakeShell();

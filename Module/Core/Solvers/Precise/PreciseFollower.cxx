@@ -123,8 +123,10 @@ void PreciseFollower::WriteLeap(
   const double mu = std::max(before.Friction, record.Friction);
   const double motion = Norm(this->State.ReachedTip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
-  // A change of the tissue itself is no leap.
-  const Vector3 change = record.Force - this->Refreshed.value_or(before.Force);
+  // It is no leap if another model has come. A change of the tissue at the proxy in the same one
+  // is due to a motion, in the last tick, of whose end no sample was taken.
+  const Vector3 change = record.Force -
+    (before.IsOfAnotherModel ? this->Refreshed.value_or(before.Force) : before.Force);
   const double square = Dot(change, change);
   if (square > most * most)
   {

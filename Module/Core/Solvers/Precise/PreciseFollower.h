@@ -25,6 +25,7 @@ struct SpringBefore
     , Force(state.Stiffness * (state.Proxy - state.Precise.ReachedTip))
     , Stiffness(std::max(state.Stiffness, state.Precise.Spring.Tissue))
     , Friction(state.Precise.Here.Friction)
+    , IsOfAnotherModel(state.Precise.CachedSampleDistance == PreciseState::Unknown)
   {
   }
 
@@ -32,6 +33,7 @@ struct SpringBefore
   Vector3 Force;    ///< N
   double Stiffness; ///< N/m, without slack
   double Friction;
+  bool IsOfAnotherModel;
 };
 
 /** Moves the tip and, after it, the proxy. Changes all of the state except its proxy. */
