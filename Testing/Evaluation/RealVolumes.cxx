@@ -265,13 +265,22 @@ Roughness Stroke(const PressedVolume& pressed, const Outline& outline, const Eff
   return Average(strokes);
 }
 
-/**
- * The largest step (N) on walks through the body that turn anywhere, at up to 0.45 m/s, in which a
- * spring of 400 N/m alone changes by 0.18 N in a tick.
- */
-double WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
+/** Of the force in a tick (N). */
+struct Steps
 {
-  double largest = 0.0;
+  double Largest = 0.0;
+  double Beyond = 0.0; ///< what neither a release (0.25 N) nor the hand's own step explains
+};
+
+/**
+ * Walks through the body that turn anywhere, at up to 0.45 m/s, in which a spring of 400 N/m alone
+ * changes by 0.18 N in a tick.
+ */
+Steps WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
+{
+  constexpr double release = 0.25; // N
+  constexpr double noLeap = 0.02;  // N, beside the hand's own step (Documentation/method.md)
+  Steps found;
   const auto& b = pressed.Box;
   const double sizes[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
   for (int walk = 0; walk < effort.Pick(5, 60); ++walk)
@@ -296,10 +305,16 @@ double WalkAtRandom(const PressedVolume& pressed, const Effort& effort)
     const Trace trace = Play(*pressed.Model, tips);
     for (std::size_t i = 1; i < trace.size(); ++i)
     {
-      largest = std::max(largest, Norm(trace[i].Force - trace[i - 1].Force));
+      const TickRecord& before = trace[i - 1];
+      const TickRecord& now = trace[i];
+      const double step = Norm(now.Force - before.Force);
+      const double own = std::max(before.Stiffness, now.Stiffness) *
+        std::hypot(1.0, std::max(before.Friction, now.Friction)) * Norm(now.Tip - before.Tip);
+      found.Largest = std::max(found.Largest, step);
+      found.Beyond = std::max(found.Beyond, step - std::max(release, own + noLeap));
     }
   }
-  return largest;
+  return found;
 }
 
 /** A line of the table, as ExploreVolume() and BuildScene() would touch and show the volume. */
@@ -366,13 +381,14 @@ std::vector<std::string> MeasureVolume(const std::string& name, const Explore::V
     [](double off) { return std::abs(off) > 2.0; });
   const double felt = std::max<double>(1.0, static_cast<double>(presses.OffSurface.size()));
   const double seconds = std::max(strokes.Duration, 1e-9);
+  const Steps walks = WalkAtRandom(pressed, effort);
   return { name, materials, std::to_string(presses.Count), std::to_string(presses.Unfelt),
     Number(FindMedian(presses.OffSurface)), Number(FindLargest(presses.OffSurface, 0.95)),
     Number(100.0 * static_cast<double>(far) / felt), Number(100.0 * presses.Astray / felt),
     Number(FindMedian(inWindow.OffSeen)), Number(FindLargest(inWindow.OffSeen, 0.95)),
     Number(FindMedian(seen)), Number(FindLargest(seen, 0.95)), Number(strokes.Mean),
     Number(strokes.Both), Number(strokes.Drops / seconds), Number(strokes.LargestStep),
-    Number(presses.LargestStep), Number(WalkAtRandom(pressed, effort)) };
+    Number(presses.LargestStep), Number(walks.Largest), Number(walks.Beyond) };
 }
 
 void PrintLine(const std::vector<std::string>& row)
@@ -396,11 +412,13 @@ Table MeasureRealVolumes(const VolumePlaces& places, const Effort& effort)
     "voxels from this isosurface, and that are from any, of the samples without specks of less "
     "than 27: structures that the kernel smooths away have one, too. Strokes as above, in planes "
     "through the middle; along the normal, half of the opacity is by so many voxels behind the "
-    "proxy. Walks are random ways through the body, at up to 0.45 m/s. For what is seen, what the "
-    "picture hides is not felt, as in the explorer's window.",
+    "proxy. Walks are random ways through the body, at up to 0.45 m/s; beyond the bound is what "
+    "neither 0.25 N, to which releases are bound, nor the hand's own step explains: stiffness "
+    "times sqrt(1 + friction^2) times its length, and 0.02 N. For what is seen, what the picture "
+    "hides is not felt, as in the explorer's window.",
     { "volume", "preset", "presses", "unfelt", "off surface", "95 %", "> 2 voxels (%)",
       "from any (%)", "seen behind", "95 %", "by strokes", "95 %", "stroke (N)", "30-500 Hz (%)",
-      "drops / s", "largest step (N)", "of presses (N)", "of walks (N)" },
+      "drops / s", "largest step (N)", "of presses (N)", "of walks (N)", "beyond bound (N)" },
     {} };
   for (const KnownVolume& known : ListVolumes(places))
   {
