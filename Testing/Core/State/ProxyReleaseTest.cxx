@@ -144,6 +144,35 @@ TEST(ProxyRelease, GoesOverInSomeMilliseconds)
   }
 }
 
+TEST(ProxyRelease, GoesOverWhereTheProxyDoesNotReachTheTipInATick)
+{
+  // A spring of 50 N/m that is 100 voxels long: when the shell gives way, the proxy has farther to
+  // go than the samples of a tick allow. The solver then goes on from a tip nearer to the proxy,
+  // and the friction would let a step as long as that change the force by far more.
+  TestVolume volume(ScalarType::Float32, { 24, 24, 160 });
+  volume.Fill<float>(
+    [](std::int64_t, std::int64_t, std::int64_t k)
+    {
+      const double z = (double(k) - 20.0) / 2.0;
+      return 1000.0 * std::exp(-z * z);
+    });
+  HapticModelDescription d = DescribeShell(volume, 5.0);
+  d.Material.Stiffness = ConstantPolyline(50.0);
+  d.Material.Friction = ConstantPolyline(20.0);
+  Pair pair(d);
+  int unfinished = 0;
+  for (int i = 0; i < 3600; ++i)
+  {
+    pair.Tick(At(0.002 + 4e-5 * i));
+    unfinished += pair.B.IsUnfinished ? 1 : 0;
+  }
+  EXPECT_GT(unfinished, 0);
+  EXPECT_GT(pair.MostWithout, 4.0);
+  EXPECT_LT(pair.Most, MostStep);
+  EXPECT_LE(pair.Work, pair.WorkWithout);
+  EXPECT_EQ(Norm(pair.GetRemainder()), 0.0) << "it has ended";
+}
+
 TEST(ProxyRelease, LeavesWhatDoesNotLeapToTheBit)
 {
   // A hand that presses, strokes and lifts off without breaking through.

@@ -121,7 +121,7 @@ void PreciseFollower::WriteLeap(
   // Without a leap, a force changes as much as its spring, and friction with it.
   const double k = std::max({ before.Stiffness, record.Stiffness, this->State.Spring.Tissue });
   const double mu = std::max(before.Friction, record.Friction);
-  const double motion = Norm(this->State.ReachedTip - before.Tip) + carried;
+  const double motion = Norm(record.Tip - before.Tip) + carried;
   const double most = k * std::sqrt(1.0 + mu * mu) * motion + LeastLeap;
   // It is no leap if another model has come. A change of the tissue at the proxy in the same one
   // is due to a motion, in the last tick, of whose end no sample was taken.

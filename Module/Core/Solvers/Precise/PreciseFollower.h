@@ -21,19 +21,19 @@ namespace VolumeHaptics
 struct SpringBefore
 {
   explicit SpringBefore(const ServoState& state) noexcept
-    : Tip(state.Precise.ReachedTip)
+    : IsOfAnotherModel(state.Precise.CachedSampleDistance == PreciseState::Unknown)
+    , Tip(IsOfAnotherModel ? state.Precise.ReachedTip : state.PreviousTip)
     , Force(state.Stiffness * (state.Proxy - state.Precise.ReachedTip))
     , Stiffness(std::max(state.Stiffness, state.Precise.Spring.Tissue))
     , Friction(state.Precise.Here.Friction)
-    , IsOfAnotherModel(state.Precise.CachedSampleDistance == PreciseState::Unknown)
   {
   }
 
-  Vector3 Tip;
+  bool IsOfAnotherModel;
+  Vector3 Tip;      ///< the hand's, also where the solver has not reached it
   Vector3 Force;    ///< N
   double Stiffness; ///< N/m, without slack
   double Friction;
-  bool IsOfAnotherModel;
 };
 
 /** Moves the tip and, after it, the proxy. Changes all of the state except its proxy. */
