@@ -16,12 +16,20 @@ namespace VolumeHaptics
 /**
  * The smallest and the largest finite value; the first is larger if there are none. As
  * vtkDataArray::GetFiniteRange, which keeps ranges in the array's information: here a view of the
- * same values keeps them, so that another thread may read the array meanwhile.
+ * same memory keeps them, so that another thread may read the array meanwhile. Arrays that don't
+ * keep tuple after tuple in memory have no such view.
  */
 inline void FindFiniteRange(vtkDataArray* array, int component, double range[2])
 {
-  const auto view = vtk::TakeSmartPointer(array->NewInstance());
-  view->ShallowCopy(array);
+  if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // 0 for bits
+  {
+    array->GetFiniteRange(range, component);
+    return;
+  }
+  const auto view = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(array->GetDataType()));
+  view->SetNumberOfComponents(array->GetNumberOfComponents());
+  constexpr int keepsMemory = 1;
+  view->SetVoidArray(array->GetVoidPointer(0), array->GetNumberOfValues(), keepsMemory);
   view->GetFiniteRange(range, component);
 }
 
