@@ -46,7 +46,7 @@ public:
   void Step(const HeldSample& sample);
   /// The shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Shift; }
-  /// What the user has to do now.
+  /// Returns the instruction for the user in this phase.
   const char* GetRequest() const;
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
 

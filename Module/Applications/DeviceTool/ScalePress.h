@@ -38,7 +38,7 @@ public:
   /// The shift of the spring's fixed end along the axis (m).
   double GetShift() const { return this->Given.Direction * this->Way; }
   bool IsOver() const { return this->Now == Phase::Done || this->Now == Phase::Refused; }
-  /// What the user has to do now.
+  /// Returns the instruction for the user in this phase.
   std::string GetRequest() const;
 
   /// @{

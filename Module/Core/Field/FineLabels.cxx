@@ -407,7 +407,7 @@ float FindEnd(float here, float before, float most, float mostBefore, float step
   return end <= 1.0F ? std::clamp(end, least, last) : std::max(2.0F - end, half);
 }
 
-/** By how much the radius of such a piece falls up to the next slice; 0 if it does not. */
+/** The decrease of the radius of such a piece up to the next slice; 0 if there is none. */
 float FindFall(float most, float mostBefore, float step)
 {
   const float fall = (mostBefore * mostBefore + step * step - most * most) / (2.0F * most);

@@ -28,7 +28,7 @@ enum class FalconHomingState : std::uint8_t
   Lost      ///< the encoders lost their zero after homing; until Restart
 };
 
-/** What the hand has to do, in words. */
+/** Returns the instruction for the user in a state. */
 const char* FalconHomingText(FalconHomingState state) noexcept;
 
 /** The distance (m) from the base beyond which the grip is ready. */

@@ -164,7 +164,7 @@ class View:
             self._fit(page)
 
     def _leave_with(self, page: str) -> None:
-        """A page has closed: if it led, nobody holds the mouse any more."""
+        """Forgets a page that has closed, and frees the mouse if that page led the hand."""
         self._sizes.pop(page, None)
         self._heard.pop(page, None)
         if page == self.leader:

@@ -11,7 +11,7 @@
 
 namespace Explore
 {
-/// What a file says about its world axes.
+/// The directions of the world axes, according to a file.
 enum class WorldAxes
 {
   Unknown, // the file does not say
