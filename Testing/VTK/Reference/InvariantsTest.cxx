@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The invariants of every tick in any scene, by the module's own trace arrays.
+ * What holds in any scene, by the module's own trace arrays. Of every tick: the limits of the
+ * material, and the spring. Of two runs: the hand must not feel the placement of the volume, nor the
+ * grid on which a linear field was sampled. Of two ticks: if the material is the same everywhere, a
+ * small motion of the tip changes the force of PRECISE by no more than the spring's.
  */
 
 #include "CompareTraces.h"
@@ -10,6 +13,10 @@
 
 #include <gtest/gtest.h>
 #include <vtkPiecewiseFunction.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
 
 using namespace reference;
 
@@ -32,6 +39,59 @@ void OnRandomScenes(int firstSeed, Check&& check)
     RandomScene(scene, random, seed % 2 ? Curves::Linear : Curves::Curved, Ticks);
     check(scene, random);
   }
+}
+
+Trace MovedBack(const Trace& trace, const Mat3& rotation, const Vec3& translation)
+{
+  Trace back = trace;
+  for (TickRecord& tick : back)
+  {
+    tick.proxy = TransposedTimes(rotation, tick.proxy - translation);
+    tick.tip = TransposedTimes(rotation, tick.tip - translation);
+    tick.force = TransposedTimes(rotation, tick.force);
+    tick.normal = TransposedTimes(rotation, tick.normal);
+  }
+  return back;
+}
+
+/// The solver ends its search within some thousandths of a voxel in a tick.
+constexpr double ToleranceInVoxels = 2e-2;
+
+/// The same walk with its jumps walked: friction remembers the steps that a jump is taken in.
+std::vector<Vec3> WithoutJumps(const std::vector<Vec3>& path)
+{
+  std::vector<Vec3> walked = { path.front() };
+  for (const Vec3& goal : path)
+  {
+    const Vec3 start = walked.back();
+    const double steps = std::ceil(Norm(goal - start) / 0.3);
+    for (double i = 1.0; i <= steps; i += 1.0)
+    {
+      walked.push_back(start + (i / steps) * (goal - start));
+    }
+  }
+  return walked;
+}
+
+/// N, of a spring that is off by the solver's tolerance.
+double Tolerance(const Scene& scene, double stiffness)
+{
+  double spacing[3];
+  scene.image->GetSpacing(spacing);
+  return ToleranceInVoxels * *std::max_element(spacing, spacing + 3) * scene.metersPerWorldUnit *
+    stiffness;
+}
+
+void ExpectSame(const Scene& scene, const Trace& a, const Trace& b, const Mat3& rotation)
+{
+  int felt = 0;
+  for (std::size_t tick = 0; tick < a.size(); ++tick)
+  {
+    const Vec3 difference = rotation * a[tick].force - b[tick].force;
+    EXPECT_LE(Norm(difference), Tolerance(scene, a[tick].stiffness)) << "tick " << tick;
+    felt += Norm(a[tick].force) > 0.01;
+  }
+  EXPECT_GT(felt, 10) << "nothing is felt";
 }
 } // namespace
 
@@ -108,4 +168,155 @@ TEST(Invariants, TheSameSceneGivesTheSameBits)
       const Difference difference = CompareTraces(RunFilter(scene), RunFilter(scene));
       EXPECT_EQ(difference.worst, 0.0) << difference.text;
     });
+}
+
+class InvariantsOfSolver : public testing::TestWithParam<Solver>
+{
+};
+
+// The waves are long against the depth: if the tip is deeper than the surface's radius of
+// curvature, the paper's solver chatters (T13), and chatter doubles any rounding at every tick.
+TEST_P(InvariantsOfSolver, RigidMotionOfVolumeAndPathIsNotFelt)
+{
+  const bool isPaper = this->GetParam() == Solver::Paper;
+  double worst = 0.0;
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(7000 + seed);
+    Scene scene;
+    scene.solver = this->GetParam();
+    scene.estimator = AllEstimators[seed % 3];
+    scene.side = isPaper ? Side(seed / 3 % 3) : scene.side;
+    const Geometry geometry = GentleScene(scene, random, 150);
+    const Trace first = RunFilter(scene);
+
+    const Mat3 rotation = random.Rotation();
+    const Vec3 translation = random.Uniform(0.0, 100.0) * random.UnitVector();
+    MoveScene(scene, geometry, rotation, translation);
+    const Trace second = RunFilter(scene);
+    if (isPaper)
+    {
+      const Difference difference = CompareForces(first, MovedBack(second, rotation, translation));
+      EXPECT_LE(difference.worst, 1e-12) << difference.text;
+      worst = std::max(worst, difference.worst);
+    }
+    else
+    {
+      ExpectSame(scene, first, second, rotation);
+    }
+  }
+  std::cout << "worst relative change of a force of PAPER: " << worst << std::endl;
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, InvariantsOfSolver,
+  testing::Values(Solver::Paper, Solver::Precise),
+  [](const testing::TestParamInfo<Solver>& info)
+  { return info.param == Solver::Paper ? "Paper" : "Precise"; });
+
+// Other spacings change r = KernelRadius x the largest spacing, the reach of x_s and x_v, and so
+// which material is looked up: if the material varies, the largest spacing has to stay.
+TEST(Invariants, PaperDoesNotFeelTheGridOfALinearField)
+{
+  double worst = 0.0;
+  for (int seed = 0; seed < 90; ++seed)
+  {
+    const bool constantMaterial = seed % 2;
+    Random random(8000 + seed);
+    const Vec3 slope = 0.05 * random.UnitVector();
+    const Field linear = [&](const Vec3& x) { return Dot(slope, x); };
+    Scene scene;
+    scene.estimator = AllEstimators[seed % 3];
+    scene.image = Sample(Cube(24.0, 2.0), linear);
+    GentleMaterial(scene, -1.0, 1.0);
+    if (constantMaterial)
+    {
+      SetMaterial(scene, 500.0, 0.3, 0.2, 1.2);
+    }
+    Geometry walk = Cube(5.0, 1.0);
+    RandomWalk(scene, random, walk, 150);
+    for (Vec3& point : scene.path)
+    {
+      point = (6.0 / std::max(6.0, Norm(point))) * point; // far from every border
+    }
+    const Trace first = RunFilter(scene);
+
+    Geometry other;
+    other.direction = random.Rotation(random.Chance(0.5));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      other.spacing[axis] = random.Uniform(0.8, constantMaterial ? 3.0 : 2.0);
+    }
+    other.spacing[seed % 3] = constantMaterial ? other.spacing[seed % 3] : 2.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int n = int(std::ceil(24.0 / other.spacing[axis]));
+      other.extent[2 * axis] = random.Integer(-4, 4);
+      other.extent[2 * axis + 1] = other.extent[2 * axis] + 2 * n;
+    }
+    other.origin = random.UnitVector() - other.Centre();
+    scene.image = Sample(other, linear);
+    const Difference difference = CompareForces(first, RunFilter(scene));
+    EXPECT_LE(difference.worst, 1e-12) << "seed " << seed << ": " << difference.text;
+    worst = std::max(worst, difference.worst);
+  }
+  std::cout << "worst relative change of a force by re-gridding: " << worst << std::endl;
+}
+
+TEST(Invariants, PreciseDoesNotFeelTheGridOfALinearField)
+{
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    Random random(8000 + seed);
+    const Vec3 slope = 0.05 * random.UnitVector();
+    const Field linear = [&](const Vec3& x) { return Dot(slope, x); };
+    Scene scene;
+    scene.solver = Solver::Precise;
+    scene.estimator = AllEstimators[seed % 3];
+    scene.image = Sample(Cube(24.0, 2.0), linear);
+    SetMaterial(scene, 500.0, 0.3, 0.2, 1.2);
+    RandomWalk(scene, random, Cube(5.0, 1.0), 150);
+    scene.path = WithoutJumps(scene.path);
+    const Trace first = RunFilter(scene);
+    scene.image = Sample(Cube(25.0, random.Uniform(0.8, 2.2)), linear);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ExpectSame(scene, first, RunFilter(scene), Mat3());
+  }
+}
+
+TEST(Invariants, TheForceFollowsTheTipNoStifferThanTheSpring)
+{
+  for (int seed = 0; seed < 60; ++seed)
+  {
+    Random random(9000 + seed);
+    Scene scene;
+    scene.solver = Solver::Precise;
+    scene.estimator = AllEstimators[seed % 3];
+    // A plane, or a cavity some way off: what is free there is convex, and a projection onto it
+    // shortens.
+    const Vec3 slope = random.UnitVector();
+    const bool isPlane = seed % 2;
+    // An edge's strength would grow with the depth in the cavity, and limit 1e9 N to some.
+    scene.placesAsThePaper = !isPlane;
+    const auto field = [&](const Vec3& x)
+    {
+      const Vec3 off = x - 20.0 * slope;
+      return isPlane ? 10.0 * Dot(slope, x) : Dot(off, off);
+    };
+    scene.image = Sample(Cube(24.0, 1.0), field);
+    const double stiffness = random.Uniform(200.0, 1500.0);
+    const double friction = seed % 4 < 2 ? 0.0 : random.Uniform(0.0, 0.6);
+    SetMaterial(scene, stiffness, friction, seed % 3 ? 0.3 : 0.0, isPlane ? 1.5 : 1e9);
+    RandomWalk(scene, random, Cube(8.0, 1.0), 300);
+    const Trace trace = RunFilter(scene);
+    // Friction grows with the normal force.
+    const double k = 0.001 * stiffness * std::hypot(1.0, friction);
+    for (std::size_t tick = 1; tick < trace.size(); ++tick)
+    {
+      const double step = Norm(trace[tick].tip - trace[tick - 1].tip);
+      const double change = Norm(trace[tick].force - trace[tick - 1].force);
+      EXPECT_LE(change, k * step + Tolerance(scene, stiffness))
+        << "seed " << seed << " tick " << tick;
+    }
+  }
 }
