@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * What holds in any scene, by the module's own trace arrays. Of every tick: the limits of the
- * material, and the spring. Of two runs: the hand must not feel the placement of the volume, nor the
- * grid on which a linear field was sampled. Of two ticks: if the material is the same everywhere, a
- * small motion of the tip changes the force of PRECISE by no more than the spring's.
+ * What holds in any scene, by the module's own trace arrays. Every tick keeps the limits of the
+ * material and the spring. The hand must not feel the placement of the volume, nor the grid on which
+ * a linear field was sampled. If the material is the same everywhere, a small motion of the tip
+ * changes the force of PRECISE by no more than the spring's.
  */
 
 #include "CompareTraces.h"
