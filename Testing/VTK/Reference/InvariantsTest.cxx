@@ -3,9 +3,9 @@
 
 /**
  * What holds in any scene, by the module's own trace arrays. Every tick keeps the limits of the
- * material and the spring. The hand must not feel the placement of the volume, nor the grid on which
- * a linear field was sampled. If the material is the same everywhere, a small motion of the tip
- * changes the force of PRECISE by no more than the spring's.
+ * material and the spring. The hand feels neither the placement of the volume, nor the grid on
+ * which a linear field was sampled. If the material is the same everywhere, a small motion of the
+ * tip changes the force of PRECISE by no more than the spring's.
  */
 
 #include "CompareTraces.h"
