@@ -7,8 +7,8 @@ They come from a newer Debian's VTK of the same VERSION, taken with apt-get into
 is the wheel `vtk` of the same version, whose libraries are asked for by name. So this runs on x86-64 Debian 12, with
 the Python that the wheel is for, and what it makes stays on that machine.
 
-If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp. Exits
-with 3 if that is not possible, for example if Debian no longer has VERSION.
+If Debian's VTK was configured differently from the wheel, the headers are corrected: no TBB, VTK's own jsoncpp, lz4 and
+hdf5. Exits with 3 if that is not possible, for example if Debian no longer has VERSION.
 """
 import pathlib
 import re
@@ -20,8 +20,12 @@ import zipfile
 
 ARCHITECTURE = "x86_64-linux-gnu"
 SUITES = ("forky", "sid", "trixie")
-# Its headers are those of the jsoncpp in VTK 9.6, whose namespace VTK renames.
-JSONCPP = ("libjsoncpp-dev", "1.9.6")
+# Their headers are those of the libraries in VTK 9.6, whose names VTK begins with its own: the namespace of jsoncpp, the
+# functions of lz4 and hdf5. The third text is what Debian's VTK links instead.
+JSONCPP = ("libjsoncpp-dev", "1.9.6", "JsonCpp::JsonCpp")
+LZ4 = ("liblz4-dev", "1.10.0", "LZ4::LZ4")
+HDF5 = ("libhdf5-dev", "1.14.5", "hdf5::hdf5;hdf5::hdf5_hl;VTK::mpi") # the wheel's may be a later 1.14
+BUNDLED = {"jsoncpp": JSONCPP, "lz4": LZ4, "hdf5": HDF5}
 TOOLS = ("vtkWrapHierarchy", "vtkWrapPython", "vtkWrapPythonInit")
 
 APT_OPTIONS = """\
@@ -118,6 +122,34 @@ def replace(path, *pairs):
     path.write_text(text)
 
 
+def name_as_vtk(header, library, prefix):
+    """Begins a header with macros that give the functions of a library of the wheel the names that they have there."""
+    names = re.findall(rf"\b{prefix}(\w+)$", run("nm", "-D", "--defined-only", str(library)), flags=re.MULTILINE)
+    # The headers define macros of these names themselves.
+    macros = "".join(f"#define {name} {prefix}{name}\n" for name in names if not name.endswith("_async"))
+    header.write_text(macros + header.read_text())
+
+
+def place_headers(include, headers, libraries):
+    """The headers of lz4 and hdf5, below `headers`, beside VTK's own."""
+    for name in ("lz4", "hdf5"):
+        replace(include / f"vtk_{name}.h", (rf"^(#define VTK_MODULE_USE_EXTERNAL_vtk{name}) 1", r"\1 0"))
+    lz4 = include / "vtklz4" / "lib" / "lz4.h"
+    lz4.parent.mkdir(parents=True)
+    shutil.copy(headers / "usr/include/lz4.h", lz4)
+    name_as_vtk(lz4, libraries / "libvtklz4.so", "vtklz4_")
+
+    library = libraries / "libvtkhdf5.so"
+    version = re.search(rb"HDF5 library version: (\d+\.\d+)\.(\d+)", library.read_bytes())
+    if version is None or version.group(1).decode() != HDF5[1].rpartition(".")[0]:
+        raise NotToBeHad("the HDF5 in VTK's wheel is not of the version of the headers")
+    for folder in ("src", "hl/src"):
+        places = include / "vtkhdf5" / folder
+        shutil.copytree(headers / "usr/include/hdf5/serial", places)
+        replace(places / "H5public.h", (r"^(#define H5_VERS_RELEASE +)\d+", rf"\g<1>{version.group(2).decode()}"))
+        name_as_vtk(places / "hdf5.h", library, "vtkhdf5_")
+
+
 def correct_headers(include, json):
     replace(include / "vtkSMP.h",
             (r"^#define VTK_SMP_TBB$", "#define VTK_SMP_Sequential"),
@@ -151,10 +183,11 @@ def place_targets(cmake, version, libraries):
         else:
             continue
         kept[block.split('"')[1]] = block
-    kept["VTK::jsoncpp"] = f'''"VTK::jsoncpp"
-set_property(TARGET VTK::jsoncpp APPEND PROPERTY IMPORTED_CONFIGURATIONS NONE)
-set_target_properties(VTK::jsoncpp PROPERTIES
-  IMPORTED_LOCATION_NONE "{wheel}/libvtkjsoncpp.so" IMPORTED_SONAME_NONE "libvtkjsoncpp.so")
+    for bundled in BUNDLED:
+        kept[f"VTK::{bundled}"] = f'''"VTK::{bundled}"
+set_property(TARGET VTK::{bundled} APPEND PROPERTY IMPORTED_CONFIGURATIONS NONE)
+set_target_properties(VTK::{bundled} PROPERTIES
+  IMPORTED_LOCATION_NONE "{wheel}/libvtk{bundled}.so" IMPORTED_SONAME_NONE "libvtk{bundled}.so")
 
 '''
     last = "\n# Commands beyond this point"
@@ -168,9 +201,10 @@ def correct_targets(cmake, version, libraries):
     """No target that the wheel lacks, and of the system only threads and Python."""
     kept = place_targets(cmake, version, libraries)
     declared = cmake / "VTK-targets.cmake"
-    replace(declared,
-            (r"add_library\(VTK::jsoncpp INTERFACE IMPORTED\)", "add_library(VTK::jsoncpp SHARED IMPORTED)"),
-            (r'"JsonCpp::JsonCpp"', '""'))
+    for bundled, (_, _, linked) in BUNDLED.items():
+        replace(declared,
+                (rf"add_library\(VTK::{bundled} INTERFACE IMPORTED\)", f"add_library(VTK::{bundled} SHARED IMPORTED)"),
+                (f'"{linked}"', '""'))
     first, *blocks = re.split(r"^# Create imported target ", declared.read_text(), flags=re.MULTILINE)
     lacking = {name for name, block in ((block.split()[0], block) for block in blocks[:-1])
                if name not in kept and "INTERFACE IMPORTED)" not in block}
@@ -235,30 +269,35 @@ def main(version, folder):
     folder.mkdir(parents=True)
     debian = Debian(folder)
     found = debian.find("libvtk9-dev", version)
-    if found is None or debian.find(*JSONCPP) is None:
-        raise NotToBeHad(f"Debian ({', '.join(SUITES)}) has no VTK {version}")
+    headers = {package: debian.find(package, number) for package, number, _ in BUNDLED.values()}
+    if found is None or None in headers.values():
+        raise NotToBeHad(f"Debian ({', '.join(SUITES)}) has no VTK {version}, or not the headers of its libraries")
     usr = folder / "debian" / "usr"
     for package in ("libvtk9-dev", "vtk9", "python3-vtk9", f"libvtk{'.'.join(version.split('.')[:2])}"):
         debian.unpack(package, found, usr.parent)
     debian.unpack("libc6", None, usr.parent)
-    debian.unpack(JSONCPP[0], debian.find(*JSONCPP), folder / "json")
+    for package, number in headers.items():
+        debian.unpack(package, number, folder / "headers")
 
     run(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", str(folder), f"vtk=={version}")
     vtk = next(folder.glob("vtk-*.whl"))
     with zipfile.ZipFile(vtk) as archive:
         libraries = set(re.findall(r"vtkmodules/lib([\w.]+)\.so\b", "\n".join(archive.namelist())))
+        for name in ("lz4", "hdf5"):
+            archive.extract(f"vtkmodules/libvtk{name}.so", folder / "headers")
 
     short = f"vtk-{'.'.join(version.split('.')[:2])}"
     content = folder / "tree" / "vtk_sdk" / "content"
     for part in (f"include/{short}", f"lib/{ARCHITECTURE}/cmake/{short}", f"lib/{ARCHITECTURE}/{short}/hierarchy"):
         shutil.copytree(usr / part, content / part)
-    correct_headers(content / "include" / short, folder / "json/usr/include/jsoncpp/json")
+    correct_headers(content / "include" / short, folder / "headers/usr/include/jsoncpp/json")
+    place_headers(content / "include" / short, folder / "headers", folder / "headers" / "vtkmodules")
     correct_targets(content / "lib" / ARCHITECTURE / "cmake" / short, version, libraries)
     write_tools(usr, content, version)
     (content.parent / "__init__.py").touch()
     (content / "__init__.py").touch()
     wheel = pack(folder / "tree", version, folder)
-    for rest in ("apt", "debian", "json", "tree"):
+    for rest in ("apt", "debian", "headers", "tree"):
         shutil.rmtree(folder / rest)
     print(wheel)
 

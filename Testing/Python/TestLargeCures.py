@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonCore import VTK_SHORT, VTK_STRING, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 from vtkmodules.vtkFiltersPoints import vtkPointInterpolator
-from volumehaptics import open_large, vtkHapticRegionSource
+from volumehaptics import vtkHapticRegionSource
 from volumehaptics._touch import Errors
 
 ARRAY = make_array()
@@ -328,15 +328,6 @@ for _words, _changed in {
     def _(folder, changed=_changed):
         yield zarr(folder, **changed)
         yield zarr(folder)
-
-
-@case("or without a compressor")
-def _(folder):
-    yield blosc(folder, "zstd", 1)
-    yield blosc(folder, "lz4", 1)
-    yield zarr(folder, "b.zarr")
-    large = open_large(blosc(folder, "zstd", 1))
-    yield region_of(large, large.GetWholeExtent())
 
 
 def blosc(folder, kind, shuffle):

@@ -281,7 +281,8 @@ def test_a_damaged_vtkhdf_ends_nothing(hdf5, tmp_path, how):
 
 CODECS = {"none": None, "zlib": ("Zlib", 5), "gzip": ("GZip", 5), "lz4": ("LZ4",),
           "blosc": ("Blosc", "lz4", 5, 1), "blosc plain": ("Blosc", "lz4hc", 9, 0), "blosc zlib": ("Blosc", "zlib", 5, 1),
-          "blosc stored": ("Blosc", "lz4", 0, 1)}
+          "blosc stored": ("Blosc", "lz4", 0, 1), "blosc zstd": ("Blosc", "zstd", 5, 2),
+          "blosc blosclz": ("Blosc", "blosclz", 9, 1)}
 
 
 @pytest.mark.parametrize("codec", CODECS)

@@ -51,12 +51,12 @@ def test_finds_all_libraries_beside_it(path):
         assert found or SYSTEM.fullmatch(library), f"{path.name} needs {library}"
 
 
-def test_carries_the_libraries_of_devices():
+def test_carries_the_libraries_of_devices_and_codecs():
     """The kinds of devices that need a library are there, and tell the error if none is plugged in."""
     from volumehaptics import vtkHapticDevice
 
     carried = {path.name.split("-")[0] for path in SITE.glob("volumehaptics.libs/*")}
-    assert {"libusb", "libhidapi"} <= carried, carried
+    assert {"libblosc", "libusb", "libhidapi"} <= carried, carried
     notices = " ".join(path.name for path in PACKAGE.glob("licenses/*.txt"))
     assert all(library in notices for library in carried), (carried, notices)
     device = vtkHapticDevice()

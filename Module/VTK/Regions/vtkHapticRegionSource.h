@@ -190,8 +190,8 @@ public:
    * voxels, which is read at once.
    *
    * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
-   * samples of Zarr by zlib, gzip, lz4, or Blosc with lz4 or zlib, but samples of MetaImage and
-   * NRRD must be uncompressed. A NRRD file in the space right-anterior-superior is converted to
+   * samples of Zarr by zlib, gzip, lz4 or Blosc, but samples of MetaImage and NRRD must be
+   * uncompressed. A NRRD file in the space right-anterior-superior is converted to
    * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
    * read; nothing is changed then. If the file is written again, open it again.
    */

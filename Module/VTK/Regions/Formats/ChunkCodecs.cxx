@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Regions/Formats/ChunkCodecs.h"
 
+#include "vtk_lz4.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <zlib.h>
+
+#if defined(VOLUME_HAPTICS_HAS_BLOSC)
+#include <blosc.h>
+#endif
 
 namespace VolumeHaptics
 {
@@ -44,175 +51,6 @@ struct Inflater
 
   z_stream Stream{};
 };
-
-/** Unpacks a block of LZ4: sequences of plain bytes, and of copies of earlier bytes. */
-class Lz4Block
-{
-public:
-  Lz4Block(const unsigned char* from, std::size_t size, unsigned char* to, std::size_t room)
-    : From(from)
-    , FromEnd(from + size)
-    , Begin(to)
-    , To(to)
-    , End(to + room)
-  {
-  }
-
-  /** Fills the whole output. */
-  void Unpack()
-  {
-    while (this->From < this->FromEnd)
-    {
-      const unsigned char token = *this->From++;
-      const std::size_t plain = this->ReadLength(token >> 4);
-      if (plain > Left(this->From, this->FromEnd) || plain > Left(this->To, this->End))
-      {
-        ThrowDamaged("lz4");
-      }
-      this->To = std::copy_n(this->From, plain, this->To);
-      this->From += plain;
-      if (this->From == this->FromEnd)
-      {
-        break; // the last sequence has only plain bytes
-      }
-      this->Repeat(token & 15);
-    }
-    if (this->To != this->End)
-    {
-      ThrowDamaged("lz4");
-    }
-  }
-
-private:
-  static std::size_t Left(const unsigned char* from, const unsigned char* end)
-  {
-    return static_cast<std::size_t>(end - from);
-  }
-  std::size_t ReadLength(std::size_t length)
-  {
-    unsigned char more = length == 15 ? 255 : 0;
-    while (more == 255)
-    {
-      if (this->From == this->FromEnd)
-      {
-        ThrowDamaged("lz4");
-      }
-      more = *this->From++;
-      length += more;
-    }
-    return length;
-  }
-  void Repeat(std::size_t length)
-  {
-    if (Left(this->From, this->FromEnd) < 2)
-    {
-      ThrowDamaged("lz4");
-    }
-    const std::size_t back = this->From[0] | std::size_t{ this->From[1] } << 8;
-    this->From += 2;
-    const std::size_t count = this->ReadLength(length) + 4;
-    if (back == 0 || back > Left(this->Begin, this->To) || count > Left(this->To, this->End))
-    {
-      ThrowDamaged("lz4");
-    }
-    for (std::size_t i = 0; i < count; ++i, ++this->To)
-    {
-      *this->To = *(this->To - back); // source and target may overlap
-    }
-  }
-
-  const unsigned char* From;
-  const unsigned char* const FromEnd;
-  unsigned char* const Begin;
-  unsigned char* To;
-  unsigned char* const End;
-};
-
-/** Head of a chunk of Blosc 1. */
-struct BloscHead
-{
-  static constexpr std::size_t Size = 16;
-
-  explicit BloscHead(const std::vector<char>& bytes)
-  {
-    if (bytes.size() < Size)
-    {
-      ThrowDamaged("blosc");
-    }
-    const auto* const head = reinterpret_cast<const unsigned char*>(bytes.data());
-    this->Flags = head[2];
-    this->SampleSize = std::max<std::size_t>(head[3], 1);
-    this->Plain = ReadWord(head + 4);
-    this->BlockSize = ReadWord(head + 8);
-    if (head[0] != 2 || ReadWord(head + 12) > bytes.size() || this->Plain > MostChunkBytes ||
-      (this->Plain > 0 && this->BlockSize == 0))
-    {
-      ThrowDamaged("blosc");
-    }
-  }
-  bool HasFlag(unsigned int flag) const { return (this->Flags & flag) != 0; }
-  unsigned int GetCompressor() const { return this->Flags >> 5; }
-
-  unsigned int Flags;
-  std::size_t SampleSize;
-  std::size_t Plain;
-  std::size_t BlockSize;
-};
-
-constexpr unsigned int ShuffledBytes = 1;
-constexpr unsigned int Stored = 2;
-constexpr unsigned int ShuffledBits = 4;
-constexpr unsigned int NotSplit = 16;
-constexpr unsigned int Lz4Compressor = 1;
-constexpr unsigned int ZlibCompressor = 3;
-
-void UnpackZlib(const unsigned char* from, std::size_t size, unsigned char* to, std::size_t room)
-{
-  uLongf done = static_cast<uLongf>(room);
-  if (uncompress(to, &done, from, static_cast<uLong>(size)) != Z_OK || done != room)
-  {
-    ThrowDamaged("zlib");
-  }
-}
-
-/** Unpacks one block, which has one stream, or one for each byte of a sample. */
-void UnpackBloscBlock(const BloscHead& head, const std::vector<char>& bytes, std::size_t from,
-  unsigned char* to, std::size_t size)
-{
-  const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
-  constexpr std::size_t mostStreams = 16;
-  constexpr std::size_t leastSamples = 128;
-  const bool isSplit = !head.HasFlag(NotSplit) && size == head.BlockSize &&
-    head.SampleSize <= mostStreams && size / head.SampleSize >= leastSamples;
-  const std::size_t streams = isSplit ? head.SampleSize : 1;
-  const std::size_t part = size / streams;
-  for (std::size_t stream = 0; stream < streams; ++stream, to += part)
-  {
-    if (from > bytes.size() || bytes.size() - from < 4)
-    {
-      ThrowDamaged("blosc");
-    }
-    const std::size_t packed = ReadWord(data + from);
-    from += 4;
-    if (packed > bytes.size() - from)
-    {
-      ThrowDamaged("blosc");
-    }
-    if (packed == part)
-    {
-      std::copy_n(data + from, part, to);
-    }
-    else if (head.GetCompressor() == Lz4Compressor)
-    {
-      Lz4Block(data + from, packed, to, part).Unpack();
-    }
-    else
-    {
-      UnpackZlib(data + from, packed, to, part);
-    }
-    from += packed;
-  }
-}
 
 } // namespace
 
@@ -253,62 +91,59 @@ void InflateChunk(std::vector<char>& bytes)
 
 void UnpackLz4Chunk(std::vector<char>& bytes)
 {
-  const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
-  if (bytes.size() < 4 || ReadWord(data) > MostChunkBytes)
+  constexpr std::size_t headSize = 4;
+  if (bytes.size() < headSize || bytes.size() > MostChunkBytes)
   {
     ThrowDamaged("lz4");
   }
-  std::vector<char> plain(ReadWord(data));
-  Lz4Block(data + 4, bytes.size() - 4, reinterpret_cast<unsigned char*>(plain.data()), plain.size())
-    .Unpack();
+  const std::size_t size = ReadWord(reinterpret_cast<const unsigned char*>(bytes.data()));
+  if (size > MostChunkBytes)
+  {
+    ThrowDamaged("lz4");
+  }
+  std::vector<char> plain(size);
+  const int done = LZ4_decompress_safe(bytes.data() + headSize, plain.data(),
+    static_cast<int>(bytes.size() - headSize), static_cast<int>(size));
+  if (done != static_cast<int>(size))
+  {
+    ThrowDamaged("lz4");
+  }
   bytes = std::move(plain);
 }
 
+#if defined(VOLUME_HAPTICS_HAS_BLOSC)
 void UnpackBloscChunk(std::vector<char>& bytes)
 {
-  const BloscHead head(bytes);
-  std::vector<char> plain(head.Plain);
-  if (head.HasFlag(Stored))
+  std::size_t size = 0;
+  std::size_t packed = 0;
+  std::size_t block = 0;
+  if (bytes.size() >= BLOSC_MIN_HEADER_LENGTH)
   {
-    if (bytes.size() - BloscHead::Size < head.Plain)
-    {
-      ThrowDamaged("blosc");
-    }
-    std::copy_n(bytes.begin() + BloscHead::Size, head.Plain, plain.begin());
-    bytes = std::move(plain);
-    return;
+    blosc_cbuffer_sizes(bytes.data(), &size, &packed, &block);
   }
-  const unsigned int compressor = head.GetCompressor();
-  if ((compressor != Lz4Compressor && compressor != ZlibCompressor) || head.HasFlag(ShuffledBits))
-  {
-    throw std::runtime_error(
-      "its chunks are compressed by a kind of Blosc (zstd, blosclz, snappy or shuffled bits) that "
-      "is not read here. Write it with Blosc's lz4 and its shuffle of bytes, or without a "
-      "compressor; or open it with volumehaptics.open_large() in Python, which uses zarr.");
-  }
-  const std::size_t blocks =
-    head.Plain == 0 ? 0 : (head.Plain + head.BlockSize - 1) / head.BlockSize;
-  if ((bytes.size() - BloscHead::Size) / 4 < blocks)
+  // A checksum may follow the packed bytes.
+  if (packed == 0 || packed > bytes.size() || size > MostChunkBytes ||
+    blosc_cbuffer_validate(bytes.data(), packed, &size) != 0)
   {
     ThrowDamaged("blosc");
   }
-  const auto* const starts = reinterpret_cast<const unsigned char*>(bytes.data()) + BloscHead::Size;
-  auto* const to = reinterpret_cast<unsigned char*>(plain.data());
-  std::vector<char> block;
-  for (std::size_t b = 0; b < blocks; ++b)
+  std::vector<char> plain(size);
+  constexpr int threads = 1;
+  if (blosc_decompress_ctx(bytes.data(), plain.data(), size, threads) != static_cast<int>(size))
   {
-    const std::size_t size = std::min(head.BlockSize, head.Plain - b * head.BlockSize);
-    block.resize(size);
-    UnpackBloscBlock(
-      head, bytes, ReadWord(starts + 4 * b), reinterpret_cast<unsigned char*>(block.data()), size);
-    if (head.HasFlag(ShuffledBytes))
-    {
-      UnshuffleChunk(block, head.SampleSize);
-    }
-    std::memcpy(to + b * head.BlockSize, block.data(), size);
+    ThrowDamaged("blosc");
   }
   bytes = std::move(plain);
 }
+#else
+void UnpackBloscChunk(std::vector<char>&)
+{
+  throw std::runtime_error(
+    "its chunks are compressed by Blosc, which this build can't unpack. Build it with c-blosc "
+    "(package libblosc-dev), write the array with another compressor, or open it with "
+    "volumehaptics.open_large() in Python, which uses zarr.");
+}
+#endif
 
 void UnshuffleChunk(std::vector<char>& bytes, std::size_t sampleSize)
 {

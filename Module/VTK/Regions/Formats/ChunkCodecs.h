@@ -17,10 +17,13 @@ namespace VolumeHaptics
 constexpr std::size_t MostChunkBytes = std::size_t{ 1 } << 30;
 
 ///@{
-/** Replace packed bytes by the plain bytes. Throw std::runtime_error if the bytes are damaged. */
+/**
+ * Replace packed bytes by the plain bytes. Throw std::runtime_error if the bytes are damaged.
+ * Several threads may call them at once.
+ */
 void InflateChunk(std::vector<char>& bytes);     ///< unpacks zlib or gzip
 void UnpackLz4Chunk(std::vector<char>& bytes);   ///< LZ4 of numcodecs, size first
-void UnpackBloscChunk(std::vector<char>& bytes); ///< Blosc 1: lz4, zlib or none
+void UnpackBloscChunk(std::vector<char>& bytes); ///< Blosc 1, if this build has c-blosc
 ///@}
 
 /**
