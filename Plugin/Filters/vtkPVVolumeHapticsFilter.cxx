@@ -3,16 +3,19 @@
 #include "vtkPVVolumeHapticsFilter.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkHapticLabelTable.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRegionSource.h"
 #include "vtkHapticRemoval.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVHapticLargeFile.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,12 +213,34 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMaterialTime() const
 }
 
 //------------------------------------------------------------------------------
-void vtkPVVolumeHapticsFilter::FillProperty()
+vtkSmartPointer<vtkImageData> vtkPVVolumeHapticsFilter::FindGreyLevels()
+{
+  vtkImageData* const image = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (this->Preset != "MRI" || !image)
+  {
+    return nullptr;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* const scalars = this->GetInputArrayToProcess(0, image, association);
+  if (!scalars || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return nullptr;
+  }
+  auto levels = vtkSmartPointer<vtkImageData>::New();
+  levels->ShallowCopy(image);
+  levels->GetPointData()->SetScalars(scalars);
+  return levels;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::FillProperty(vtkImageData* levels)
 {
   vtkHapticProperty* const property = this->GetProperty();
   if (this->Preset != "Custom")
   {
-    this->IsPresetKnown = property->ApplyPreset(this->Preset.c_str());
+    const char* const preset = this->Preset.c_str();
+    this->IsPresetKnown =
+      levels ? property->ApplyPreset(preset, levels) : property->ApplyPreset(preset);
     return;
   }
   this->IsPresetKnown = true;
@@ -234,6 +259,51 @@ void vtkPVVolumeHapticsFilter::FillProperty()
   property->SetSolidFromImage(this->SolidFromImage);
   property->SetShiftFromImage(this->ShiftFromImage);
   property->SetSurfaceSide(this->SurfaceSide);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVVolumeHapticsFilter::UpdateProperty()
+{
+  const vtkSmartPointer<vtkImageData> levels = this->FindGreyLevels();
+  GreyLevels felt{};
+  if (levels)
+  {
+    vtkDataArray* const scalars = levels->GetPointData()->GetScalars();
+    vtkHapticProperty* const property = this->GetProperty();
+    felt = { this->GetInputDataObject(0, 0)->GetMTime(), scalars, scalars->GetMTime(),
+      property->GetComponent(), property->GetScalarShift(), property->GetScalarScale() };
+  }
+  if (felt != this->Fitted || this->GetMaterialTime() > this->Filled)
+  {
+    this->Fitted = felt;
+    this->FillProperty(levels);
+    this->Filled.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVVolumeHapticsFilter::GetPresetScale()
+{
+  const auto last = [](vtkPiecewiseFunction* function)
+  {
+    double node[4] = { 0.0 };
+    if (function->GetSize() > 0)
+    {
+      function->GetNodeValue(function->GetSize() - 1, node);
+    }
+    return node[0];
+  };
+  this->UpdateProperty();
+  this->PresetScale = { 1.0, 0.0 };
+  vtkHapticProperty* const property = this->GetProperty();
+  vtkNew<vtkHapticProperty> table;
+  if (this->Preset == "MRI" && table->ApplyPreset(this->Preset.c_str()) &&
+    !property->GetDistinctnessPerMillimeter())
+  {
+    this->PresetScale = { last(property->GetStiffness()) / last(table->GetStiffness()),
+      last(property->GetDistinctness()) / last(table->GetDistinctness()) };
+  }
+  return this->PresetScale.data();
 }
 
 //------------------------------------------------------------------------------
@@ -472,11 +542,7 @@ vtkMTimeType vtkPVVolumeHapticsFilter::GetMTime()
     this->IsTableDirty = false; // the calls below call this function again
     this->FillTable();
   }
-  if (this->GetMaterialTime() > this->Filled)
-  {
-    this->FillProperty();
-    this->Filled.Modified();
-  }
+  this->UpdateProperty();
   return this->Superclass::GetMTime();
 }
 
@@ -497,6 +563,7 @@ int vtkPVVolumeHapticsFilter::RequestData(
 {
   this->FillModes(); // only now it is known whether polygons or lines guide
   this->FillTool();
+  this->UpdateProperty(); // only now the image is there, to whose grey levels a preset is fitted
   // The property has reported a wrong name; label table, modes and tool have reported unreadable
   // texts.
   return this->IsPresetKnown && this->IsTableGood && this->Modes.IsGood() && this->Tools.IsGood()

@@ -20,8 +20,10 @@
 
 #include <array>  // for ivars
 #include <string> // for std::string
+#include <tuple>  // for ivars
 #include <vector> // for ivars
 
+class vtkImageData;
 class vtkPiecewiseFunction;
 
 class VOLUMEHAPTICSFILTERS_EXPORT vtkPVVolumeHapticsFilter : public vtkVolumeHapticsFilter
@@ -35,9 +37,17 @@ public:
    * "Custom" (default): the functions below. Otherwise one of vtkHapticProperty::GetPresetNames();
    * the functions, DistinctnessFromNoise, ScalarsAreLabels, SolidFromImage, ShiftFromImage and
    * SurfaceSide are then unused until it is "Custom" again. Any other name is an error that lists
-   * these, and the output is empty.
+   * these, and the output is empty. A preset for values without a unit is fitted to the image on
+   * port 0, as vtkHapticProperty::ApplyPreset(name, image) does it, and again after the image has
+   * changed; other data than images are felt as the preset's table has it.
    */
   void SetPreset(const char* preset);
+
+  /**
+   * By what the preset's values and gradients were multiplied: 1, 0 if the table is used as it is,
+   * with gradients per millimetre. A fitted preset has gradients per world unit.
+   */
+  double* GetPresetScale() VTK_SIZEHINT(2);
 
   ///@{
   /**
@@ -188,7 +198,11 @@ private:
 
   template <typename T>
   void Choose(T& setting, const T& value);
-  void FillProperty();
+  /** The image on port 0, with its felt array as scalars; null if no preset is fitted to it. */
+  vtkSmartPointer<vtkImageData> FindGreyLevels();
+  void FillProperty(vtkImageData* levels);
+  /** Fills the property if a choice, or the image that the preset is fitted to, has changed. */
+  void UpdateProperty();
   vtkMTimeType GetMaterialTime() const;
   /** Makes the label table. */
   void FillTable();
@@ -211,6 +225,10 @@ private:
   bool SolidFromImage = false;
   bool ShiftFromImage = false;
   int SurfaceSide = 0;
+  /** Times of image and array, the array, component, shift and scale that a preset is fitted to. */
+  using GreyLevels = std::tuple<vtkMTimeType, void*, vtkMTimeType, int, double, double>;
+  GreyLevels Fitted{};
+  std::array<double, 2> PresetScale{ { 1.0, 0.0 } };
   vtkTimeStamp Chosen; // last change of a setting of the material
   vtkTimeStamp Filled; // last filling of the property
   bool IsPresetKnown = true;

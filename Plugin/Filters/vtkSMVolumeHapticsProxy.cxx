@@ -75,15 +75,20 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
   {
     return;
   }
-  this->CopyFunction("Stiffness", property->GetStiffness());
-  this->CopyFunction("Friction", property->GetFriction());
-  this->CopyFunction("Viscosity", property->GetViscosity());
-  this->CopyFunction("SurfaceStrength", property->GetSurfaceStrength());
-  this->CopyFunction("Distinctness", property->GetDistinctness());
+  // The image to whose grey levels the preset is fitted is on the server.
+  this->UpdatePropertyInformation(this->GetProperty("PresetScale"));
+  const std::vector<double> fitted = vtkSMPropertyHelper(this, "PresetScale").GetDoubleArray();
+  const bool isFitted = fitted.size() == 2 && fitted[1] > 0.0;
+  const double values = isFitted ? fitted[0] : 1.0;
+  this->CopyFunction("Stiffness", property->GetStiffness(), values);
+  this->CopyFunction("Friction", property->GetFriction(), values);
+  this->CopyFunction("Viscosity", property->GetViscosity(), values);
+  this->CopyFunction("SurfaceStrength", property->GetSurfaceStrength(), values);
+  this->CopyFunction("Distinctness", property->GetDistinctness(), isFitted ? fitted[1] : 1.0);
   const bool isFromNoise = property->GetDistinctness()->GetSize() == 0;
   vtkSMPropertyHelper(this, "DistinctnessFromNoise").Set(isFromNoise);
   vtkSMPropertyHelper(this, "DistinctnessPerMillimeter")
-    .Set(property->GetDistinctnessPerMillimeter());
+    .Set(property->GetDistinctnessPerMillimeter() && !isFitted);
   vtkSMPropertyHelper(this, "ScalarsAreLabels").Set(property->GetScalarsAreLabels());
   vtkSMPropertyHelper(this, "SolidFromImage").Set(property->GetSolidFromImage());
   vtkSMPropertyHelper(this, "ShiftFromImage").Set(property->GetShiftFromImage());
@@ -93,7 +98,8 @@ void vtkSMVolumeHapticsProxy::CopyPreset()
 }
 
 //------------------------------------------------------------------------------
-void vtkSMVolumeHapticsProxy::CopyFunction(const char* name, vtkPiecewiseFunction* function)
+void vtkSMVolumeHapticsProxy::CopyFunction(
+  const char* name, vtkPiecewiseFunction* function, double stretch)
 {
   vtkSMProxy* const target = vtkSMPropertyHelper(this, name).GetAsProxy();
   if (!target)
@@ -113,6 +119,7 @@ void vtkSMVolumeHapticsProxy::CopyFunction(const char* name, vtkPiecewiseFunctio
   {
     double* const node = &points[4 * i];
     function->GetNodeValue(i, node);
+    node[0] *= stretch;
     node[1] /= scale;
   }
   vtkSMPropertyHelper helper(target, "Points");

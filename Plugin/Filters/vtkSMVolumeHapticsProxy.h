@@ -6,8 +6,8 @@
  *
  * Adds the command CopyPreset, for the panel's button and for scripts:
  * `filter.InvokeCommand("CopyPreset")`. It copies the chosen preset into the filter's own
- * functions, scales and surface side, and sets the preset to "Custom", so that the functions can be
- * edited from there. With "Custom" it does nothing.
+ * functions, scales and surface side, as it is fitted to the image, and sets the preset to
+ * "Custom", so that the functions can be edited from there. With "Custom" it does nothing.
  */
 #ifndef vtkSMVolumeHapticsProxy_h
 #define vtkSMVolumeHapticsProxy_h
@@ -30,7 +30,8 @@ protected:
 private:
   void OnPropertyUpdated(vtkObject*, unsigned long, void* name);
   void CopyPreset();
-  void CopyFunction(const char* name, vtkPiecewiseFunction* function);
+  /** @param stretch of the positions of the function's points */
+  void CopyFunction(const char* name, vtkPiecewiseFunction* function, double stretch);
 
   vtkSMVolumeHapticsProxy(const vtkSMVolumeHapticsProxy&) = delete;
   void operator=(const vtkSMVolumeHapticsProxy&) = delete;

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The presets are those of vtkHapticProperty, feel the same copied into functions, and every setting is a property."""
+"""The presets are those of vtkHapticProperty, fitted to the image, and feel the same copied into functions; every setting
+is a property."""
 
 import os
 import sys
@@ -9,6 +10,7 @@ import numpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import rig  # noqa: E402
+from paraview import simple  # noqa: E402
 
 # Setters that a property of the filter replaces, or that only C++ asks for.
 ELSEWHERE = {
@@ -57,3 +59,19 @@ for name, preset in classes["Presets"].items():
     touch.Stiffness.Points = [0, 0.25, 0.5, 0, 100, 0.25, 0.5, 0]
     # Labels are mixed by shares, which are rounded.
     numpy.testing.assert_allclose(rig.arrays_of(touch)["Stiffness"], 200.0, rtol=1e-12, err_msg=name)
+
+# Grey levels have no unit: an image of another brightness feels the same, also if it comes later.
+touch = rig.head(Preset="MRI")
+head = touch.Input
+expected = rig.arrays_of(touch)
+assert numpy.linalg.norm(expected["Force"], axis=1).max() > 0.1
+touch.UpdatePropertyInformation()
+scale = numpy.array(touch.GetPropertyValue("PresetScale"))
+assert scale.min() > 0 and abs(scale[0] - 1) > 0.1, scale
+name = head.PointData.GetArray(0).GetName()
+touch.Input = simple.Calculator(Input=head, ResultArrayName=name, Function=f"0.25*{name}")
+dark = rig.arrays_of(touch)
+touch.UpdatePropertyInformation()
+numpy.testing.assert_allclose(touch.GetPropertyValue("PresetScale"), 0.25 * scale, rtol=1e-3)
+numpy.testing.assert_allclose(dark["Force"], expected["Force"], atol=2e-3)
+assert numpy.linalg.norm(dark["Force"], axis=1).max() > 0.1

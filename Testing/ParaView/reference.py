@@ -80,12 +80,13 @@ def setters(cls, ancestor):
     return sorted(name for name in names if not any(name.startswith(other + "To") for other in names))
 
 
-def describe_classes():
+def describe_classes(head):
+    """Settings, and the presets as they are fitted to an image."""
     presets = {}
     for i in range(vtkHapticProperty.GetPresetNames().GetNumberOfValues()):
         material = vtkHapticProperty()
         name = vtkHapticProperty.GetPresetNames().GetValue(i)
-        material.ApplyPreset(name)
+        material.ApplyPreset(name, head)
         presets[name] = {"SurfaceSide": material.GetSurfaceSide()}
         for function in FUNCTIONS:
             nodes, node = [], [0.0] * 4
@@ -124,8 +125,11 @@ def main(folder, phantom, head_ct=None):
         path = write_path(scene.path(), os.path.join(folder, name + "Path.vtp"))
         for method, settings in METHODS.items():
             numpy.savez(os.path.join(folder, f"{name}-{method}.npz"), **touch(scene, volume, path, settings))
+    head = vtkXMLImageDataReader()
+    head.SetFileName(phantom)
+    head.Update()
     with open(os.path.join(folder, "classes.json"), "w", encoding="utf-8") as file:
-        json.dump(describe_classes(), file, indent=1)
+        json.dump(describe_classes(head.GetOutput()), file, indent=1)
 
 
 if __name__ == "__main__":
