@@ -213,6 +213,10 @@ OUTSIDE = {
         "Take the stylus, then Arm() again", "Check its axes, lower the stiffness, then Arm() again",
         ": hold it loosely and keep the hand still. The volume is not felt yet",
     ),
+    "a program of others, which Debian does not have or which reads what is not written here": (
+        "turn it into NIfTI with 3dAFNItoNIFTI", "turn it into NIfTI with dcm2niix", "mri_convert head.mgz head.nii.gz",
+        "turn it into NIfTI with mnc2nii",
+    ),
     "another program, or the system, is started, ended or set up": (
         "does not tell its devices. Start it again", "Haply's Inverse service …. Start it again",
         "is in use by another program. Close that program", "service closed the connection. Start it again",

@@ -156,7 +156,6 @@ COMMANDS = (
     ("{}/twice.pvd", "give it one image (.vti) for each", ("{}/moves.pvd", )),
     (f"{RAMP_MHD} --array V", "is for volumes in memory…leave it out", (RAMP_MHD, )),
     ("{}/ramp.vti --displacements motion", "name all of its frames", ("{}/moved.pvd --displacements motion", )),
-    (f"{RAMP_MHD} --write-volume {{}}/copy.vti", "leave --write-volume out", (RAMP_MHD, )),
     (f"{RAMP_MHD} --live", "leave --live out", (RAMP_MHD, )),
     ("{}/ramp.vti --sound", "Cure: name a file, as in --sound touch.wav", (HEARD, )),
     ("{}/ramp.vti --sound={}/touch.mp3", "take one that ends in .wav", (HEARD, )),
@@ -170,6 +169,11 @@ COMMANDS = (
      ("{}/flow.vti --mode vector-follow:flow", )),
     ("{}/ramp.vti --mode surface:V", "leave the array's name out", (f"{{}}/ramp.vti {GUIDED}", )),
     ("{}/noise.vti --preset propose", "--preset propose…take another preset", ("{}/noise.vti --preset MRI", )),
+    ("{}/unspaced", "export it again from where it was made, with its PixelSpacing", ("{}/series", )),
+    ("{}/ball.stl", "name a volume; --tool and --guide take surfaces", (f"{{}}/ramp.vti {GUIDED}", )),
+    ("{}/face.png", "name the volume that it was made of", ("{}/ramp.vti", )),
+    ("{}/cut.zarr --write-volume {}/copy.vti", "copy it again, and check that the copy is complete",
+     ("{}/ramp.zarr --write-volume {}/copy.vti", )),
     ("{}/twofold", "put the slices of one volume into a folder of their own", ("{}/series", )),
     ("{}/nothing", "name a folder of DICOM slices, or a volume file", ("{}/series", "{}/ramp.vti")),
     ("{}/series --series 2", "take --series 1 to ", ("{}/series --series 1", )),
@@ -237,10 +241,10 @@ def write_image(path, one):
 
 def fill(folder, values):
     """What the commands name."""
-    for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff"):
+    for name in ("nothing", "frames", "series", "folders/one", "twofold", "cutoff", "unspaced"):
         (folder / name).mkdir(parents=True)
     texts = {
-        "text.vti": "no image", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
+        "text.vti": "no image", "face.png": "a picture", "text.dcm": "no slice", "text.seg.nrrd": "no segmentation", "notes.txt": "some notes", "empty.nrrd": "",
         "wrong.csv": "label,stiffness\n1,hard\n", "wrong.json": '{"Format": "other"}', "close.txt": "0.2 key q\n", "point.txt": "0.3 move 0.5 0.5\n0.4 key t\n0.6 wheel 8\n1.2 key P\n1.4 key q\n",
         "jump.txt": "1 jump\n", "short.txt": "1 stroke 0.5 0.5\n", "long.txt": "1 key t now\n",
         "damaged.vtu": '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">\n<Unstr',
@@ -267,6 +271,7 @@ def fill(folder, values):
         one = dicom(plane.clip(0, 65535), number, f"1.2.3.{number + 1}")
         for place in ("series", "folders/one", "cutoff", "twofold"):
             (folder / place / f"{number}.dcm").write_bytes(one)
+        (folder / "unspaced" / f"{number}.dcm").write_bytes(one.replace(struct.pack("<HH", 0x28, 0x30), struct.pack("<HH", 0x28, 0x2f)))
     (folder / "cutoff" / "7.dcm").write_bytes(one[:-200])
     (folder / "twofold" / "more.dcm").write_bytes(dicom(values[3].clip(0, 65535), 3, "1.2.3.99"))
     for name, one in {

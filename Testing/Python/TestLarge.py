@@ -179,7 +179,13 @@ def test_ome_zarr_of_other_shapes(zarr):
     zarr.opened = make_ome("zyx", coordinateTransformations=every)
     coarse = open_large("bed.zarr", level=1)
     assert (coarse.GetSpacing(), coarse.GetOrigin()) == ((10.0, 40.0, 60.0), (5.5, 12.0, 16.0))
-    zarr.opened.attrs = {"ome": zarr.opened.attrs}  # as version 0.5 has it
+    named = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]  # 1000 of them are a millimetre
+    plain = dict(zarr.opened.attrs)
+    zarr.opened.attrs = {"multiscales": [{**plain["multiscales"][0], "axes": named}]}
+    micro = open_large("bed.zarr", level=1)
+    assert micro.GetSpacing() == pytest.approx((0.01, 0.04, 0.06), rel=1e-12)
+    assert micro.GetOrigin() == pytest.approx((0.0055, 0.012, 0.016), rel=1e-12)
+    zarr.opened.attrs = {"ome": plain}  # as version 0.5 has it
     assert open_large("bed.zarr", level=1).GetSpacing() == (10.0, 40.0, 60.0)
     zarr.opened = make_bed()
     assert open_large("bed.zarr").GetSpacing() == (1.0, 1.0, 1.0)

@@ -6,6 +6,7 @@ Commands are run, such as h5repack of HDF5's own library (Debian's hdf5-tools). 
 """
 
 import json
+import struct
 import subprocess
 import sys
 import zlib
@@ -443,6 +444,82 @@ def _(folder):
     (path / ".zarray").write_text(" " * (1 << 24 | 1))
     yield path
     yield zarr(folder)
+
+
+# TIFF: pages as TIFF 6.0, section 2, has them, each with one strip.
+
+def tiff(path, pages=ARRAY, cut=0, description="", **entries):
+    """Writes pages. `entries` are further or other ones: the tag as t256, with a number; None leaves it out."""
+    file = bytearray(b"II*\0")
+    link = len(file)
+    file += bytes(4)
+    for page in pages:
+        samples = page.tobytes()
+        at = len(file)
+        file += samples
+        tags = {256: page.shape[1], 257: page.shape[0], 258: 8 * page.dtype.itemsize, 259: 1, 262: 1, 273: at, 277: 1,
+                278: page.shape[0], 279: len(samples), 339: 2, **{int(tag[1:]): value for tag, value in entries.items()}}
+        text = description.encode() + b"\0"
+        if description:
+            tags[270] = len(file)
+            file += text + bytes(len(text) % 2)
+        file[link:link + 4] = struct.pack("<I", len(file))
+        kept = [(tag, value) for tag, value in sorted(tags.items()) if value is not None]
+        file += struct.pack("<H", len(kept))
+        for tag, value in kept:
+            file += struct.pack("<HHII", tag, 2, len(text), value) if tag == 270 else struct.pack("<HHII", tag, 4, 1, value)
+        link = len(file)
+        file += bytes(4)
+    path.write_bytes(file[:len(file) - cut])
+    return path
+
+
+def tiff_case(words, **wrong):
+    @case(words)
+    def _(folder):
+        path = tiff(folder / "a.tif", **wrong)
+        yield path
+        yield tiff(path)
+
+
+tiff_case("samples a pixel, as pictures in colours have. Write it with one grey value a pixel", t277=3)
+tiff_case("Write it with 8, 16, 32 or 64 bits", t258=24, t279=3 * 2 * 120)
+tiff_case("its pages have no size, or a damaged one. Write it again", t256=2**31 + 5)
+tiff_case("Write it uncompressed, or with LZW or Deflate", t259=65000)
+tiff_case("it names samples that are not in the file. Check that its copy is complete", t273=1 << 30)
+tiff_case("a page that it names is not in the file. Check that its copy is complete", cut=300)
+tiff_case("slices, and has", description="ImageJ=1.54\nimages=40\nslices=40\n")
+tiff_case("one slice is no volume", pages=ARRAY[:1])
+tiff_case("a page of it can't be unpacked", t259=8)
+
+
+@case("it is not a TIFF file, or its header is damaged")
+def _(folder):
+    (folder / "a.tif").write_text("a letter")
+    yield folder / "a.tif"
+    yield tiff(folder / "a.tif")
+
+
+def headless(path, array, description):
+    """All samples behind one page, as ImageJ writes stacks beyond 4 GiB."""
+    return tiff(path, array.reshape(1, -1, 20), description=f"ImageJ=1.54\n{description}\n", t257=12, t278=12, t279=480)
+
+
+@case("several channels behind one page. Write one channel")
+def _(folder):
+    yield headless(folder / "a.tif", np.concatenate([ARRAY, ARRAY]), "images=36\nchannels=2\nslices=18")
+    yield headless(folder / "a.tif", ARRAY, "images=18\nslices=18")
+
+
+@result("it has changed since it was opened. Open it again")
+def changed_tiff(folder):
+    source = vtkHapticRegionSource()
+    assert source.OpenFile(str(tiff(folder / "a.tif")))
+    tiff(folder / "a.tif", t256=19, t279=19 * 24)
+    with told(source, "it has changed since it was opened. Open it again"):
+        assert not source.ReadRegion(source.GetWholeExtent(), vtkImageData())
+    assert source.OpenFile(str(tiff(folder / "a.tif")))
+    assert np.array_equal(region_of(source, source.GetWholeExtent()), ARRAY)
 
 
 # Grids: V = 100 z, of 500 N/m, pressed 2 mm from z = 10 on.

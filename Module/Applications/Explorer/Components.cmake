@@ -95,6 +95,7 @@ set(Explore_SOURCES
   Volume/LabelLoader.cxx
   Volume/LabelMap.cxx
   Volume/LargeLoader.cxx
+  Volume/SliceGeometry.cxx
   Volume/VolumeChecks.cxx
   Volume/VolumeFields.cxx
   Volume/VolumeLoader.cxx

@@ -36,7 +36,8 @@ window in which the mouse, or a device, touches the volume. Without a display, o
 pictures, the trace and a summary.
 
 VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series; a folder of DICOM slices or of
-         folders of them, or its DICOMDIR; or one that may be larger than memory:
+         folders of them, or its DICOMDIR; a .tif with a page for each slice, or a folder of .tif slices; or one that may
+         be larger than memory:
          .vtkhdf, a folder .zarr (of a Zarr array or an OME-Zarr image), or raw samples behind .mhd .mha .nrrd
          .nhdr. These are felt from the file, and the window shows a coarse level. A volume that moves is several of these
          files, in this order; a folder of them, or of folders of slices, in the order of the numbers in their
@@ -92,7 +93,8 @@ VOLUME   .vti .mhd .mha .nii .nii.gz .nrrd .nhdr; a DICOM slice, for its series;
                     is in the next one. Surfaces then go from frame to frame however far that is, and take
                     along a hand that sticks to them
   --series N        which series of a DICOM folder with several (default: that with most pixels; the
-                    summary lists them, and key F3 of the window). Key F2, or a file that is dropped on
+                    summary lists them, and key F3 of the window), or which volume along the fourth axis of a
+                    NIfTI file, such as a channel (default: all, as times). Key F2, or a file that is dropped on
                     the window, opens another volume
   --labels FILE     a segmentation of the volume, .seg.nrrd .nrrd .nii .nii.gz .mhd .mha .vti: its labels
                     have names in the window, and materials of their own

@@ -153,11 +153,17 @@ Explore::Volume Load(const Explore::Options& options)
 
 int WriteVolume(const Explore::Options& options)
 {
-  const Explore::Volume volume = Load(options);
+  Explore::Volume volume = Load(options);
   if (volume.Large)
   {
-    throw Explore::InputError(options.VolumePath,
-      "is read where the hand is, as it may be larger than memory", "leave --write-volume out");
+    std::string error;
+    const vtkSmartPointer<vtkImageData> whole = Explore::ReadWhole(volume.Large, error);
+    if (!whole)
+    {
+      throw Explore::InputError(options.VolumePath, "can't be read as a whole (" + error + ")",
+        "copy it again, and check that the copy is complete");
+    }
+    volume.Image = Explore::AlignToAxes(whole);
   }
   Explore::WriteImage(volume.Image, options.WrittenVolume);
   for (const std::string& note : volume.Notes)

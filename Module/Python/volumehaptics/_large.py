@@ -86,7 +86,7 @@ def _let_go(_source: _Source) -> None:
 
 _arrays: dict[int, _Array] = {}
 _numbers = itertools.count(1)
-_IN_CPP = (".vtkhdf", ".mhd", ".mha", ".nhdr", ".nrrd")  # read without Python
+_IN_CPP = (".vtkhdf", ".mhd", ".mha", ".nhdr", ".nrrd", ".tif", ".tiff")  # read without Python
 _MOST_COARSE = 2**22  # voxels of a coarse level
 
 
@@ -188,6 +188,16 @@ def _scale_and_translation(transformations: list, axes: int) -> tuple[list[float
     return scale, translation
 
 
+# Millimetres, of the units of length that OME-NGFF names.
+_UNITS = {"nanometer": 1e-6, "micrometer": 1e-3, "millimeter": 1.0, "centimeter": 10.0, "meter": 1e3, "inch": 25.4}
+
+
+def _in_millimetres(lengths: Sequence[float], axes: list) -> list[float]:
+    """Lengths along the last three axes, which are z, y and x, as x, y and z."""
+    units = [_UNITS.get(one.get("unit"), 1.0) if isinstance(one, dict) else 1.0 for one in axes[-3:]] or [1.0] * 3
+    return [length * unit for length, unit in zip(lengths[-3:], units)][::-1]
+
+
 class _Level(NamedTuple):
     """A volume, with spacing and origin along x, y and z if they are known."""
 
@@ -207,7 +217,8 @@ def _open_dataset(group: Any, path: str, scales: dict, dataset: dict) -> _Level:
         raise ValueError(f"{path} has the axes {names}, and a volume needs z, y and x, as the last ones")
     steps = [*dataset.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
     scale, translation = _scale_and_translation(steps, axes)
-    return _Level(_Volume(array, (0,) * (axes - 3)), scale[:-4:-1], translation[:-4:-1])
+    told = scales.get("axes", [])
+    return _Level(_Volume(array, (0,) * (axes - 3)), _in_millimetres(scale, told), _in_millimetres(translation, told))
 
 
 def _open_multiscales(group: Any, path: str, level: int) -> list[_Level]:
@@ -310,10 +321,10 @@ def open_large(
 
     array_or_path: anything with shape and dtype whose parts [z0:z1, y0:y1, x0:x1] NumPy can take: an array of Zarr,
         HDF5 (h5py), dask or tensorstore, a DataArray of xarray, a numpy.memmap; or the path of a Zarr array, of an
-        OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr,
-        .nrrd) without compression. An OME-Zarr image with times or channels gives the first of each.
-    spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in its own
-        units, or of the file; else 1.
+        OME-Zarr image, of a .npy file, of a VTKHDF image (.vtkhdf), of a TIFF file with a page for each slice (.tif,
+        .tiff), or of a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd) without compression. An OME-Zarr image with times or channels gives the first of each.
+    spacing: the size of a voxel along x, y and z (world units, mm). Default: that of an OME-Zarr image, in mm if
+        its axes name a unit of OME-NGFF, or of the file; else 1.
     origin: the position of the first voxel (world units, mm): x, y and z. Default: that of an OME-Zarr image or of
         the file; else 0.
     level: of an OME-Zarr image: 0 is the finest. Negative: from the coarsest on.

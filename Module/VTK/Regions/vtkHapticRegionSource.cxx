@@ -94,6 +94,7 @@ void vtkHapticRegionSource::SetReader(Reader reader, bool isAwaited)
   this->Sampler.reset();
   this->IsAwaited = isAwaited;
   this->OpenedName.clear();
+  this->FileNotes.clear();
   std::fill_n(this->ChunkSize, 3, 0);
   this->Reload();
 }
@@ -125,6 +126,11 @@ bool vtkHapticRegionSource::OpenFile(const char* fileName, std::string& error)
     this->SetDirection(file.Direction.data());
     this->SetReader(std::move(file.Read));
     this->OpenedName = name;
+    this->FileNotes.clear();
+    for (const std::string& note : file.Notes)
+    {
+      this->FileNotes += (this->FileNotes.empty() ? "" : "\n") + note;
+    }
     std::copy_n(file.ChunkSize.begin(), 3, this->ChunkSize);
     this->SetCoarseImage(coarse);
     return true;
@@ -179,6 +185,7 @@ bool vtkHapticRegionSource::OpenDataSet(
   this->SetScalarType(VTK_FLOAT);
   this->SetCoarseImage(nullptr);
   this->OpenedName.clear();
+  this->FileNotes.clear();
   this->SetReader(
     [sampler](const int box[6], void* samples)
     {

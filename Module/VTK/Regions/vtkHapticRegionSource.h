@@ -184,16 +184,19 @@ public:
   /**
    * Open a file that describes its contents: a VTKHDF image (.vtkhdf), whose active array is read;
    * a MetaImage or NRRD file (.mhd, .mha, .nhdr, .nrrd), whose samples are in it or in one file
-   * beside it; or a folder (.zarr) of a Zarr array or an OME-Zarr image, whose first time and
-   * channel are read. Sets extent, type, origin, spacing and direction, and a reader, as SetReader
-   * does; and the CoarseImage, if the file has coarser levels: the finest one of at most 2^22
-   * voxels, which is read at once.
+   * beside it; a TIFF file (.tif, .tiff) with a page for each slice, or a folder of TIFF files in
+   * the order of the numbers in their names; or a folder (.zarr) of a Zarr array or an OME-Zarr
+   * image, whose first time and channel are read. Sets extent, type, origin, spacing and direction,
+   * and a reader, as SetReader does; and the CoarseImage, if the file has coarser levels: the
+   * finest one of at most 2^22 voxels, which is read at once.
    *
    * The samples may lie in one piece or in chunks; samples of VTKHDF may be compressed by gzip,
    * samples of Zarr by zlib, gzip, lz4 or Blosc, but samples of MetaImage and NRRD must be
    * uncompressed. A NRRD file in the space right-anterior-superior is converted to
    * left-posterior-superior, as ITK does. False, with an error that names the cure, if it can't be
    * read; nothing is changed then. If the file is written again, open it again.
+   *
+   * Lengths are turned into millimetres where TIFF or OME-Zarr name their unit.
    */
   bool OpenFile(const char* fileName);
 #ifndef __VTK_WRAP__
@@ -201,6 +204,15 @@ public:
   bool OpenFile(const char* fileName, std::string& error);
 #endif
   ///@}
+
+  /**
+   * Get what OpenFile() assumed or left out, one note a line, such as a missing size of voxels.
+   * Empty if there is nothing to tell, or if no file was opened.
+   */
+  std::string GetFileNotes() const
+  {
+    return this->FileNotes;
+  }
 
   /**
    * Discard what was read. Call this if the samples behind the reader, or in the file, have
@@ -294,6 +306,7 @@ private:
   Reader Function;
   std::shared_ptr<VolumeHaptics::DataSetSampler> Sampler; ///< sampler of OpenDataSet
   std::string OpenedName;                                 ///< name of the file behind the reader
+  std::string FileNotes;
   vtkTypeInt64 ChunkSize[3] = { 0, 0, 0 }; ///< chunk size of that file; zeros if it has no chunks
   std::unique_ptr<VolumeHaptics::RegionStore> Store;
 #endif

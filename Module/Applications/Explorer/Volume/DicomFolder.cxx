@@ -6,11 +6,13 @@
 #include "Applications/Explorer/Volume/DicomPixels.h"
 #include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/DicomUnpacking.h"
+#include "Applications/Explorer/Volume/SliceGeometry.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 #include "VTK/Base/ArrayMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -65,6 +67,11 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
           "), and does not tell where they are: is it a film?",
         "turn it into NIfTI, e.g. with dcm2niix (package dcm2niix)");
     }
+    if (!(slice.Spacing[0] > 0.0) || !(slice.Spacing[1] > 0.0))
+    {
+      throw InputError(path, "gives no distance of its pixels (PixelSpacing) in " + NameOf(slice),
+        "export it again from where it was made, with its PixelSpacing");
+    }
     if (!slice.IsWhole)
     {
       throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
@@ -73,32 +80,145 @@ void CheckSlices(const std::string& path, const std::vector<DicomHeader>& slices
   }
 }
 
-/// The distance between slices (mm); 0 if there is only one.
-double FindSpacing(const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
+/// The median distance (mm) between slices.
+double FindStep(const std::vector<DicomHeader>& slices)
 {
-  if (slices.size() < 2)
-  {
-    return 0.0;
-  }
-  double smallest = VTK_DOUBLE_MAX, largest = 0.0;
+  std::vector<double> steps;
   for (std::size_t i = 1; i < slices.size(); ++i)
   {
-    smallest = std::min(smallest, slices[i].Along - slices[i - 1].Along);
-    largest = std::max(largest, slices[i].Along - slices[i - 1].Along);
+    steps.push_back(slices[i].Along - slices[i - 1].Along);
   }
-  if (smallest < 1e-4)
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+/// The slices without those that lie far from most of them, such as a topogram with the number of
+/// the series.
+std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Volume& volume)
+{
+  if (slices.size() < 3)
+  {
+    return slices;
+  }
+  constexpr double farSteps = 8.0;
+  constexpr double farPart = 0.1;
+  const double far = std::max(farSteps * FindStep(slices), 10.0); // mm
+  std::size_t first = 0, best = 0, size = 0;
+  for (std::size_t i = 1; i <= slices.size(); ++i)
+  {
+    if (i == slices.size() || slices[i].Along - slices[i - 1].Along > far)
+    {
+      if (i - first > size)
+      {
+        best = first;
+        size = i - first;
+      }
+      first = i;
+    }
+  }
+  const std::size_t others = slices.size() - size;
+  if (others == 0 || static_cast<double>(others) > farPart * static_cast<double>(slices.size()))
+  {
+    return slices;
+  }
+  std::ostringstream note;
+  note << others << (others == 1 ? " slice lies" : " slices lie") << " far from the others ("
+       << NameOf(slices[best > 0 ? 0 : size]) << "), and " << (others == 1 ? "is" : "are")
+       << " left out";
+  volume.Notes.push_back(note.str());
+  const auto begin = slices.begin() + static_cast<std::ptrdiff_t>(best);
+  return { begin, begin + static_cast<std::ptrdiff_t>(size) };
+}
+
+/// The positions (mm) of slices along their normal, from the first one on: even if they are so
+/// within the rounding of files. Throws if two slices are at the same place.
+std::vector<double> FindPlaces(
+  const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
+{
+  const std::size_t count = slices.size();
+  std::vector<double> along;
+  double smallest = VTK_DOUBLE_MAX, largest = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    along.push_back(slices[i].Along - slices.front().Along);
+    if (i > 0)
+    {
+      smallest = std::min(smallest, along[i] - along[i - 1]);
+      largest = std::max(largest, along[i] - along[i - 1]);
+    }
+  }
+  if (count > 1 && smallest < 1e-4)
   {
     throw InputError(path, "has two slices at the same place: several volumes in one series",
       "put the slices of one volume into a folder of their own; if it moves, each phase");
   }
-  if (largest > 1.05 * smallest)
+  const double even = count > 1 ? along.back() / static_cast<double>(count - 1) : 0.0;
+  double off = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    std::ostringstream note;
-    note << "slices are unevenly spaced (" << smallest << " to " << largest
-         << " mm): the picture and the feel are stretched there";
-    volume.Notes.push_back(note.str());
+    off = std::max(off, std::abs(along[i] - static_cast<double>(i) * even));
   }
-  return (slices.back().Along - slices.front().Along) / static_cast<double>(slices.size() - 1);
+  constexpr double rounding = 0.11; // mm: positions with one digit, and so the ends of the line
+  constexpr double smallPart = 0.05;
+  if (off <= std::max(rounding, smallPart * even))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      along[i] = static_cast<double>(i) * even;
+    }
+    return along;
+  }
+  const double step = FindStep(slices);
+  int missing = 0;
+  double rest = 0.0;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const double steps = (along[i] - along[i - 1]) / step;
+    missing += static_cast<int>(std::round(steps)) - 1;
+    rest = std::max(rest, std::abs(steps - std::round(steps)));
+  }
+  std::ostringstream note;
+  if (missing > 0 && rest < 2.0 * smallPart)
+  {
+    note << missing << (missing == 1 ? " slice is" : " slices are")
+         << " missing: the gap is filled from the slices beside it";
+  }
+  else
+  {
+    note << "slices are unevenly spaced (" << smallest << " to " << largest
+         << " mm): resampled to the smallest distance";
+  }
+  volume.Notes.push_back(note.str());
+  return along;
+}
+
+/// Throws unless the first pixels of all slices are on one line.
+void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
+{
+  const DicomHeader& first = slices.front();
+  const DicomHeader& last = slices.back();
+  double off = 0.0;
+  for (const DicomHeader& slice : slices)
+  {
+    const double part = (slice.Along - first.Along) / std::max(1e-6, last.Along - first.Along);
+    double distance = 0.0;
+    for (int row = 0; row < 3; ++row)
+    {
+      const double there = first.Position[row] + part * (last.Position[row] - first.Position[row]);
+      distance += std::pow(slice.Position[row] - there, 2);
+    }
+    off = std::max(off, std::sqrt(distance));
+  }
+  const double pixel = std::max(first.Spacing[0], first.Spacing[1]);
+  if (off > std::max(0.2, 0.5 * pixel))
+  {
+    std::ostringstream fault;
+    fault << "has slices that are shifted against each other in their planes, by up to " << off
+          << " mm";
+    throw InputError(path, fault.str(),
+      "resample it to straight slices, e.g. by 3D Slicer's acquisition geometry regularization");
+  }
 }
 
 struct ValueRange
@@ -216,6 +336,29 @@ vtkIdType ReplacePadding(const std::vector<DicomHeader>& slices, vtkIdType count
   return replaced;
 }
 
+/// Sets what scanners write outside of their field of view, and tell only by its value, to the
+/// least value that a CT measures. Returns the number of pixels.
+template <typename Value>
+vtkIdType ReplaceBelowAir(vtkIdType count, Value* values)
+{
+  constexpr double lowest = -1024.0; // HU
+  Value least = std::numeric_limits<Value>::max();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    least = static_cast<double>(values[i]) >= lowest ? std::min(least, values[i]) : least;
+  }
+  vtkIdType replaced = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (static_cast<double>(values[i]) < lowest && static_cast<double>(least) < 0.0)
+    {
+      values[i] = least;
+      ++replaced;
+    }
+  }
+  return replaced;
+}
+
 /// Rows and slices in the order of their places.
 vtkSmartPointer<vtkImageData> ReadSlices(
   const std::string& path, const std::vector<DicomHeader>& slices, Volume& volume)
@@ -248,6 +391,19 @@ vtkSmartPointer<vtkImageData> ReadSlices(
     default:
       break;
   }
+  vtkIdType below = 0;
+  switch (first.Modality == "CT" && first.Samples == 1 ? image->GetScalarType() : VTK_VOID)
+  {
+    vtkTemplateMacro(
+      below = ReplaceBelowAir(image->GetNumberOfPoints(), static_cast<VTK_TT*>(values)));
+    default:
+      break;
+  }
+  if (below > 0)
+  {
+    volume.Notes.push_back(std::to_string(below) +
+      " pixels are below -1024 HU: they are outside of the field of view, with the least value");
+  }
   if (replaced > 0)
   {
     volume.Notes.push_back(std::to_string(replaced) +
@@ -256,8 +412,12 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   return image;
 }
 
-void PlaceSlices(const DicomHeader& first, double spacing, vtkImageData* image)
+/// Slices may be tilted against the line on which they follow each other.
+void PlaceSlices(const std::vector<DicomHeader>& slices, double length, vtkImageData* image)
 {
+  const DicomHeader& first = slices.front();
+  const int count = image->GetDimensions()[2];
+  const double spacing = count > 1 ? length / (count - 1) : 0.0;
   const auto known = [](double length) { return length > 0.0 ? length : 1.0; };
   image->SetSpacing(known(first.Spacing[0]), known(first.Spacing[1]), known(spacing));
   double axes[9];
@@ -265,7 +425,8 @@ void PlaceSlices(const DicomHeader& first, double spacing, vtkImageData* image)
   {
     axes[3 * axis] = first.Row[axis];
     axes[3 * axis + 1] = first.Column[axis];
-    axes[3 * axis + 2] = first.Normal[axis];
+    axes[3 * axis + 2] =
+      length > 0.0 ? slices.back().Position[axis] - first.Position[axis] : first.Normal[axis];
   }
   Explore::SetFrame(image, axes, first.Position);
 }
@@ -291,14 +452,22 @@ std::size_t ChooseSeries(
 
 Volume LoadSeries(const std::string& path, const std::vector<DicomSeries>& all, std::size_t chosen)
 {
-  const std::vector<DicomHeader>& slices = all[chosen].Slices;
   Volume volume;
   volume.Format = "DICOM";
   volume.Axes = Explore::WorldAxes::Patient;
+  const std::vector<DicomHeader> slices = LeaveOutFar(all[chosen].Slices, volume);
   CheckSlices(path, slices);
-  const double spacing = FindSpacing(path, slices, volume);
+  const std::vector<double> along = FindPlaces(path, slices, volume);
+  CheckLine(path, slices);
   volume.Image = ReadSlices(path, slices, volume);
-  PlaceSlices(slices.front(), spacing, volume.Image);
+  const double even = along.back() / std::max<double>(1.0, static_cast<double>(along.size() - 1));
+  if (along.size() > 2 && std::abs(along[1] - even) > 1e-9)
+  {
+    volume.Image = Explore::SpaceSlicesEvenly(volume.Image, along);
+  }
+  const double* const from = slices.front().Position;
+  const double* const to = slices.back().Position;
+  PlaceSlices(slices, std::sqrt(vtkMath::Distance2BetweenPoints(from, to)), volume.Image);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     volume.Series.push_back(all[i].Describe(i + 1));

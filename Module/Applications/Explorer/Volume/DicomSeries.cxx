@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace
@@ -27,8 +28,8 @@ bool IsAlike(const DicomHeader& a, const DicomHeader& b)
     a.Samples == b.Samples && vtkMath::Dot(a.Normal, b.Normal) > SAME_DIRECTION;
 }
 
-void AddFolder(
-  const std::string& folder, int depth, std::vector<DicomSeries>& all, bool& hasFolders)
+void AddFolder(const std::string& folder, int depth, std::set<std::string>& visited,
+  std::vector<DicomSeries>& all, bool& hasFolders)
 {
   vtksys::Directory directory;
   directory.Load(folder);
@@ -48,10 +49,10 @@ void AddFolder(
     if (Files::FileIsDirectory(path))
     {
       hasFolders = true;
-      // A link may lead back to its own folder.
-      if (depth < DEEPEST_FOLDER && !Files::FileIsSymlink(path))
+      // A link may lead back to its own folder, or to another one of these.
+      if (depth < DEEPEST_FOLDER && visited.insert(Files::GetRealPath(path)).second)
       {
-        AddFolder(path, depth + 1, all, hasFolders);
+        AddFolder(path, depth + 1, visited, all, hasFolders);
       }
     }
     else
@@ -67,10 +68,14 @@ void AddFolder(
   }
 }
 
+/// Counts the pixels of what can be a volume before all others: a localizer, or a capture of the
+/// screen, may have more pixels than a scan.
 double CountPixels(const DicomSeries& series)
 {
   const DicomHeader& first = series.Slices.front();
-  return static_cast<double>(series.Slices.size()) * first.Width * first.Height;
+  constexpr std::size_t fewest = 5; // slices
+  const double weight = series.Slices.size() < fewest ? 1e-9 : 1.0;
+  return weight * static_cast<double>(series.Slices.size()) * first.Width * first.Height;
 }
 } // namespace
 
@@ -91,7 +96,8 @@ std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFol
 {
   hasFolders = false;
   std::vector<DicomSeries> all;
-  AddFolder(folder, 0, all, hasFolders);
+  std::set<std::string> visited{ Files::GetRealPath(folder) };
+  AddFolder(folder, 0, visited, all, hasFolders);
   for (DicomSeries& series : all)
   {
     std::stable_sort(series.Slices.begin(), series.Slices.end(),

@@ -23,7 +23,7 @@ struct DicomSeries
 /// has given them. `hasFolders` is set if there were folders.
 std::vector<DicomSeries> ListDicomSeries(const std::string& folder, bool& hasFolders);
 
-/// The series with most pixels.
+/// The series with most pixels, of those with enough slices for a volume.
 std::size_t FindLargest(const std::vector<DicomSeries>& series);
 
 /// Whether each of the folders holds one series, with slices of the same size at the same places:

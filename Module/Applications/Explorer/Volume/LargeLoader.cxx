@@ -55,7 +55,7 @@ void OpenItself(const std::string& path, vtkHapticRegionSource* source)
   if (!source->OpenFile(PlainName(path).c_str(), error))
   {
     throw InputError(path, "can't be opened (" + error + ")",
-      HasRawHeader(path)
+      HasRawHeader(path) || Explore::IsTiff(PlainName(path))
         ? "do what stands there, or leave --large out"
         : "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py "
           "read");
@@ -100,7 +100,8 @@ bool IsLargeVolume(const std::string& path, bool isWanted)
   {
     return true;
   }
-  if (!HasRawHeader(path) || !Files::FileExists(path, true))
+  const bool isTiff = IsTiff(PlainName(path));
+  if (!isTiff && (!HasRawHeader(path) || !Files::FileExists(path, true)))
   {
     return false;
   }
@@ -125,9 +126,11 @@ Volume LoadLargeVolume(const std::string& path)
   volume.Name = Files::GetFilenameName(PlainName(path));
   volume.Large = vtkSmartPointer<vtkHapticRegionSource>::New();
   OpenItself(path, volume.Large);
-  volume.Format = !OpensItself(path) ? "raw samples"
+  volume.Format = HasRawHeader(path) ? "raw samples"
     : EndingOf(path) == ".zarr"      ? "Zarr"
-                                     : "VTKHDF";
+    : OpensItself(path)              ? "VTKHDF"
+                                     : "TIFF";
+  AddFileNotes(volume.Large, volume);
   if (HasRawHeader(path))
   {
     const std::string ending = EndingOf(path);

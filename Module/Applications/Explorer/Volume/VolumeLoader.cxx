@@ -8,6 +8,7 @@
 #include "Applications/Explorer/Volume/DicomFolder.h"
 #include "Applications/Explorer/Volume/GridLoader.h"
 #include "Applications/Explorer/Volume/LabelMap.h"
+#include "Applications/Explorer/Volume/SliceGeometry.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeFields.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
@@ -31,6 +32,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 
+#include <vtksys/Directory.hxx>
+#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -48,10 +51,36 @@ using Explore::Volume;
 constexpr const char* META_TYPES[] = { "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT",
   "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE" };
 
+struct UnreadableFile
+{
+  const char* Endings; ///< between blanks
+  const char* Fault;
+  const char* Cure;
+};
+
+/// Files that users have, and what makes a volume of them.
+constexpr UnreadableFile UNREADABLE[] = {
+  { " .head .brik ", "is a file of AFNI, which is not read here",
+    "turn it into NIfTI with 3dAFNItoNIFTI" },
+  { " .par .rec ", "is a PAR/REC file, which is not read here",
+    "turn it into NIfTI with dcm2niix" },
+  { " .mgz .mgh ", "is a file of FreeSurfer, which is not read here",
+    "turn it into NIfTI: mri_convert head.mgz head.nii.gz" },
+  { " .mnc ", "is a MINC file, which is not read here", "turn it into NIfTI with mnc2nii" },
+  { " .zip .tar .tgz .7z .rar ", "is a packed folder",
+    "unpack it, and name the folder of its slices" },
+  { " .jpg .jpeg .png .bmp ",
+    "is a picture, which has one slice, or less than the values of a scan",
+    "name the volume that it was made of" },
+  { " .stl .ply .obj ", "is a surface, not a volume",
+    "name a volume; --tool and --guide take surfaces" },
+};
+
 std::string ListKnown()
 {
-  return std::string(".vti .mhd .mha .nii .nii.gz .nrrd .nhdr .vtkhdf .pvd, a grid (") +
-    Explore::GRID_ENDINGS + "), a folder .zarr, DICOM slices, or a folder of them";
+  return std::string(
+           ".vti .mhd .mha .nii .nii.gz .hdr .img .nrrd .nhdr .tif .vtkhdf .pvd, a grid (") +
+    Explore::GRID_ENDINGS + "), a folder .zarr, DICOM or TIFF slices, or a folder of them";
 }
 
 bool EndsWith(const std::string& text, const std::string& ending)
@@ -63,6 +92,25 @@ bool EndsWith(const std::string& text, const std::string& ending)
 bool IsXml(const std::string& path)
 {
   return EndsWith(vtksys::SystemTools::LowerCase(path), ".vti");
+}
+
+bool IsNifti(const std::string& lower)
+{
+  for (const char* const ending : { ".nii", ".hdr", ".img" })
+  {
+    if (EndsWith(lower, ending) || EndsWith(lower, std::string(ending) + ".gz"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a file begins as gzip's files do, whatever its name says.
+bool IsPacked(const std::string& path)
+{
+  vtksys::ifstream file(path.c_str(), std::ios::binary);
+  return file.get() == 0x1f && file.get() == 0x8b;
 }
 
 /// The file with the samples of a header, or the file itself; empty if they are in several.
@@ -77,6 +125,19 @@ std::string FindSamples(const std::string& path)
   else if (EndsWith(lower, ".nrrd") || EndsWith(lower, ".nhdr"))
   {
     data = VolumeHaptics::HeaderText(path, ':').Value({ "data file", "datafile" });
+  }
+  else if (IsNifti(lower) && !EndsWith(lower, ".nii") && !EndsWith(lower, ".nii.gz"))
+  {
+    // NIfTI and Analyze in two files.
+    const std::string base = path.substr(0, path.size() - (EndsWith(lower, ".gz") ? 7 : 4));
+    for (const char* const ending : { ".img", ".img.gz", ".IMG", ".IMG.GZ" })
+    {
+      if (vtksys::SystemTools::FileExists(base + ending, true))
+      {
+        return base + ending;
+      }
+    }
+    return base + ".img";
   }
   if (data == "LIST" || data.find('%') != std::string::npos)
   {
@@ -102,10 +163,10 @@ double CountHeld(const std::string& path, const std::string& samples)
   const bool isPacked = isMeta
     ? vtksys::SystemTools::LowerCase(header.Value({ "CompressedData" })) == "true"
     : isNrrd ? encoding == "gzip" || encoding == "gz"
-             : EndsWith(lower, ".nii.gz");
+             : IsNifti(lower) && IsPacked(samples);
   const bool isRaw = isMeta
     ? vtksys::SystemTools::LowerCase(header.Value({ "BinaryData" })) != "false"
-    : encoding == "raw" || EndsWith(lower, ".nii");
+    : encoding == "raw" || IsNifti(lower);
   // Not checked: files with skipped lines before packed data, or with a very long header.
   const bool isHere = samples == path && (isMeta || isNrrd);
   const bool isPlain = header.Value({ "line skip", "lineskip", "HeaderSize" }).empty();
@@ -232,18 +293,31 @@ bool IsKnownToVTK(const std::string& path)
 vtkSmartPointer<vtkImageData> ReadRawMetaImage(const std::string& path)
 {
   vtkNew<vtkHapticRegionSource> source;
-  vtkNew<vtkImageData> region; // with the array that marks it as a region
   std::string error;
-  if (!source->OpenFile(path.c_str(), error) ||
-    !source->ReadRegion(source->GetWholeExtent(), region, error))
+  const vtkSmartPointer<vtkImageData> image =
+    source->OpenFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
+  if (!image)
   {
     throw InputError(path, "cannot be read as MetaImage (" + error + ")",
       "do what stands there, or write it with samples of 8, 16 or 32 bits");
   }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(region);
-  image->GetPointData()->SetScalars(region->GetPointData()->GetScalars());
   return image;
+}
+
+Volume ReadTiff(const std::string& path)
+{
+  vtkNew<vtkHapticRegionSource> source;
+  std::string error;
+  Volume volume;
+  volume.Format = "TIFF";
+  volume.Image =
+    source->OpenFile(path.c_str(), error) ? Explore::ReadWhole(source, error) : nullptr;
+  if (!volume.Image)
+  {
+    throw InputError(path, "cannot be read as TIFF (" + error + ")", "do what stands there");
+  }
+  Explore::AddFileNotes(source, volume);
+  return volume;
 }
 
 Volume ReadMetaImage(const std::string& path)
@@ -321,6 +395,17 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
     matrix = reader->GetQFormMatrix();
     form = "qform";
   }
+  if (reader->GetSFormMatrix())
+  {
+    // The lengths of the sform's columns hold, not pixdim (method 3), by which VTK divides them.
+    double spacing[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      spacing[c] = volume.Image->GetSpacing()[c] *
+        std::hypot(matrix->GetElement(0, c), matrix->GetElement(1, c), matrix->GetElement(2, c));
+    }
+    volume.Image->SetSpacing(spacing);
+  }
   Explore::ApplyNiftiOrientation(matrix, volume.Image);
   volume.Axes = matrix ? Explore::WorldAxes::Patient : Explore::WorldAxes::Unknown;
   volume.Notes.push_back(matrix ? std::string("orientation from the NIfTI ") + form +
@@ -335,11 +420,6 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
       (units == 1 ? "metres" : "micrometres") + " into millimetres");
   }
   return volume;
-}
-
-bool IsNifti(const std::string& lower)
-{
-  return EndsWith(lower, ".nii") || EndsWith(lower, ".nii.gz");
 }
 
 Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
@@ -361,6 +441,10 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   {
     return ReadNrrd(path);
   }
+  if (Explore::IsTiff(path))
+  {
+    return ReadTiff(path);
+  }
   if (Explore::IsGrid(path))
   {
     return Explore::ReadGrid(path);
@@ -374,6 +458,14 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
     throw InputError(path, "is not a DICOM slice, whatever its name says",
       "check what the file really is; name a DICOM slice, or the folder of its series");
   }
+  const std::string ending = " " + vtksys::SystemTools::GetFilenameLastExtension(lower) + " ";
+  for (const auto& [endings, fault, cure] : UNREADABLE)
+  {
+    if (std::string(endings).find(ending) != std::string::npos)
+    {
+      throw InputError(path, fault, cure);
+    }
+  }
   throw InputError(
     path, "has an ending that is not known here", "convert it to one of the known: " + ListKnown());
 }
@@ -381,6 +473,48 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
 
 namespace Explore
 {
+vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error)
+{
+  vtkNew<vtkImageData> region; // with the array that marks it as a region
+  if (!source->ReadRegion(source->GetWholeExtent(), region, error))
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(region);
+  image->GetPointData()->SetScalars(region->GetPointData()->GetScalars());
+  return image;
+}
+
+bool IsTiff(const std::string& path)
+{
+  using Files = vtksys::SystemTools;
+  const auto hasEnding = [](const std::string& name)
+  {
+    const std::string ending = Files::LowerCase(Files::GetFilenameLastExtension(name));
+    return ending == ".tif" || ending == ".tiff";
+  };
+  vtksys::Directory folder;
+  const bool isFolder = Files::FileIsDirectory(path) && folder.Load(path);
+  for (unsigned long i = 0; isFolder && i < folder.GetNumberOfFiles(); ++i)
+  {
+    if (hasEnding(folder.GetFile(i)))
+    {
+      return true;
+    }
+  }
+  return !isFolder && hasEnding(path);
+}
+
+void AddFileNotes(vtkHapticRegionSource* source, Volume& volume)
+{
+  std::istringstream notes(source->GetFileNotes());
+  for (std::string note; std::getline(notes, note);)
+  {
+    volume.Notes.push_back(note);
+  }
+}
+
 Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 {
   if (!vtksys::SystemTools::PathExists(path))
@@ -391,7 +525,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
   Volume volume;
   if (vtksys::SystemTools::FileIsDirectory(path))
   {
-    volume = ReadDicomFolder(path, series);
+    volume = Explore::IsTiff(path) ? ReadTiff(path) : ReadDicomFolder(path, series);
   }
   else
   {
@@ -459,6 +593,8 @@ Volume LoadAligned(const std::string& path, int series, const std::string& array
   }
   CheckVolume(path, volume);
   judge(volume);
+  const std::string note = StraightenIfSheared(volume.Image, volume.MayBeLabels);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
   volume.Image = AlignToAxes(volume.Image);
   fields.GiveTo(volume.Image);
   return volume;

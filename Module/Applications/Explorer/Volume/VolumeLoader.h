@@ -64,6 +64,15 @@ double FindNiftiSpacing(const std::string& path, double unknown);
 /// Throws InputError for anything else, with the fault and the cure.
 Volume LoadVolume(const std::string& path, int series = 0, const std::string& array = "");
 
+/// Whether a path is a TIFF file, or a folder of TIFF slices, by the endings of names.
+bool IsTiff(const std::string& path);
+
+/// All samples of a volume that can be read in boxes; null, with the reason, if that fails.
+vtkSmartPointer<vtkImageData> ReadWhole(vtkHapticRegionSource* source, std::string& error);
+
+/// Adds what the source assumed when it opened its file.
+void AddFileNotes(vtkHapticRegionSource* source, Volume& volume);
+
 /// Only the image, of a further frame of a moving volume.
 vtkSmartPointer<vtkImageData> LoadFrame(const std::string& path, const std::string& array);
 } // namespace Explore

@@ -5,6 +5,7 @@
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Volume/DicomSeries.h"
 #include "Applications/Explorer/Volume/LargeLoader.h"
+#include "Applications/Explorer/Volume/SliceGeometry.h"
 #include "Applications/Explorer/Volume/VolumeChecks.h"
 #include "Applications/Explorer/Volume/VolumeOrientation.h"
 
@@ -269,22 +270,44 @@ vtkSmartPointer<vtkImageData> ExtractFrame(vtkImageData* image, int component)
   return frame;
 }
 
-Volume LoadNiftiSeries(const std::string& path, double spacing)
+/// One of the volumes along the fourth axis of a NIfTI file, or all of them as frames. `chosen` is
+/// the number of the one, from 1 on; 0 for all.
+Volume LoadNiftiSeries(const std::string& path, double spacing, int chosen)
 {
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
   const int count = all->GetNumberOfScalarComponents();
+  if (chosen > count)
+  {
+    throw InputError(path,
+      "has " + std::to_string(count) + " volumes along its fourth axis, and none with the number " +
+        std::to_string(chosen),
+      "take --series 1 to " + std::to_string(count));
+  }
   CheckMemory(path, all, 1);
-  volume.Frames = vtkSmartPointer<vtkHapticFrameSource>::New();
-  volume.Image = ExtractFrame(all, 0);
+  volume.Image = ExtractFrame(all, std::max(0, chosen - 1));
   Explore::CheckVolume(path, volume);
+  const std::string note = Explore::StraightenIfSheared(volume.Image, false);
+  volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
   volume.Image = Explore::AlignToAxes(volume.Image);
+  if (chosen > 0)
+  {
+    volume.Notes.push_back("volume " + std::to_string(chosen) + " of " + std::to_string(count) +
+      " along the fourth axis");
+    return volume;
+  }
+  volume.Frames = vtkSmartPointer<vtkHapticFrameSource>::New();
   AddFrame(volume, path, volume.Image, 0.0);
   for (int i = 1; i < count; ++i)
   {
-    AddFrame(volume, path, Explore::AlignToAxes(ExtractFrame(all, i)), i * spacing);
+    vtkSmartPointer<vtkImageData> frame = ExtractFrame(all, i);
+    Explore::StraightenIfSheared(frame, false);
+    AddFrame(volume, path, Explore::AlignToAxes(frame), i * spacing);
   }
   Finish(volume);
+  volume.Notes.emplace_back(
+    "the volumes along the fourth axis are taken for times; if they are channels, --series N takes "
+    "one of them");
   return volume;
 }
 } // namespace
@@ -320,7 +343,8 @@ Volume LoadVolumes(
                              : LoadVolume(frames.front().Path, 0, array);
   }
   const double spacing = isThere ? FindNiftiSpacing(path, 1.0 / FRAMES_PER_SECOND) : 0.0;
-  return spacing > 0.0 ? LoadNiftiSeries(path, spacing) : LoadVolume(path, dicomSeries, array);
+  return spacing > 0.0 ? LoadNiftiSeries(path, spacing, dicomSeries)
+                       : LoadVolume(path, dicomSeries, array);
 }
 
 void UseDisplacements(Volume& volume, const std::string& array)

@@ -3,6 +3,7 @@
 #include "VTK/Regions/Formats/LargeFile.h"
 
 #include "VTK/Regions/Formats/RawHeader.h"
+#include "VTK/Regions/Formats/TiffFile.h"
 #include "VTK/Regions/Formats/VtkHdfFile.h"
 #include "VTK/Regions/Formats/ZarrFile.h"
 
@@ -42,7 +43,7 @@ bool IsHeaderName(const std::string& name)
 bool IsLargeFileName(const std::string& name)
 {
   return HasEnding(name, ".vtkhdf") || HasEnding(name, ".hdf") || IsZarrName(name) ||
-    IsHeaderName(name);
+    IsHeaderName(name) || IsTiffName(name);
 }
 
 LargeFile OpenLargeFile(const std::string& name)
@@ -50,11 +51,12 @@ LargeFile OpenLargeFile(const std::string& name)
   if (!IsLargeFileName(name))
   {
     throw std::runtime_error(
-      "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr or .nrrd file or "
+      "its ending is not known. Give a .vtkhdf, .mhd, .mha, .nhdr, .nrrd, .tif or .tiff file or "
       "a .zarr folder; or, if it is raw, SetFileName() with extent, type "
       "and spacing.");
   }
-  return IsZarrName(name) ? OpenZarr(name)
+  return IsTiffName(name) ? OpenTiff(name)
+    : IsZarrName(name)    ? OpenZarr(name)
     : IsHeaderName(name)  ? OpenRawHeader(name)
                           : OpenVtkHdf(name);
 }

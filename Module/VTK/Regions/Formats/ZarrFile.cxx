@@ -4,6 +4,7 @@
 
 #include "VTK/Base/ByteOrder.h"
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Regions/Formats/LengthUnit.h"
 #include "VTK/Regions/Formats/ZarrArray.h"
 #include "VTK/Regions/Formats/ZarrHead.h"
 
@@ -108,16 +109,48 @@ void CheckAxes(const Json::Value& axes, std::size_t rank)
   }
 }
 
+/** Returns the length (mm) of an axis' unit; 1, as if it were mm, if it names no known unit. */
+double ReadUnit(const Json::Value& axes, std::size_t axis)
+{
+  const Json::Value& entry =
+    axes.isArray() ? axes[static_cast<Json::ArrayIndex>(axis)] : Json::Value::nullSingleton();
+  const double unit = entry.isObject() ? MillimetresPerUnit(entry["unit"].asString()) : 0.0;
+  return unit > 0.0 ? unit : 1.0;
+}
+
+/** Tells how many times and channels there are, of which the first is read. */
+void AddFurtherAxes(
+  const Json::Value& axes, const std::vector<std::uint64_t>& shape, std::vector<std::string>& notes)
+{
+  for (std::size_t a = 0; a + 3 < shape.size(); ++a)
+  {
+    if (shape[a] > 1)
+    {
+      const Json::Value& axis =
+        axes.isArray() ? axes[static_cast<Json::ArrayIndex>(a)] : Json::Value::nullSingleton();
+      const std::string name =
+        Printable(axis.isObject() ? axis["name"].asString() : axis.asString());
+      notes.push_back("of " + std::to_string(shape[a]) +
+        (name == "c" || name == "C"      ? " channels"
+            : name == "t" || name == "T" ? " times"
+                                         : " volumes along the axis " + name) +
+        " the first one is used");
+    }
+  }
+}
+
 LargeFile OpenDataset(
   const std::string& folder, const Json::Value& scales, const Json::Value& dataset)
 {
   const std::string path = folder + "/" + dataset["path"].asString();
-  const std::size_t rank = OpenZarrArray(path).Shape.size();
+  const auto shape = OpenZarrArray(path).Shape;
+  const std::size_t rank = shape.size();
   CheckAxes(scales["axes"], rank);
   std::vector<AxisScale> axes(rank);
   ApplyTransformations(dataset["coordinateTransformations"], axes);
   ApplyTransformations(scales["coordinateTransformations"], axes);
   LargeFile file = MakeZarrLevel(path);
+  AddFurtherAxes(scales["axes"], { shape.begin(), shape.end() }, file.Notes);
   for (std::size_t a = 0; a < 3; ++a)
   {
     const AxisScale& axis = axes[rank - 1 - a];
@@ -125,8 +158,15 @@ LargeFile OpenDataset(
     {
       throw std::runtime_error("its scale is zero or not finite. Correct its .zattrs.");
     }
-    file.Spacing[a] = axis.Scale;
-    file.Origin[a] = axis.Translation;
+    const double unit = ReadUnit(scales["axes"], rank - 1 - a);
+    file.Spacing[a] = axis.Scale * unit;
+    file.Origin[a] = axis.Translation * unit;
+    if (unit != 1.0 && a == 0)
+    {
+      file.Notes.push_back("lengths turned from " +
+        scales["axes"][static_cast<Json::ArrayIndex>(rank - 1)]["unit"].asString() +
+        "s into millimetres");
+    }
   }
   return file;
 }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Explore_SliceGeometry_h
+#define Explore_SliceGeometry_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace Explore
+{
+/// The image with slices at even distances, from slices at any: `along` has the position (mm,
+/// rising) of each. The new distance is the smallest one, and samples between two slices are linear
+/// in their positions. Needs at least two slices.
+vtkSmartPointer<vtkImageData> SpaceSlicesEvenly(
+  vtkImageData* image, const std::vector<double>& along);
+
+/// The angle (degrees) by which the third axis of an image is off the normal of its slices, or the
+/// first two axes off a right angle, whichever is larger.
+double MeasureShear(vtkImageData* image);
+
+/// Straightens an image where its axes are sheared. Returns a note for the user; empty if it did
+/// nothing.
+std::string StraightenIfSheared(vtkSmartPointer<vtkImageData>& image, bool areLabels);
+
+/// The image on straight axes, from one whose direction matrix is no rotation, such as a CT with a
+/// tilted gantry: the first axis stays, and so does the plane of the slices. The box holds all of
+/// the former one; what lies outside of the slices has the least value. Samples are interpolated
+/// cubically, or taken from the nearest voxel if they are labels.
+vtkSmartPointer<vtkImageData> StraightenAxes(vtkImageData* image, bool areLabels);
+} // namespace Explore
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/LengthUnit.h"
+
+#include <cctype>
+#include <map>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+constexpr double Nano = 1e-6;
+constexpr double Micro = 1e-3;
+constexpr double Centi = 10.0;
+constexpr double Metre = 1000.0;
+constexpr double Inch = 25.4;
+
+// The micro sign and the Greek letter, in UTF-8 and in Latin 1; ImageJ escapes the former.
+const std::map<std::string, double> Units = { { "nm", Nano }, { "nanometer", Nano },
+  { "nanometre", Nano }, { "um", Micro }, { "\xc2\xb5m", Micro }, { "\xce\xbcm", Micro },
+  { "\xb5m", Micro }, { "\\u00b5m", Micro }, { "micron", Micro }, { "micrometer", Micro },
+  { "micrometre", Micro }, { "mm", 1.0 }, { "millimeter", 1.0 }, { "millimetre", 1.0 },
+  { "cm", Centi }, { "centimeter", Centi }, { "centimetre", Centi }, { "m", Metre },
+  { "meter", Metre }, { "metre", Metre }, { "in", Inch }, { "inch", Inch }, { "inche", Inch } };
+
+} // namespace
+
+double MillimetresPerUnit(const std::string& unit)
+{
+  std::string name;
+  for (const char letter : unit)
+  {
+    if (letter != ' ' && letter != '"')
+    {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    }
+  }
+  if (name.size() > 2 && name.back() == 's')
+  {
+    name.pop_back(); // the plural
+  }
+  const auto found = Units.find(name);
+  return found == Units.end() ? 0.0 : found->second;
+}
+
+} // namespace VolumeHaptics

@@ -1,0 +1,658 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VTK/Regions/Formats/TiffFile.h"
+
+#include "VTK/Base/ByteOrder.h"
+#include "VTK/Base/HapticFiles.h"
+#include "VTK/Regions/Formats/LengthUnit.h"
+#include "VTK/Regions/Formats/OpenedFile.h"
+#include "VTK/Regions/Formats/RawVolumeFile.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
+#include "vtk_tiff.h"
+
+#include "vtksys/Directory.hxx"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace VolumeHaptics
+{
+namespace
+{
+
+using TiffPointer = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
+
+/** Where a page is: a file of the stack, and the offset of the page's directory in it. */
+struct TiffPage
+{
+  std::size_t File = 0;
+  toff_t Offset = 0;
+};
+
+/** What all pages of a stack share. */
+struct TiffLayout
+{
+  uint32_t Width = 0;
+  uint32_t Height = 0;
+  int ScalarType = 0;
+
+  bool operator==(const TiffLayout& other) const
+  {
+    return this->Width == other.Width && this->Height == other.Height &&
+      this->ScalarType == other.ScalarType;
+  }
+};
+
+struct TiffStack
+{
+  std::vector<std::string> Files;
+  std::vector<TiffPage> Pages; ///< one a slice
+  TiffLayout Layout;
+
+  bool Read(const int box[6], void* samples) const;
+
+private:
+  void ReadPage(TIFF* tiff, const int box[6], char* samples) const;
+};
+
+/** What a description says of the pages and of the distance between them. */
+struct TiffText
+{
+  bool IsImageJ = false;
+  double Spacing[3] = { 0.0, 0.0, 0.0 }; ///< mm; 0: not given
+  std::size_t Slices = 0;                ///< 0: not given
+  std::size_t Channels = 1;
+  std::size_t Times = 1;
+  std::size_t Step = 1;  ///< pages from a slice to the next one
+  double PerUnit = 0.0;  ///< mm for each unit of ImageJ's resolution
+  std::size_t Whole = 0; ///< images that follow the first one without a directory of their own
+};
+
+#if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
+int IgnoreMessage(TIFF*, void*, const char*, const char*, va_list)
+{
+  return 1;
+}
+#endif
+
+/** Opens a file without messages on the terminal: errors come as results of calls. */
+TiffPointer OpenQuietly(const std::string& name)
+{
+#if defined(TIFFLIB_VERSION) && TIFFLIB_VERSION >= 20221213
+  TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
+  TIFFOpenOptionsSetErrorHandlerExtR(options, IgnoreMessage, nullptr);
+  TIFFOpenOptionsSetWarningHandlerExtR(options, IgnoreMessage, nullptr);
+  TiffPointer tiff(TIFFOpenExt(name.c_str(), "rm", options), TIFFClose);
+  TIFFOpenOptionsFree(options);
+#else
+  TiffPointer tiff(TIFFOpen(name.c_str(), "rm"), TIFFClose);
+#endif
+  if (!tiff)
+  {
+    throw std::runtime_error("it is not a TIFF file, or its header is damaged. Check what " +
+      vtksys::SystemTools::GetFilenameName(name) + " really is, and that its copy is complete.");
+  }
+  return tiff;
+}
+
+template <typename Number>
+Number Tag(TIFF* tiff, uint32_t tag, Number otherwise)
+{
+  Number number = otherwise;
+  return TIFFGetFieldDefaulted(tiff, tag, &number) == 1 ? number : otherwise;
+}
+
+std::string Describe(TIFF* tiff)
+{
+  char* text = nullptr;
+  return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text ? text : "";
+}
+
+/** Reads what a page holds. Throws if its samples are no numbers of one channel. */
+TiffLayout ReadLayout(TIFF* tiff)
+{
+  TiffLayout layout;
+  TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &layout.Width);
+  TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &layout.Height);
+  const auto bits = Tag<uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+  const auto samples = Tag<uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+  const auto format = Tag<uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
+  if (samples != 1)
+  {
+    throw std::runtime_error("its pages have " + std::to_string(samples) +
+      " samples a pixel, as pictures in colours have. Write it with one grey value a pixel.");
+  }
+  const bool isInteger = format != SAMPLEFORMAT_IEEEFP;
+  layout.ScalarType = bits % 8 != 0 || format > SAMPLEFORMAT_IEEEFP
+    ? 0
+    : FindScalarType(isInteger, format == SAMPLEFORMAT_INT, bits / 8U);
+  if (layout.ScalarType == 0)
+  {
+    throw std::runtime_error("its samples have " + std::to_string(bits) +
+      " bits, or are complex. Write it with 8, 16, 32 or 64 bits.");
+  }
+  constexpr auto most = static_cast<uint32_t>(std::numeric_limits<int>::max());
+  if (layout.Width < 1 || layout.Height < 1 || layout.Width > most || layout.Height > most)
+  {
+    throw std::runtime_error("its pages have no size, or a damaged one. Write it again.");
+  }
+  if (!TIFFIsCODECConfigured(Tag<uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE)))
+  {
+    throw std::runtime_error("its samples are compressed in a way that this libtiff can't unpack. "
+                             "Write it uncompressed, or with LZW or Deflate.");
+  }
+  return layout;
+}
+
+double CountPageBytes(const TiffLayout& layout)
+{
+  return double{ 1.0 } * layout.Width * layout.Height *
+    vtkAbstractArray::GetDataTypeSize(layout.ScalarType);
+}
+
+/**
+ * Checks that a page's samples lie within the file. `more` is the number of further images that
+ * follow without a directory.
+ */
+void CheckPage(TIFF* tiff, const TiffLayout& layout, double size, std::size_t more)
+{
+  uint64_t* offsets = nullptr;
+  uint64_t* counts = nullptr;
+  const bool isTiled = TIFFIsTiled(tiff) != 0;
+  const uint32_t pieces = isTiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
+  const bool isThere =
+    TIFFGetField(tiff, isTiled ? TIFFTAG_TILEOFFSETS : TIFFTAG_STRIPOFFSETS, &offsets) == 1 &&
+    TIFFGetField(tiff, isTiled ? TIFFTAG_TILEBYTECOUNTS : TIFFTAG_STRIPBYTECOUNTS, &counts) == 1 &&
+    offsets && counts;
+  bool isWhole = isThere && pieces > 0;
+  double held = 0.0;
+  for (uint32_t piece = 0; isWhole && piece < pieces; ++piece)
+  {
+    held += static_cast<double>(counts[piece]);
+    isWhole = static_cast<double>(offsets[piece]) + static_cast<double>(counts[piece]) <= size;
+  }
+  // Deflate makes zeros at most 1032 times smaller, LZMA 7000 times.
+  const bool isPlain =
+    Tag<uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE) == COMPRESSION_NONE;
+  isWhole = isWhole && CountPageBytes(layout) <= held * (isPlain ? 1.0 : 10000.0);
+  if (isWhole && more > 0)
+  {
+    isWhole = isPlain && !isTiled &&
+      static_cast<double>(offsets[0]) +
+          (1.0 + static_cast<double>(more)) * CountPageBytes(layout) <=
+        size;
+  }
+  if (!isWhole)
+  {
+    throw std::runtime_error("it is cut off or damaged: it names samples that are not in the file. "
+                             "Check that its copy is complete.");
+  }
+}
+
+double NumberOr(const char* text, double other)
+{
+  double number = other;
+  std::istringstream stream(text ? text : "");
+  stream.imbue(std::locale::classic());
+  return stream >> number ? number : other;
+}
+
+std::size_t CountOr(const char* text, std::size_t other)
+{
+  const double number = NumberOr(text, 0.0);
+  return number >= 1.0 && number < 1e9 ? static_cast<std::size_t>(number) : other;
+}
+
+/** ImageJ writes lines `key=value`. */
+TiffText ReadImageJ(const std::string& description)
+{
+  TiffText text;
+  text.IsImageJ = true;
+  std::istringstream lines(description);
+  std::size_t images = 1;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t sign = std::min(line.find('='), line.size());
+    const std::string key = line.substr(0, sign);
+    const std::string value = line.substr(std::min(sign + 1, line.size()));
+    if (key == "images")
+    {
+      images = CountOr(value.c_str(), 1);
+    }
+    else if (key == "slices")
+    {
+      text.Slices = CountOr(value.c_str(), 0);
+    }
+    else if (key == "channels")
+    {
+      text.Channels = CountOr(value.c_str(), 1);
+    }
+    else if (key == "frames")
+    {
+      text.Times = CountOr(value.c_str(), 1);
+    }
+    else if (key == "spacing")
+    {
+      text.Spacing[2] = std::abs(NumberOr(value.c_str(), 0.0));
+    }
+    else if (key == "unit")
+    {
+      text.PerUnit = MillimetresPerUnit(value);
+    }
+  }
+  text.Spacing[2] *= text.PerUnit;
+  text.Step = text.Channels;
+  text.Whole = images;
+  if (text.Slices == 0)
+  {
+    text.Slices = std::max<std::size_t>(1, images / (text.Channels * text.Times));
+  }
+  return text;
+}
+
+/** OME-XML: the element Pixels of the first image. Its units are micrometres by default. */
+TiffText ReadOme(const std::string& description)
+{
+  TiffText text;
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(
+    vtkXMLUtilities::ReadElementFromString(description.c_str()));
+  vtkXMLDataElement* const image = root ? root->FindNestedElementWithName("Image") : nullptr;
+  vtkXMLDataElement* const pixels = image ? image->FindNestedElementWithName("Pixels") : nullptr;
+  if (!pixels)
+  {
+    return text;
+  }
+  const char* const names[] = { "PhysicalSizeX", "PhysicalSizeY", "PhysicalSizeZ" };
+  for (int a = 0; a < 3; ++a)
+  {
+    const char* const unit = pixels->GetAttribute((std::string(names[a]) + "Unit").c_str());
+    text.Spacing[a] =
+      NumberOr(pixels->GetAttribute(names[a]), 0.0) * MillimetresPerUnit(unit ? unit : "um");
+  }
+  text.Slices = CountOr(pixels->GetAttribute("SizeZ"), 0);
+  text.Channels = CountOr(pixels->GetAttribute("SizeC"), 1);
+  text.Times = CountOr(pixels->GetAttribute("SizeT"), 1);
+  const char* const order = pixels->GetAttribute("DimensionOrder");
+  for (const char axis : std::string(order ? order : "XYZCT"))
+  {
+    text.Step *= axis == 'C' ? text.Channels : axis == 'T' ? text.Times : 1;
+    if (axis == 'Z')
+    {
+      break;
+    }
+  }
+  return text;
+}
+
+TiffText ReadText(const std::string& description)
+{
+  return description.rfind("ImageJ=", 0) == 0 ? ReadImageJ(description)
+    : description.find("<OME") != std::string::npos
+    ? ReadOme(description.substr(description.find('<')))
+    : TiffText();
+}
+
+/** Adds the distance between pixels, by the resolution of a page, where the text gives none. */
+void AddResolution(TIFF* tiff, TiffText& text, std::vector<std::string>& notes)
+{
+  const float resolution[2] = { Tag(tiff, TIFFTAG_XRESOLUTION, 0.0F),
+    Tag(tiff, TIFFTAG_YRESOLUTION, 0.0F) };
+  const auto unit = Tag<uint16_t>(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+  const double perUnit = text.IsImageJ ? text.PerUnit
+    : unit == RESUNIT_CENTIMETER       ? MillimetresPerUnit("cm")
+    : unit == RESUNIT_INCH             ? MillimetresPerUnit("in")
+                                       : 0.0;
+  // Programs that know no size write that of a screen or a printer.
+  const bool isOfScreen = !text.IsImageJ && unit == RESUNIT_INCH &&
+    (resolution[0] <= 1.0F || resolution[0] == 72.0F || resolution[0] == 96.0F ||
+      resolution[0] == 300.0F);
+  for (int a = 0; a < 2; ++a)
+  {
+    if (!(text.Spacing[a] > 0.0) && resolution[a] > 0.0F && !isOfScreen)
+    {
+      text.Spacing[a] = perUnit / static_cast<double>(resolution[a]);
+    }
+  }
+  const bool isKnown = text.Spacing[0] > 0.0 && text.Spacing[1] > 0.0;
+  if (!isKnown)
+  {
+    std::fill_n(text.Spacing, 3, 1.0);
+    notes.emplace_back("the TIFF file gives no size of a voxel: cubes of 1 mm are assumed");
+  }
+  else if (!(text.Spacing[2] > 0.0))
+  {
+    text.Spacing[2] = text.Spacing[0];
+    notes.emplace_back("the TIFF file gives no distance of its pages: the spacing along x is used");
+  }
+}
+
+std::vector<std::string> ListFiles(const std::string& folder)
+{
+  vtksys::Directory directory;
+  directory.Load(folder);
+  std::vector<std::string> names;
+  for (unsigned long i = 0; i < directory.GetNumberOfFiles(); ++i)
+  {
+    const std::string name = directory.GetFile(i);
+    const std::string ending =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+    if ((ending == ".tif" || ending == ".tiff") && name.front() != '.')
+    {
+      names.push_back(name);
+    }
+  }
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto comesBefore = [&](const std::string& a, const std::string& b)
+  {
+    // Numbers in names count as numbers.
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < a.size() && j < b.size())
+    {
+      if (isDigit(a[i]) && isDigit(b[j]))
+      {
+        const std::size_t first[2] = { std::min(a.find_first_not_of('0', i), a.size()),
+          std::min(b.find_first_not_of('0', j), b.size()) };
+        std::size_t end[2] = { first[0], first[1] };
+        while (end[0] < a.size() && isDigit(a[end[0]]))
+        {
+          ++end[0];
+        }
+        while (end[1] < b.size() && isDigit(b[end[1]]))
+        {
+          ++end[1];
+        }
+        const std::string one = a.substr(first[0], end[0] - first[0]);
+        const std::string other = b.substr(first[1], end[1] - first[1]);
+        if (one != other)
+        {
+          return one.size() != other.size() ? one.size() < other.size() : one < other;
+        }
+        i = end[0];
+        j = end[1];
+      }
+      else if (a[i] != b[j])
+      {
+        return a[i] < b[j];
+      }
+      else
+      {
+        ++i;
+        ++j;
+      }
+    }
+    return a.size() - i < b.size() - j;
+  };
+  std::sort(names.begin(), names.end(), comesBefore);
+  for (std::string& name : names)
+  {
+    name.insert(0, folder + "/");
+  }
+  return names;
+}
+
+/** Adds the page that is read, if it is like the first one. Returns whether it is. */
+bool AddPage(TIFF* tiff, std::size_t file, double size, TiffStack& stack)
+{
+  constexpr uint32_t aside = FILETYPE_REDUCEDIMAGE | FILETYPE_MASK;
+  if ((Tag<uint32_t>(tiff, TIFFTAG_SUBFILETYPE, 0) & aside) != 0)
+  {
+    return false;
+  }
+  const TiffLayout layout = ReadLayout(tiff);
+  if (stack.Pages.empty())
+  {
+    stack.Layout = layout;
+  }
+  if (!(layout == stack.Layout))
+  {
+    return false;
+  }
+  CheckPage(tiff, layout, size, 0);
+  stack.Pages.push_back({ file, TIFFCurrentDirOffset(tiff) });
+  return true;
+}
+
+/** Adds the pages of a file that are like the first one. Returns how many others there are. */
+std::size_t AddPages(std::size_t file, TiffStack& stack)
+{
+  const TiffPointer tiff = OpenQuietly(stack.Files[file]);
+  const auto size = static_cast<double>(OpenedFile(stack.Files[file]).GetSize());
+  std::size_t others = AddPage(tiff.get(), file, size, stack) ? 0 : 1;
+  while (TIFFLastDirectory(tiff.get()) == 0)
+  {
+    if (TIFFReadDirectory(tiff.get()) != 1)
+    {
+      throw std::runtime_error("it is cut off or damaged: a page that it names is not in the file. "
+                               "Check that its copy is complete.");
+    }
+    others += AddPage(tiff.get(), file, size, stack) ? 0 : 1;
+  }
+  return others;
+}
+
+/** Keeps the pages of the first channel and time. */
+void KeepFirst(const TiffText& text, TiffStack& stack, std::vector<std::string>& notes)
+{
+  const std::size_t slices = text.Slices > 0 ? text.Slices : stack.Pages.size();
+  std::vector<TiffPage> kept;
+  for (std::size_t k = 0; k < slices && k * text.Step < stack.Pages.size(); ++k)
+  {
+    kept.push_back(stack.Pages[k * text.Step]);
+  }
+  if (kept.size() < slices)
+  {
+    throw std::runtime_error("it tells of " + std::to_string(slices) + " slices, and has " +
+      std::to_string(kept.size()) + ". Check that its copy is complete.");
+  }
+  const auto tell = [&](std::size_t count, const char* what)
+  {
+    if (count > 1)
+    {
+      notes.push_back("of " + std::to_string(count) + " " + what + " the first one is used");
+    }
+  };
+  tell(text.Channels, "channels");
+  tell(text.Times, "times");
+  stack.Pages = std::move(kept);
+}
+
+LargeFile MakeFile(const TiffLayout& layout, std::size_t slices)
+{
+  if (slices > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw std::runtime_error("it has more pages than an image can have slices.");
+  }
+  if (slices < 2)
+  {
+    throw std::runtime_error("it has a single page: one slice is no volume. Name the folder of all "
+                             "slices, or a file with a page for each.");
+  }
+  LargeFile file;
+  file.Extent = { 0, static_cast<int>(layout.Width) - 1, 0, static_cast<int>(layout.Height) - 1, 0,
+    static_cast<int>(slices) - 1 };
+  file.ScalarType = layout.ScalarType;
+  return file;
+}
+
+/** ImageJ writes stacks beyond 4 GiB as one page, which all other images follow. */
+LargeFile OpenHeadless(
+  const std::string& name, TIFF* tiff, const TiffLayout& layout, const TiffText& text)
+{
+  CheckPage(
+    tiff, layout, static_cast<double>(OpenedFile(name).GetSize()), text.Slices * text.Step - 1);
+  uint64_t* offsets = nullptr;
+  TIFFGetField(tiff, TIFFTAG_STRIPOFFSETS, &offsets);
+  if (text.Step != 1)
+  {
+    throw std::runtime_error("it has several channels behind one page. Write one channel.");
+  }
+  LargeFile file = MakeFile(layout, text.Slices);
+  const RawVolumeFile samples{ name, file.Extent,
+    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(layout.ScalarType)),
+    static_cast<vtkTypeInt64>(offsets[0]), TIFFIsByteSwapped(tiff) != 0 };
+  file.Read = [samples](const int box[6], void* to)
+  {
+    samples.Read(box, to);
+    return true;
+  };
+  return file;
+}
+
+[[noreturn]] void ThrowDamaged()
+{
+  throw std::runtime_error(
+    "a page of it can't be unpacked: it is damaged, or cut off. Check that its "
+    "copy is complete.");
+}
+
+/** Reads the part of a page that lies in a box: strip by strip, or tile by tile. */
+void TiffStack::ReadPage(TIFF* tiff, const int box[6], char* samples) const
+{
+  const bool isTiled = TIFFIsTiled(tiff) != 0;
+  const auto size =
+    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType));
+  const auto width = isTiled ? Tag<uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0) : this->Layout.Width;
+  const auto told = isTiled ? Tag<uint32_t>(tiff, TIFFTAG_TILELENGTH, 0)
+                            : Tag<uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP, this->Layout.Height);
+  const uint32_t height = isTiled ? told : std::min(told, this->Layout.Height);
+  const tmsize_t bytes = isTiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
+  if (width == 0 || height == 0 || bytes <= 0 ||
+    static_cast<std::size_t>(bytes) < size * width * height)
+  {
+    ThrowDamaged();
+  }
+  std::vector<char> piece(static_cast<std::size_t>(bytes));
+  const auto first = [&](int at, uint32_t step) { return at / static_cast<int>(step); };
+  const std::size_t row = static_cast<std::size_t>(box[1] - box[0] + 1) * size;
+  for (int y = first(box[2], height); y <= first(box[3], height); ++y)
+  {
+    for (int x = first(box[0], width); x <= first(box[1], width); ++x)
+    {
+      const int left = x * static_cast<int>(width);
+      const int top = y * static_cast<int>(height);
+      const auto from = static_cast<uint32_t>(left);
+      const uint32_t number = isTiled
+        ? TIFFComputeTile(tiff, from, static_cast<uint32_t>(top), 0, 0)
+        : TIFFComputeStrip(tiff, static_cast<uint32_t>(top), 0);
+      const tmsize_t got = isTiled ? TIFFReadEncodedTile(tiff, number, piece.data(), bytes)
+                                   : TIFFReadEncodedStrip(tiff, number, piece.data(), bytes);
+      const int last[2] = { std::min(box[1], left + static_cast<int>(width) - 1),
+        std::min(box[3], top + static_cast<int>(height) - 1) };
+      const std::size_t needed = size *
+        (static_cast<std::size_t>(last[1] - top) * width +
+          static_cast<std::size_t>(last[0] - left) + 1);
+      if (got < 0 || static_cast<std::size_t>(got) < needed)
+      {
+        ThrowDamaged();
+      }
+      for (int j = std::max(box[2], top); j <= last[1]; ++j)
+      {
+        const int i = std::max(box[0], left);
+        std::memcpy(samples + static_cast<std::size_t>(j - box[2]) * row +
+            static_cast<std::size_t>(i - box[0]) * size,
+          piece.data() + size * (static_cast<std::size_t>(j - top) * width + (i - left)),
+          static_cast<std::size_t>(last[0] - i + 1) * size);
+      }
+    }
+  }
+}
+
+bool TiffStack::Read(const int box[6], void* samples) const
+{
+  // Opened for each box, so that several threads may read.
+  const std::size_t slice =
+    static_cast<std::size_t>(vtkAbstractArray::GetDataTypeSize(this->Layout.ScalarType)) *
+    static_cast<std::size_t>(box[1] - box[0] + 1) * static_cast<std::size_t>(box[3] - box[2] + 1);
+  TiffPointer tiff(nullptr, TIFFClose);
+  std::size_t opened = this->Files.size();
+  for (int k = box[4]; k <= box[5]; ++k)
+  {
+    const TiffPage& page = this->Pages[static_cast<std::size_t>(k)];
+    if (page.File != opened)
+    {
+      tiff = OpenQuietly(this->Files[page.File]);
+      opened = page.File;
+    }
+    if (TIFFSetSubDirectory(tiff.get(), page.Offset) != 1 ||
+      !(ReadLayout(tiff.get()) == this->Layout))
+    {
+      throw std::runtime_error("it has changed since it was opened. Open it again.");
+    }
+    this->ReadPage(
+      tiff.get(), box, static_cast<char*>(samples) + static_cast<std::size_t>(k - box[4]) * slice);
+  }
+  return true;
+}
+
+} // namespace
+
+bool IsTiffName(const std::string& name)
+{
+  if (vtksys::SystemTools::FileIsDirectory(name))
+  {
+    return !vtksys::SystemTools::PathExists(name + "/.zarray") &&
+      !vtksys::SystemTools::PathExists(name + "/.zgroup") &&
+      !vtksys::SystemTools::PathExists(name + "/zarr.json") && !ListFiles(name).empty();
+  }
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+  return ending == ".tif" || ending == ".tiff";
+}
+
+LargeFile OpenTiff(const std::string& name)
+{
+  const std::string path = MakeAbsolute(name);
+  const auto stack = std::make_shared<TiffStack>();
+  const bool isFolder = vtksys::SystemTools::FileIsDirectory(path);
+  stack->Files = isFolder ? ListFiles(path) : std::vector<std::string>{ path };
+  const OpenedFile isThere(stack->Files.front()); // throws if the file is missing
+  const TiffPointer tiff = OpenQuietly(stack->Files.front());
+  std::vector<std::string> notes;
+  TiffText text = ReadText(Describe(tiff.get()));
+  AddResolution(tiff.get(), text, notes);
+  LargeFile file;
+  const bool isHeadless =
+    !isFolder && text.IsImageJ && text.Whole > 1 && TIFFNumberOfDirectories(tiff.get()) == 1;
+  if (isHeadless)
+  {
+    file = OpenHeadless(path, tiff.get(), ReadLayout(tiff.get()), text);
+  }
+  else
+  {
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < stack->Files.size(); ++i)
+    {
+      others += AddPages(i, *stack);
+    }
+    if (others > 0)
+    {
+      notes.push_back(std::to_string(others) + " TIFF pages of another size or type are left out");
+    }
+    if (!isFolder)
+    {
+      KeepFirst(text, *stack, notes);
+    }
+    file = MakeFile(stack->Layout, stack->Pages.size());
+    file.Read = [stack](const int box[6], void* samples) { return stack->Read(box, samples); };
+  }
+  std::copy_n(text.Spacing, 3, file.Spacing.begin());
+  file.Notes = std::move(notes);
+  return file;
+}
+
+} // namespace VolumeHaptics

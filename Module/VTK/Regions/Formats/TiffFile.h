@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Opens stacks of TIFF pages, the format of micro-CT and microscopes.
+ */
+#ifndef TiffFile_h
+#define TiffFile_h
+
+#include "VTK/Regions/Formats/LargeFile.h"
+
+#include <string>
+
+namespace VolumeHaptics
+{
+
+/** Whether a name ends with .tif or .tiff, or is a folder that has such files but no Zarr. */
+bool IsTiffName(const std::string& name);
+
+/**
+ * Opens a file with a page for each slice, or a folder of files with one page each, in the order of
+ * the numbers in their names. Pages of other sizes, such as previews, are left out.
+ *
+ * The distance between voxels comes from OME-XML (PhysicalSizeX, Y, Z), from ImageJ's description
+ * (unit, spacing) with the resolution of the pages, or from the resolution alone, for all three
+ * axes; it is turned into mm. Of several channels and times, the first is read. The notes tell what
+ * was assumed. Throws std::runtime_error, with the cure.
+ */
+LargeFile OpenTiff(const std::string& name);
+
+} // namespace VolumeHaptics
+
+#endif

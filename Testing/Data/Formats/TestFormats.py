@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every input of write.py is right at every voxel, or refused with its cause and a cure: see formats.sh."""
+
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from phantom import CENTRE, Grid, distance, values
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+FILES = Path(os.environ["VOLUMEHAPTICS_FORMATS"])
+EXPLORE = os.environ["VOLUMEHAPTICS_EXPLORE"]
+CASES = json.loads((FILES / "cases.json").read_text())
+# Not right yet. A case that is mended fails here until its line is gone.
+WRONG = set((Path(__file__).parent / "wrong.txt").read_text().split())
+BALLS = 4.0 / 3.0 * np.pi * (20.0**3 + 5.0**3 + 7.0**3)  # mm^3, a little more than the phantom's volume
+
+
+def read(path):
+    """The image's values (nx, ny, nz), and the affine from index to world."""
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    direction = np.array([[image.GetDirectionMatrix().GetElement(i, j) for j in range(3)] for i in range(3)])
+    affine = np.eye(4)
+    affine[:3, :3] = direction * np.array(image.GetSpacing())
+    extent = np.array(image.GetExtent())
+    affine[:3, 3] = np.array(image.GetOrigin()) + affine[:3, :3] @ extent[::2]
+    samples = vtk_to_numpy(image.GetPointData().GetScalars())
+    assert samples.ndim == 1, f"{samples.shape[1]} components"
+    return samples.reshape(image.GetDimensions()[::-1]).transpose(2, 1, 0).astype(float), affine
+
+
+def phantom_points(case, affine, size):
+    """Where the voxels of the result are in the phantom, and the volume of a voxel there (mm^3)."""
+    index = np.moveaxis(np.indices(size, dtype=float), 0, -1)
+    points = index @ affine[:3, :3].T + affine[:3, 3]
+    volume = abs(np.linalg.det(affine[:3, :3]))
+    if case["steps"]:  # the file knows no patient: the voxels themselves say where they are in the phantom
+        grid = Grid()
+        points = ((points - case["first"]) / case["steps"]) @ grid.affine[:3, :3].T + grid.origin
+        volume *= np.prod(grid.spacing) / abs(np.prod(case["steps"]))
+    return points, volume
+
+
+@pytest.mark.parametrize("case", [
+    pytest.param(case, id=case["name"], marks=[pytest.mark.xfail(strict=True)] if case["name"] in WRONG else [])
+    for case in CASES
+])
+def test_is_right_or_refused(case, tmp_path):
+    written = tmp_path / "out.vti"
+    run = subprocess.run([EXPLORE, case["path"], *case["options"], "--write-volume", str(written)], capture_output=True,
+                         text=True, timeout=100, check=False)
+    said = run.stdout + run.stderr
+    if case["refused"]:
+        assert run.returncode == 2, said
+        assert re.search(case["refused"], said), said
+        assert "Cure:" in said
+        return
+    assert run.returncode == 0, said
+    found, affine = read(written)
+    points, voxel = phantom_points(case, affine, found.shape)
+    for told in case["told"]:
+        assert re.search(told, said, re.IGNORECASE), said
+    if case["scale"] == 0.0:
+        return
+    expected = case["offset"] + case["scale"] * values(points)
+    wrong = np.abs(found - expected)
+    if case["outside"]:  # nothing was measured there: air, or less
+        air = case["offset"] + case["scale"] * values(CENTRE + 1000.0)
+        wrong[((found <= air) | ~np.isfinite(found)) & (distance(points) > 2.0)] = 0.0
+    assert np.isfinite(wrong).all()
+    assert wrong.max() <= case["tolerance"], (wrong.max(), said)
+    # All of the phantom is there.
+    body = voxel * np.count_nonzero(values(points) > -470.0)
+    assert 0.9 * BALLS < body < BALLS, (body, said)
+
+
+def test_there_are_enough():
+    assert len(CASES) - len(WRONG) >= 120
+    assert WRONG <= {case["name"] for case in CASES}

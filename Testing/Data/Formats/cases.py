@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a case is: a writer, and what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass
+class Case:
+    """One input of a user. `write(folder)` makes the files and returns what the user names."""
+
+    name: str
+    write: Callable[[Path], Path]
+    source: str = ""  #: the public thread, or the part of the standard, that says what is right
+    refused: str | None = None  #: a pattern that the one line of refusal has; None: the volume is read
+    told: tuple[str, ...] = ()  #: patterns of what is told beside the volume
+    tolerance: float = 1.0  #: of values; more where something is resampled
+    scale: float = 1.0  #: the values are the phantom's times this ...
+    offset: float = 0.0  #: ... and this is added
+    #: Where the file itself knows no patient: steps (mm) of the result's world along the index axes, and its first voxel.
+    steps: tuple[float, float, float] | None = None
+    first: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    outside: bool = False  #: where nothing was measured, the value is air's or below
+    options: tuple[str, ...] = ()  #: of the explorer
+
+
+CASES: list[Case] = []
+
+
+def case(name: str, **facts) -> Callable:
+    """Registers a writer: `@case("dicom-tilted", source="...")`."""
+
+    def register(write: Callable[[Path], Path]) -> Callable[[Path], Path]:
+        if any(known.name == name for known in CASES):
+            raise ValueError(f"there are two cases {name}")
+        CASES.append(Case(name, write, **facts))
+        return write
+
+    return register

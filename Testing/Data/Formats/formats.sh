@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Writes files as other people have them, by independent libraries from PyPI, and compares what the explorer reads
+# with the phantom's formula.
+#
+# usage: Testing/Data/Formats/formats.sh BUILD_DIR
+#
+# BUILD_DIR/formats holds the libraries, and is kept. $VOLUMEHAPTICS_EXPLORE is the explorer.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build_dir=$(cd "$1" && pwd)/formats
+libraries=$build_dir/libraries
+mkdir -p "$build_dir"
+if ! cmp -s "$here/requirements.txt" "$libraries/requirements.txt"; then
+  rm -rf "$libraries"
+  python3 -m venv "$libraries"
+  "$libraries/bin/pip" install -q -r "$here/requirements.txt"
+  cp "$here/requirements.txt" "$libraries/"
+fi
+rm -rf "$build_dir/files"
+PYTHONDONTWRITEBYTECODE=1 "$libraries/bin/python" "$here/write.py" "$build_dir/files"
+VOLUMEHAPTICS_FORMATS=$build_dir/files PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m pytest "$here/TestFormats.py" -q \
+  -p no:cacheprovider

@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the input of each case into a folder of its own, and what is right into cases.json: write.py FOLDER."""
+
+import json
+import sys
+from pathlib import Path
+
+import write_dicom  # noqa: F401 the writers register their cases
+import write_images  # noqa: F401
+import write_nifti  # noqa: F401
+from cases import CASES
+
+folder = Path(sys.argv[1]).resolve()
+written = []
+for one in CASES:
+    place = folder / one.name
+    place.mkdir(parents=True)
+    named = one.write(place)
+    written.append({**{key: value for key, value in vars(one).items() if key != "write"}, "path": str(named)})
+(folder / "cases.json").write_text(json.dumps(written, indent=1))
+print(len(written), "inputs")

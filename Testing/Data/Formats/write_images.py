@@ -1,0 +1,318 @@
+# SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""NRRD by pynrrd, MetaImage by SimpleITK, TIFF by tifffile, Zarr by zarr, and what is refused by its name."""
+
+import json
+
+import nrrd
+import numpy as np
+import SimpleITK
+import tifffile
+import zarr
+from cases import case
+from phantom import Grid, turned
+
+GRID = Grid()
+
+
+# NRRD
+
+
+def nrrd_header(grid=GRID, space="left-posterior-superior", turn=(1.0, 1.0, 1.0), per_mm=1.0, **more):
+    axes = np.diag(turn) @ grid.affine[:3, :3] * per_mm
+    return {"space": space, "space directions": axes.T, "space origin": np.array(turn) * grid.origin * per_mm,
+            "kinds": ["domain"] * 3, "encoding": "gzip", **more}
+
+
+def save_nrrd(folder, header, voxels=None, name="head.nrrd", **options):
+    folder.mkdir(parents=True, exist_ok=True)
+    nrrd.write(str(folder / name), GRID.sample() if voxels is None else voxels, header, **options)
+    return folder / name
+
+
+def nrrd_case(name, header, voxels=None, file="head.nrrd", options=None, **facts):
+    @case(f"nrrd-{name}", **facts)
+    def write(folder):
+        return save_nrrd(folder, dict(header), voxels() if voxels else None, file, **(options or {}))
+
+
+nrrd_case("plain", nrrd_header())
+nrrd_case("raw", nrrd_header(encoding="raw"))
+nrrd_case("detached", nrrd_header(), file="head.nhdr")
+nrrd_case("detached-raw", nrrd_header(encoding="raw"), file="head.nhdr")
+nrrd_case("big-endian", nrrd_header(endian="big", encoding="raw"), voxels=lambda: GRID.sample(">i2"))
+nrrd_case("ras", nrrd_header(space="right-anterior-superior", turn=(-1.0, -1.0, 1.0)))
+nrrd_case("las", nrrd_header(space="left-anterior-superior", turn=(1.0, -1.0, 1.0)))
+nrrd_case("oblique", nrrd_header(Grid(axes=turned(25.0))), voxels=lambda: Grid(axes=turned(25.0)).sample())
+nrrd_case("left-handed", nrrd_header(Grid(axes=np.diag([1.0, 1.0, -1.0]))),
+          voxels=lambda: Grid(axes=np.diag([1.0, 1.0, -1.0])).sample())
+for unit, per_mm in (("um", 1000.0), ("microns", 1000.0), ("m", 0.001), ("mm", 1.0)):
+    nrrd_case(f"space-units-{unit}", nrrd_header(per_mm=per_mm, **{"space units": [unit] * 3}),
+              source="Slicer#7631")
+nrrd_case("bzip2", nrrd_header(encoding="bzip2"), refused="bzip2|--large")
+nrrd_case("ascii", nrrd_header(encoding="ascii"), source="teem: encoding ascii")
+nrrd_case("float", nrrd_header(), voxels=lambda: GRID.sample(float).astype(np.float32))
+nrrd_case("double", nrrd_header(), voxels=lambda: GRID.sample(float))
+nrrd_case("int64", nrrd_header(), voxels=lambda: GRID.sample(np.int64), source="NumPy's integers")
+
+
+def several(first, axis):
+    return lambda: np.stack([first(), np.zeros(GRID.size, first().dtype)], axis=axis)
+
+
+def channel_header(axis, kind):
+    header = nrrd_header()
+    directions = [list(row) for row in header["space directions"]]
+    directions.insert(axis, [np.nan] * 3)
+    kinds = ["domain"] * 3
+    kinds.insert(axis, kind)
+    return {**header, "space directions": np.array(directions), "kinds": kinds}
+
+
+nrrd_case("vector-first", channel_header(0, "vector"), voxels=several(GRID.sample, 0), source="SimpleITK's vector images",
+          told=("component|channel|first",))
+nrrd_case("list-first", channel_header(0, "list"), voxels=several(GRID.sample, 0), source="Slicer's sequences",
+          told=("component|channel|first|frames|time",))
+nrrd_case("list-last", channel_header(3, "list"), voxels=several(GRID.sample, 3),
+          told=("component|channel|first|frames|time",))
+
+
+@case("nrrd-axis-mins", source="teem: axis mins place the first sample", steps=tuple(GRID.spacing), first=tuple(GRID.origin))
+def axis_mins(folder):
+    header = {"spacings": list(GRID.spacing), "axis mins": list(GRID.origin), "encoding": "gzip",
+              "kinds": ["space"] * 3}
+    return save_nrrd(folder, header)
+
+
+@case("nrrd-spacings-only", steps=tuple(GRID.spacing))
+def spacings_only(folder):
+    return save_nrrd(folder, {"spacings": list(GRID.spacing), "encoding": "raw"})
+
+
+@case("nrrd-byte-skip-minus-1", source="teem: samples at the end of the file")
+def byte_skip(folder):
+    save_nrrd(folder, nrrd_header(encoding="raw"), name="head.nhdr")
+    data = folder / "head.raw"
+    data.write_bytes(b"a header of some other program" + data.read_bytes())
+    text = (folder / "head.nhdr").read_text()
+    (folder / "head.nhdr").write_text(text.replace("data file:", "byte skip: -1\ndata file:"))
+    return folder / "head.nhdr"
+
+
+@case("nrrd-cut-off", refused="cut off|damaged|fewer|short|complete|not in the file")
+def nrrd_cut(folder):
+    path = save_nrrd(folder, nrrd_header(encoding="raw"))
+    path.write_bytes(path.read_bytes()[:-9999])
+    return path
+
+
+@case("nrrd-promises-more", refused="cut off|damaged|fewer|short|complete|not in the file|promises")
+def nrrd_more(folder):
+    path = save_nrrd(folder, nrrd_header(encoding="raw"))
+    path.write_bytes(path.read_bytes().replace(b"sizes: 44 40 42", b"sizes: 44000 40000 42000"))
+    return path
+
+
+# MetaImage
+
+
+def itk_image(grid=GRID, voxels=None, dtype=np.int16):
+    made = SimpleITK.GetImageFromArray((grid.sample(dtype) if voxels is None else voxels).transpose(2, 1, 0))
+    made.SetSpacing(grid.spacing.tolist())
+    made.SetOrigin(grid.origin.tolist())
+    made.SetDirection(grid.axes.ravel().tolist())
+    return made
+
+
+def meta_case(name, make, file="head.mha", compressed=False, change=None, **facts):
+    @case(f"meta-{name}", **facts)
+    def write(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        SimpleITK.WriteImage(make(), str(folder / file), compressed)
+        if change:
+            change(folder / file)
+        return folder / file
+
+
+def replace(*pairs):
+    def change(path):
+        raw = path.read_bytes()
+        for old, new in pairs:
+            assert old in raw, old
+            raw = raw.replace(old, new, 1)
+        path.write_bytes(raw)
+
+    return change
+
+
+meta_case("plain", itk_image)
+meta_case("compressed", itk_image, compressed=True)
+meta_case("mhd", itk_image, "head.mhd")
+meta_case("mhd-compressed", itk_image, "head.mhd", True)
+meta_case("oblique", lambda: itk_image(Grid(axes=turned(40.0))))
+meta_case("mirrored", lambda: itk_image(Grid(axes=np.diag([1.0, -1.0, 1.0]))))
+meta_case("int64", lambda: itk_image(dtype=np.int64), source="SimpleITK's default from NumPy integers")
+meta_case("float64", lambda: itk_image(dtype=np.float64), tolerance=1.0)
+meta_case("uint16", lambda: itk_image(voxels=(GRID.sample(np.int32) + 1024).astype(np.uint16)), offset=1024.0)
+meta_case("4d", lambda: SimpleITK.JoinSeries([itk_image(), itk_image()]), source="SimpleITK's 4-D",
+          told=("frames|time|first",))
+meta_case("vector", lambda: SimpleITK.Compose([itk_image(), itk_image()]), told=("component|channel|first",))
+meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
+          source="MetaIO: MET_LONG has 4 bytes")
+meta_case("cut-off", itk_image, change=lambda path: path.write_bytes(path.read_bytes()[:-3000]),
+          refused="cut off|damaged|fewer|short|complete|not in the file")
+meta_case("promises-more", itk_image, change=replace((b"DimSize = 44 40 42", b"DimSize = 44000 40000 42000")),
+          refused="cut off|damaged|fewer|short|complete|not in the file|promises")
+meta_case("no-samples", itk_image, "head.mhd", change=lambda path: (path.parent / "head.raw").unlink(),
+          refused="missing")
+meta_case("two-dimensions", lambda: itk_image()[:, :, 20], refused="single slice|two dimensions|2")
+
+
+# TIFF
+
+
+def tiff(folder, name="stack.tif", voxels=None, **options):
+    folder.mkdir(parents=True, exist_ok=True)
+    pages = (GRID.sample() if voxels is None else voxels).transpose(2, 1, 0)
+    tifffile.imwrite(folder / name, pages, photometric="minisblack", **options)
+    return folder / name
+
+
+IMAGEJ = {"imagej": True, "resolution": (1.0 / GRID.spacing[0], 1.0 / GRID.spacing[1]),
+          "metadata": {"spacing": GRID.spacing[2], "unit": "mm", "axes": "ZYX"}}
+UNSIGNED = (GRID.sample(np.int32) + 1000).astype(np.uint16)
+
+
+def tiff_case(name, voxels=UNSIGNED, scale=1.0, offset=1000.0, file="stack.tif", told=(), refused=None, source="",
+              tolerance=1.0, steps=(1.5, 1.6, 1.7), **options):
+    @case(f"tiff-{name}", scale=scale, offset=offset, steps=steps, told=told, refused=refused, source=source,
+          tolerance=tolerance, options=("--preset", "histogram"))
+    def write(folder):
+        return tiff(folder, file, voxels, **options)
+
+
+tiff_case("imagej-16", **IMAGEJ, source="ImageJ's tags")
+tiff_case("imagej-8", GRAY8 := np.round(UNSIGNED * 0.2).astype(np.uint8), 0.2, 200.0, **IMAGEJ)
+tiff_case("imagej-float", UNSIGNED.astype(np.float32), **IMAGEJ)
+tiff_case("imagej-micrometres", imagej=True, resolution=(0.001 / 1.5, 0.001 / 1.6),
+          metadata={"spacing": 1700.0, "unit": "um", "axes": "ZYX"})
+tiff_case("imagej-big-endian", byteorder=">", **IMAGEJ)
+tiff_case("ome", file="stack.ome.tif", ome=True, source="OME-TIFF's PhysicalSize",
+          metadata={"axes": "ZYX", "PhysicalSizeX": 1500.0, "PhysicalSizeXUnit": "µm", "PhysicalSizeY": 1600.0,
+                    "PhysicalSizeYUnit": "µm", "PhysicalSizeZ": 1700.0, "PhysicalSizeZUnit": "µm"})
+tiff_case("resolution-in-cm", resolution=(10.0 / 1.5, 10.0 / 1.6), resolutionunit="CENTIMETER", metadata=None,
+          told=("distance",), steps=(1.5, 1.6, 1.5))
+CUBES = {"metadata": None, "steps": (1.0, 1.0, 1.0), "told": ("voxel",)}
+tiff_case("no-resolution", **CUBES)
+for compression in ("zlib", "lzw", "packbits"):
+    tiff_case(compression, compression=compression, **CUBES)
+tiff_case("tiled", tile=(16, 16), **CUBES)
+tiff_case("bigtiff", bigtiff=True, **CUBES)
+tiff_case("int16", GRID.sample(), 1.0, 0.0, **CUBES)
+tiff_case("float64", GRID.sample(float), 1.0, 0.0, **CUBES)
+tiff_case("uint32", UNSIGNED.astype(np.uint32), **CUBES)
+
+
+@case("tiff-folder", offset=1000.0, steps=(1.0, 1.0, 1.0), options=("--preset", "histogram"), told=("voxel",))
+def tiff_folder(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for k in range(GRID.size[2]):  # numbers without leading zeros
+        tifffile.imwrite(folder / f"slice{k + 1}.tif", UNSIGNED[:, :, k].T)
+    return folder
+
+
+@case("tiff-single-page", refused="single|one slice|page")
+def tiff_single(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    tifffile.imwrite(folder / "page.tif", UNSIGNED[:, :, 20].T)
+    return folder / "page.tif"
+
+
+@case("tiff-cut-off", refused="cut off|damaged|fewer|short|complete")
+def tiff_cut(folder):
+    path = tiff(folder, "stack.tif", UNSIGNED, metadata=None)
+    path.write_bytes(path.read_bytes()[:60000])
+    return path
+
+
+# Zarr
+
+
+def ngff(folder, version, unit="millimeter", per_mm=1.0, translation=True, channel=False, **options):
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "head.zarr"
+    voxels = GRID.sample().transpose(2, 1, 0)
+    names = ["z", "y", "x"]
+    scale, origin = [*(GRID.spacing[::-1] * per_mm)], [*(GRID.origin[::-1] * per_mm)]
+    axes = [{"name": name, "type": "space", "unit": unit} for name in names]
+    if channel:
+        voxels = np.stack([voxels, np.zeros_like(voxels)])
+        scale, origin = [1.0, *scale], [0.0, *origin]
+        axes = [{"name": "c", "type": "channel"}, *axes]
+    group = zarr.open_group(str(path), mode="w", zarr_format=2 if version == "0.4" else 3)
+    options.setdefault("chunks", voxels.shape[:-3] + (16, 16, 16))
+    made = group.create_array("0", shape=voxels.shape, dtype=voxels.dtype, **options)
+    made[...] = voxels
+    transformations = [{"type": "scale", "scale": [float(x) for x in scale]}]
+    if translation:
+        transformations.append({"type": "translation", "translation": [float(x) for x in origin]})
+    scales = [{"version": version, "name": "head", "axes": axes,
+               "datasets": [{"path": "0", "coordinateTransformations": transformations}]}]
+    if version == "0.4":
+        group.attrs["multiscales"] = scales
+    else:
+        group.attrs["ome"] = {"version": version, "multiscales": scales}
+    return path
+
+
+def zarr_case(name, version, source="OME-NGFF", told=(), **options):
+    @case(f"zarr-{name}", source=source, told=told)
+    def write(folder):
+        return ngff(folder, version, **options)
+
+
+zarr_case("0.4", "0.4")
+zarr_case("0.5", "0.5")
+zarr_case("0.5-sharded", "0.5", shards=(32, 32, 32))
+zarr_case("0.5-micrometres", "0.5", unit="micrometer", per_mm=1000.0)
+zarr_case("0.4-micrometres", "0.4", unit="micrometer", per_mm=1000.0)
+zarr_case("0.4-metres", "0.4", unit="meter", per_mm=0.001)
+zarr_case("0.5-channels", "0.5", channel=True, told=("channel|first",))
+zarr_case("0.4-channels", "0.4", channel=True, told=("channel|first",))
+
+
+@case("zarr-3-plain-array", source="the default of python-zarr 3: zstd", steps=(1.0, 1.0, 1.0),
+      told=("voxel|spacing",))
+def zarr3(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    made = zarr.create_array(str(folder / "head.zarr"), shape=GRID.size[::-1], dtype="i2", chunks=(16, 16, 16))
+    made[...] = GRID.sample().transpose(2, 1, 0)
+    return folder / "head.zarr"
+
+
+# What is refused by its name
+
+
+def refused_case(name, file, content, refused):
+    @case(f"refused-{name}", refused=refused)
+    def write(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / file).write_bytes(content)
+        return folder / file
+
+
+refused_case("afni", "head+orig.HEAD", b"type = string-attribute\n", "AFNI|3dAFNItoNIFTI")
+refused_case("par-rec", "head.par", b"# === DATA DESCRIPTION FILE ===\n", "PAR|dcm2niix")
+refused_case("zip", "head.zip", b"PK\3\4" + bytes(100), "zip|ZIP|unpack")
+refused_case("jpeg", "head.jpg", b"\xff\xd8\xff\xe0" + bytes(100), "jpg|JPEG|picture")
+refused_case("stl", "head.stl", b"solid head\nendsolid head\n", "surface|volume")
+refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "json|volume")
+refused_case("empty-mha", "head.mha", b"", "empty|damaged|cut off|header")
+refused_case("empty-nrrd", "head.nrrd", b"", "empty|damaged|cut off|header|NRRD")
+refused_case("empty-nii", "head.nii", b"", "empty|damaged|cut off|header|NIfTI")
+
+
+@case("refused-absent", refused="no such|not there|does not exist|not found|no file")
+def absent(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder / "absent.nii.gz"
