@@ -37,6 +37,7 @@ struct Ray
 struct Meeting
 {
   double At;      ///< along the ray
+  double Start;   ///< of the hand, along the ray: outside of all that the eye may see on the way
   Vector3 Normal; ///< unit, inwards
 };
 
@@ -121,7 +122,8 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
     const double between = 0.5 * (out + t);
     (isIn(between) ? t : out) = between;
   }
-  for (double at = std::max(0.0, t - Far / volume.Scale); at < entry; at += step)
+  const double start = std::max(0.0, std::min(t - Far / volume.Scale, entry - ray.Unit));
+  for (double at = start; at < entry; at += step)
   {
     if (IsSolidBeyond(volume, ray.At(at)))
     {
@@ -133,7 +135,7 @@ std::optional<Meeting> FindMeeting(const PressedVolume& volume, const Ray& ray)
   {
     return {};
   }
-  return Meeting{ t, *inwards };
+  return Meeting{ t, start, *inwards };
 }
 
 /** Where along the ray half of its opacity is in front; none if it meets none. */
@@ -189,7 +191,7 @@ bool IsAstray(const PressedVolume& volume, const Vector3& place)
 void Press(const PressedVolume& volume, const Ray& ray, const Meeting& met, Presses& found)
 {
   const Vector3 surface = volume.Scale * ray.At(met.At); // mm of the hand's space
-  Path tips = { surface - Far * ray.Way };
+  Path tips = { volume.Scale * ray.At(met.Start) };
   MoveTo(tips, surface + Deep * ray.Way, PressStep);
   const std::size_t pressed = tips.size();
   MoveTo(tips, surface - Deep * ray.Way, PressStep);

@@ -53,9 +53,10 @@ struct Presses
 };
 
 /**
- * The hand comes from 40 mm outside along a ray at 100 mm/s, presses 5 mm deep, and goes back. It
- * feels the surface at the proxy of the first tick with 0.1 N. Rays that enter the volume inside of
- * the body are left out, and so are those beside which the body goes on beyond the volume.
+ * The hand comes along a ray at 100 mm/s, from outside of the volume and 40 mm away at least,
+ * so that it meets all that the eye sees; it presses 5 mm deep, and goes back. It feels the
+ * surface at the proxy of the first tick with 0.1 N. Rays that enter the volume inside of the
+ * body are left out, and so are those beside which the body goes on beyond the volume.
  *
  * A ray's own surface is that of the values that the kernel smooths. A thin structure in front of
  * it or beside it is felt, and seen, though the kernel smooths it below the level: it has an

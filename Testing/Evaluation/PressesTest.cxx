@@ -115,6 +115,42 @@ TEST(Presses, HalfOfTheOpacityOfALookAlongAWay)
   EXPECT_FALSE(FindSeenBehind(fog, { -10.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }));
 }
 
+TEST(Presses, TheHandComesByAllThatTheEyeSees)
+{
+  // A skin about the ball, 60 mm in front of it, that is darker than the level of the surface. It
+  // is seen and felt first, though the rays' own surface is that of the ball.
+  constexpr double skin = 17.0;
+  constexpr double unit = 12.0; // mm
+  const vtkSmartPointer<vtkImageData> image = SampleImage(
+    [](const Vector3& x)
+    {
+      const double off = Norm(x) - skin;
+      return BlurredStep(BallRadius - Norm(x), 1.0, 100.0) + 45.0 * std::exp(-2.0 * off * off);
+    },
+    20.0);
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputDataObject(0, image);
+  filter->SetMetersPerWorldUnit(0.001 * unit);
+  vtkHapticProperty* const feel = filter->GetProperty();
+  SetConstant(feel->GetStiffness(), 1000.0);
+  SetConstant(feel->GetViscosity(), 0.0);
+  SetConstant(feel->GetSurfaceStrength(), Impenetrable);
+  SetConstant(feel->GetDistinctness(), 1.0);
+  PressedVolume ball;
+  ball.Model = ball.Shape = ball.Structures =
+    VolumeHaptics::HapticBaker(filter).Bake(1000.0, {}, nullptr);
+  ball.Level = 50.0;
+  ball.Scale = unit;
+  ball.Box = { -BallRadius, BallRadius, -BallRadius, BallRadius, -BallRadius, BallRadius };
+  ball.Voxel = { 1.0, 1.0, 1.0 };
+  ball.Extinction = [](const Vector3& x)
+  { return Norm(x) < BallRadius || std::abs(Norm(x) - skin) < 0.5 ? 50.0 : 0.0; };
+  const Presses found = PressFromAllSides(ball, 30);
+  ASSERT_GT(found.Count, 10);
+  EXPECT_EQ(found.Unfelt, 0);
+  EXPECT_LT(FindLargest(found.OffSeen, 0.95), 1.0);
+}
+
 TEST(Presses, SharesOfMagnitudes)
 {
   EXPECT_EQ(FindLargest({ -3.0, 1.0, 2.0 }, 1.0), 3.0);

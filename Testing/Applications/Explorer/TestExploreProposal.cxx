@@ -4,6 +4,7 @@
 // numbers from 0 to 1. Without edges, the histogram decides, but never in noise of the air.
 #include "Applications/Explorer/Errors/InputError.h"
 #include "Applications/Explorer/Exploration/TissueTable.h"
+#include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
 #include "HeadExploration.h"
 
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +97,8 @@ Explore::Volume MakeSoftBall(const std::function<double(double)>& valueAt)
   return ball;
 }
 
-/// Air of 0 with noise that neighbours share, clipped at 0 and in 32 levels, as of a CT that shows
-/// contrast medium: the histogram begins in the noise. Between the ball of 20 and the air it says
-/// where the body ends, and no force holds in the noise.
-void ExpectNoiseIsNoBody()
+/// A ball of 20 (mm) in air of 0, with noise that neighbours share, clipped at 0 and in 32 levels.
+Explore::Volume MakeNoisyBall(double radius, double deviation)
 {
   constexpr int size = 40;
   std::mt19937_64 engine(7);
@@ -109,7 +109,7 @@ void ExpectNoiseIsNoBody()
     value = random(engine);
   }
   std::size_t number = 0;
-  Explore::Volume ball = MakeSoftBall(
+  return MakeSoftBall(
     [&](double r)
     {
       double noise = 0.0; // of 4 samples along x, with a standard deviation of 1
@@ -118,9 +118,16 @@ void ExpectNoiseIsNoBody()
         noise += 0.5 * white[number + i];
       }
       ++number;
-      const double value = 20.0 * 0.5 * std::erfc((r - 40.0) / (3.0 * std::sqrt(2.0))) + noise;
-      return std::round(std::clamp(value, 0.0, 31.0));
+      const double value = 20.0 * 0.5 * std::erfc((r - radius) / (3.0 * std::sqrt(2.0)));
+      return std::round(std::clamp(value + deviation * noise, 0.0, 31.0));
     });
+}
+
+/// As of a CT that shows contrast medium: the histogram begins in the noise. Between ball and air
+/// it says where the body ends, and no force holds in the noise.
+void ExpectNoiseIsNoBody()
+{
+  const Explore::Volume ball = MakeNoisyBall(40.0, 1.0);
   Explore::Settings settings;
   settings.Preset = "histogram";
   const Explore::Exploration felt = Explore::ExploreVolume(ball, settings);
@@ -135,6 +142,21 @@ void ExpectNoiseIsNoBody()
       "nothing holds in noise of " + std::to_string(value));
   }
   Expect(LargestOutside(felt) > 0.5, "the ball is felt");
+}
+
+/// The noise in which "Micro-CT" has no wall is not seen, though the histogram begins in it.
+void ExpectNoiseIsHidden()
+{
+  Explore::Settings settings;
+  settings.Preset = "Micro-CT";
+  vtkNew<vtkVolumeProperty> look;
+  Explore::SetVolumeLook(Explore::ExploreVolume(MakeNoisyBall(30.0, 2.0), settings).Values, look);
+  for (const double value : { 1.0, 2.0, 3.0, 4.0, 5.0, 6.0 })
+  {
+    Expect(look->GetScalarOpacity()->GetValue(value) == 0.0,
+      "nothing is seen in noise of " + std::to_string(value));
+  }
+  Expect(look->GetScalarOpacity()->GetValue(15.0) > 0.5, "the ball is seen");
 }
 
 /// What a hand presses is what it feels, also if edges are several voxels wide, run into each other
@@ -172,6 +194,7 @@ int TestExploreProposal(int argc, char* argv[])
 
   ExpectSoftSurfaces();
   ExpectNoiseIsNoBody();
+  ExpectNoiseIsHidden();
 
   // A ramp has no edges.
   vtkNew<vtkImageData> ramp;

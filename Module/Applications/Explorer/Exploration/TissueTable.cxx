@@ -43,13 +43,16 @@ double EdgeOf(const Analysis& analysis)
   return 0.02 * (analysis.High - analysis.Low);
 }
 
-/// Excludes the background's noise from the body, if the image shows how bright the background is.
-void LeaveBackground(Analysis& analysis, vtkImageData* image)
+/// The brightness of the background, from the image.
+struct Background
 {
-  if (analysis.Kind == VolumeKind::Field)
-  {
-    return; // whose flanks are not noise
-  }
+  double Noise = 0.0;
+  double Threshold = 0.0; ///< nothing below is solid
+  double Full = 0.0;      ///< all from here on is; not above Threshold: unknown
+};
+
+Background FindBackground(vtkImageData* image)
+{
   vtkNew<vtkHapticRegionFilter> whole; // gives facts about the whole, with one of its samples
   const int* const extent = image->GetExtent();
   whole->SetRegion(extent[0], extent[0], extent[2], extent[2], extent[4], extent[4]);
@@ -58,14 +61,37 @@ void LeaveBackground(Analysis& analysis, vtkImageData* image)
   vtkFieldData* const facts = whole->GetOutput()->GetFieldData();
   vtkDataArray* const noise = facts->GetArray(vtkHapticRegionFilter::GetNoiseName());
   vtkDataArray* const solid = facts->GetArray(vtkHapticRegionFilter::GetSolidName());
-  if (!noise || !solid || !(solid->GetTuple1(0) < solid->GetTuple1(1)) ||
-    noise->GetTuple1(0) < LEAST_NOISE * (analysis.Range[1] - analysis.Range[0]))
+  return noise && solid
+    ? Background{ noise->GetTuple1(0), solid->GetTuple1(0), solid->GetTuple1(1) }
+    : Background{};
+}
+
+/// Excludes the background's noise from the body, if the image shows how bright the background is.
+void LeaveBackground(Analysis& analysis, vtkImageData* image)
+{
+  if (analysis.Kind == VolumeKind::Field)
   {
-    return;
+    return; // whose flanks are not noise
   }
-  analysis.OuterThreshold =
-    std::max(analysis.OuterThreshold, solid->GetTuple1(0) + EdgeOf(analysis));
-  PutDeepInside(analysis);
+  const Background found = FindBackground(image);
+  if (found.Threshold < found.Full &&
+    found.Noise >= LEAST_NOISE * (analysis.Range[1] - analysis.Range[0]))
+  {
+    analysis.OuterThreshold = std::max(analysis.OuterThreshold, found.Threshold + EdgeOf(analysis));
+    PutDeepInside(analysis);
+  }
+}
+
+/// Lets the body begin where half of the preset's strength holds, so that the background is hidden.
+void BeginAtSolid(Analysis& analysis, vtkImageData* image)
+{
+  const Background found = FindBackground(image);
+  if (found.Threshold < found.Full)
+  {
+    analysis.OuterThreshold =
+      std::max(analysis.OuterThreshold, 0.5 * (found.Threshold + found.Full));
+    PutDeepInside(analysis);
+  }
 }
 
 /// Steps at the thresholds, a little smoothed, so that nothing jumps.
@@ -214,6 +240,11 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
     throw InputError("--preset " + name, capture.FirstError(),
       "take auto, propose, histogram, one of the presets, or a file that ends in .json, such as "
       "key F8 of the window saves");
+  }
+  if (filter->GetProperty()->GetSolidFromImage() && analysis.Kind != VolumeKind::CT &&
+    analysis.Kind != VolumeKind::Labels)
+  {
+    BeginAtSolid(analysis, image);
   }
   return name;
 }

@@ -65,6 +65,9 @@ double GradedStrength(const ValuePair& sides, double strength, double own, doubl
   return std::min(whole, edge / std::max(1.0 - share, 1e-12));
 }
 
+/** The share of the way from the middle of an edge to its end at which the medium is left. */
+constexpr double LeavingBegins = 0.5;
+
 } // namespace
 
 void PassOn(PassiveSpring& spring, double stiffness, double lag) noexcept
@@ -132,6 +135,10 @@ PrecisePoint PreciseSurroundings::Look(
   {
     this->Align(index, slope, isDescending, join, point);
   }
+  if (this->LeavesMedium)
+  {
+    this->LeaveMedium(join, index, isDescending, point);
+  }
   return point;
 }
 
@@ -167,7 +174,65 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   {
     this->Align(index, slope, isDescending, join, point);
   }
+  if (this->HasWalks && surface.IsWall && point.Viscosity > 0.0)
+  {
+    // At a wall, half of the voxels around are those of the medium; in the air beside it, fewer.
+    Surface own = surface;
+    own.Reach = Vector3{};
+    MaterialPoint here;
+    Law::SetMaterials(
+      this->Model, index, own, distinct, { values.Behind, values.Behind }, this->Labels, here);
+    point.Viscosity = std::min(point.Viscosity, 2.0 * here.Viscosity);
+  }
+  else if (this->LeavesMedium && !surface.IsWall)
+  {
+    this->LeaveMedium(join, index, isDescending, point);
+  }
   return point;
+}
+
+void PreciseSurroundings::LeaveWall(const Vector3& index, const Surface& surface,
+  const DistinctnessTable::Values& distinct, const ValuePair& values,
+  PrecisePoint& point) const noexcept
+{
+  if (surface.Depth > 0.0 && point.Viscosity > 0.0)
+  {
+    Surface turned = surface;
+    turned.Reach = -surface.Reach;
+    MaterialPoint ahead;
+    Law::SetMaterials(
+      this->Model, index, turned, distinct, { values.Behind, values.Ahead }, this->Labels, ahead);
+    if (ahead.Viscosity < point.Viscosity)
+    {
+      const double left = std::min(surface.Depth / Law::WallHolds, 1.0);
+      point.Viscosity += left * (ahead.Viscosity - point.Viscosity);
+    }
+  }
+}
+
+template <typename Join>
+void PreciseSurroundings::LeaveMedium(
+  const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept
+{
+  const bool isEdge = point.Viscosity > 0.0 && point.SurfaceValue != point.MediumValue;
+  if (!isEdge || FarSide::FindEvenShare(point.Far) >= 1.0)
+  {
+    return;
+  }
+  const double middle = 0.5 * (point.SurfaceValue + point.MediumValue);
+  const double half = std::abs(point.SurfaceValue - middle);
+  const double own = this->Field.Value(index);
+  const double past = (isDescending ? middle - own : own - middle) / half;
+  if (past > LeavingBegins)
+  {
+    MaterialPoint there;
+    join({ point.MediumValue, point.SurfaceValue }, there);
+    if (there.Viscosity < point.Viscosity)
+    {
+      const double left = std::min((past - LeavingBegins) / (1.0 - LeavingBegins), 1.0);
+      point.Viscosity += left * (there.Viscosity - point.Viscosity);
+    }
+  }
 }
 
 template <typename Join>

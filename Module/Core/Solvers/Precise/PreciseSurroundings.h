@@ -62,6 +62,7 @@ public:
     , Field(model.Baked->At(dataTime, memory))
     , IsPlain(model.Baked->IsPlain() && !model.Baked->IsMoving())
     , HasWalks(model.Baked->Settings.Placement != MaterialPlacement::Kernel)
+    , LeavesMedium(HasWalks && model.Baked->Settings.Side == SurfaceSide::Both)
     , Labels(labels)
   {
   }
@@ -160,6 +161,13 @@ private:
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
+  /**
+   * Ends the drag of a medium behind an edge that the proxy has passed, if there is less drag where
+   * it is: a proxy that comes out of a body has the body behind the edge, and air around it.
+   */
+  template <typename Join>
+  void LeaveMedium(
+    const Join& join, const Vector3& index, bool isDescending, PrecisePoint& point) const noexcept;
   /** The change of V over the kernel radius, by the gradient. */
   double FindRise(const Law::Slope& slope) const noexcept;
   /**
@@ -176,8 +184,9 @@ private:
 
   const HapticModel& Model;
   const FieldAtTime Field;
-  const bool IsPlain;  ///< as BakedVolume, and stands still
-  const bool HasWalks; ///< for MaterialPlacement::FarSide: the values need the proxy's path
+  const bool IsPlain;      ///< as BakedVolume, and stands still
+  const bool HasWalks;     ///< for MaterialPlacement::FarSide: the values need the proxy's path
+  const bool LeavesMedium; ///< with surfaces that are felt from both sides
   LabelMemory& Labels;
   int Looks = 0;
 };

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * A hand feels nothing in the air beside a body, where an eye sees nothing. Places come from the
+ * formulas of the volumes.
+ */
+
+#include "Rigs/ApiRig.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace apitest;
+
+namespace
+{
+/// A volume of voxels of 1 mm, by a formula of the place (mm).
+template <typename Formula>
+vtkSmartPointer<vtkImageData> MakeVolume(int x, int y, int z, int type, const Formula& formula)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(x, y, z);
+  image->AllocateScalars(type, 1);
+  for (int k = 0; k < z; ++k)
+  {
+    for (int j = 0; j < y; ++j)
+    {
+      for (int i = 0; i < x; ++i)
+      {
+        image->SetScalarComponentFromDouble(i, j, k, 0, formula(i, j, k));
+      }
+    }
+  }
+  return image;
+}
+
+/// The share of an edge that is blurred by a Gaussian, `distance` behind its middle.
+double Blurred(double distance, double width)
+{
+  return 0.5 * (1.0 + std::erf(distance / (width * std::sqrt(2.0))));
+}
+
+double ForceAt(vtkPolyData* trace, vtkIdType tick)
+{
+  return std::hypot(
+    Get(trace, "Force", tick, 0), Get(trace, "Force", tick, 1), Get(trace, "Force", tick, 2));
+}
+
+double LargestForce(vtkPolyData* trace)
+{
+  double largest = 0.0;
+  for (vtkIdType tick = 0; tick < trace->GetNumberOfPoints(); ++tick)
+  {
+    largest = std::max(largest, ForceAt(trace, tick));
+  }
+  return largest;
+}
+
+/// N, from which on a hand feels something: as the evaluation's presses count it.
+constexpr double Felt = 0.1;
+
+/// The largest force on a straight way past a ball of radius 8 about (20, 20, 20).
+double PassBy(const char* preset, vtkImageData* ball, double distance)
+{
+  vtkNew<vtkVolumeHapticsFilter> filter;
+  filter->SetInputData(ball);
+  EXPECT_TRUE(filter->GetProperty()->ApplyPreset(preset));
+  const double y = 20.0 + 8.0 + distance;
+  filter->SetPathData(MakePath(Line({ 4.0, y, 20.3 }, { 36.0, y, 20.3 }, 640)));
+  filter->Update();
+  return LargestForce(filter->GetOutput());
+}
+} // namespace
+
+TEST(SeenFirst, AirBesideALabelDoesNotDrag)
+{
+  const vtkSmartPointer<vtkImageData> ball = MakeVolume(41, 41, 41, VTK_UNSIGNED_CHAR,
+    [](int i, int j, int k) { return std::hypot(i - 20.0, j - 20.0, k - 20.0) < 8.0 ? 5.0 : 0.0; });
+  for (const double distance : { 1.0, 1.2, 1.6, 2.2 })
+  {
+    EXPECT_LT(PassBy("Labels", ball, distance), Felt) << distance << " mm from the label";
+  }
+  EXPECT_GT(PassBy("Labels", ball, -2.0), 0.2) << "the label itself is felt";
+}
+
+TEST(SeenFirst, AirBesideATwoSidedSurfaceDoesNotDrag)
+{
+  const vtkSmartPointer<vtkImageData> ball = MakeVolume(41, 41, 41, VTK_FLOAT,
+    [](int i, int j, int k)
+    { return 200.0 * Blurred(8.0 - std::hypot(i - 20.0, j - 20.0, k - 20.0), 1.0); });
+  for (const double distance : { 2.0, 2.5, 3.0 })
+  {
+    EXPECT_LT(PassBy("MRI", ball, distance), Felt) << distance << " mm from the middle of the edge";
+  }
+  EXPECT_GT(PassBy("MRI", ball, -2.0), 0.2) << "the ball itself is felt";
+}
