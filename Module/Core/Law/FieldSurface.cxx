@@ -48,7 +48,8 @@ Surface FindWall(const HapticModel& model, const FieldAtTime& field, const Vecto
     // A wall stands in where the scalars have less than half a surface.
     constexpr double least = 0.5;
     surface = FindFieldSurface(model, field, index);
-    if (baked.Distinctness(surface.GradientMagnitude)[0] >= least && surface.Fade > 0.0)
+    if (model.DistinctnessOf(surface.GradientMagnitude, surface.Normal)[0] >= least &&
+      surface.Fade > 0.0)
     {
       return surface;
     }

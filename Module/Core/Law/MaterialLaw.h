@@ -219,7 +219,7 @@ inline DistinctnessTable::Values FindDistinctness(
   const HapticModel& model, const Surface& surface) noexcept
 {
   return surface.IsWall ? DistinctnessTable::Values{ DistinctnessOfWall(surface.Depth), 1.0 }
-                        : model.Baked->Distinctness(surface.GradientMagnitude);
+                        : model.DistinctnessOf(surface.GradientMagnitude, surface.Normal);
 }
 
 /** Whether the settings put the structure against the gradient. */

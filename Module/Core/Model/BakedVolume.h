@@ -78,6 +78,7 @@ struct BakedVolume
   const bool HasMotion;                 ///< the material's motion is known between some frames
   const MaterialTable Materials;        ///< channels k, mu, T_N, R, visibility
   const DistinctnessTable Distinctness; ///< channels W_d, visibility
+  const bool IsDistinctFromNoise;       ///< see HapticMaterial
   const Affine3 IndexToWorld;
   const double LargestSpacing; ///< world units
   const HapticSettings Settings;

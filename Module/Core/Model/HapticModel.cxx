@@ -110,6 +110,7 @@ HapticModel::HapticModel(std::shared_ptr<const BakedVolume> baked, const Affine3
       MakeFallbackNormal(Inverse(deviceToWorld.Linear) * this->Baked->IndexToWorld.Linear))
   , HasLengthByDirection(
       !IsOfPaper(this->Baked->Settings) && !IsOfCubes(this->Baked->IndexToWorld.Linear))
+  , HasNoiseByDirection(this->HasLengthByDirection && this->Baked->IsDistinctFromNoise)
   , KernelLength(
       this->Baked->Kernel.Radius * this->Baked->LargestSpacing / SimilarityScale(deviceToWorld))
   , InverseRadius(1.0 / this->Baked->Kernel.Radius)

@@ -62,6 +62,8 @@ public:
    * cubic voxels, nor with the solver PAPER.
    */
   const bool HasLengthByDirection;
+  /** Whether the distinctness depends on the direction: HapticMaterial::IsDistinctFromNoise. */
+  const bool HasNoiseByDirection;
   /**
    * KernelRadius times the largest spacing, in metres: with the solver PAPER and for cubes, the
    * distance of x_s and x_v from the proxy; otherwise, the largest such distance.
@@ -111,6 +113,18 @@ public:
   Vector3 FindReach(const Vector3& direction) const noexcept
   {
     return this->HasLengthByDirection ? this->KernelLengthOf(direction) * direction : direction;
+  }
+  /** W_d and the visibility of a gradient: its magnitude (per world unit), and its direction. */
+  DistinctnessTable::Values DistinctnessOf(double magnitude, const Vector3& normal) const noexcept
+  {
+    DistinctnessTable::Values values = this->Baked->Distinctness(magnitude);
+    if (this->HasNoiseByDirection)
+    {
+      // 1 along the axis of the smallest spacing.
+      const double voxels = Norm(this->DeviceToIndex.Linear * normal) / this->MostVoxelsPerMeter;
+      values[0] = this->Baked->Distinctness(magnitude / std::fmax(voxels, 1e-300))[0];
+    }
+    return values;
   }
   /** As KernelLengthAlong, at a wall between labels. */
   double LabelReachAlong(const Vector3& normal) const noexcept;

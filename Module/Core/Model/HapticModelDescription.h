@@ -38,6 +38,12 @@ struct HapticMaterial
   Polyline Distinctness = ConstantPolyline(1.0);       ///< W_d, 0 to 1
   Polyline ScalarVisibility = ConstantPolyline(1.0);   ///< 0 or 1, scales T_N and R
   Polyline GradientVisibility = ConstantPolyline(1.0); ///< 0 or 1, scales T_N and R
+  /**
+   * Whether Distinctness is MakeNoiseRamp's: the larger the spacing along an axis, the less noise
+   * has its gradient. W_d is then that of the rise in a voxel along the normal, over the smallest
+   * spacing, but with the solver PAPER.
+   */
+  bool IsDistinctFromNoise = false;
 };
 
 /** The samples of a volume that moves, at an instant. */

@@ -151,6 +151,7 @@ void BakeDistinctness(vtkHapticProperty* property, vtkImageData* image, vtkDataA
   if (!ramp.empty())
   {
     d.Material.Distinctness = ramp;
+    d.Material.IsDistinctFromNoise = true;
   }
   else if (property->GetDistinctnessPerMillimeter())
   {

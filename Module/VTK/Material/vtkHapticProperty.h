@@ -114,7 +114,8 @@ public:
    * The noise is estimated again after the image or its array is Modified(): call Modified() if you
    * change values in place. Distinctness is 1 if the image has no noise. NoiseRamp has the two
    * gradient magnitudes (scalar units per world unit) of the last ramp, set when a filter with this
-   * property last ran or was published; 0, 0 if there was none.
+   * property last ran or was published; 0, 0 if there was none. They are those along the axis of
+   * the smallest spacing; along another one, noise and ramp are less by the ratio of the spacings.
    */
   vtkSetMacro(DistinctnessFromNoise, bool);
   vtkGetMacro(DistinctnessFromNoise, bool);

@@ -12,7 +12,9 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 using namespace apitest;
@@ -182,6 +184,100 @@ TEST_F(Noise, IsFeltInOneOfAHundredPlacesOnly)
     }
     EXPECT_GT(above, 0.002 * 4000) << "estimator " << estimator;
     EXPECT_LT(above, 0.03 * 4000) << "estimator " << estimator;
+  }
+}
+
+TEST_F(Noise, InSlicesIsFeltNoMoreThanInCubes)
+{
+  // With w the gradient per index step, of which the noise does not know the spacings S, the rise
+  // in a voxel along the normal is |S^-1 w|^2/|S^-2 w|: at most |w|, by Cauchy and Schwarz.
+  const vtkSmartPointer<vtkImageData> noisy = this->MakeNoisy([](double) { return 0.0; }, Sigma);
+  this->Filter->SetMaterialPlacementToKernel();
+  this->Filter->SetContactAlignmentToDistinctness();
+  SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 1e-6); // holds the proxy nowhere
+  SetConstant(this->Filter->GetProperty()->GetViscosity(), 0.0);
+  const auto findStrengths = [&](const Point& spacing)
+  {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(6.0, 41.0);
+    std::vector<Point> anywhere;
+    for (int i = 0; i < 2000; ++i)
+    {
+      Point x{ uniform(random), uniform(random), uniform(random) };
+      std::transform(x.begin(), x.end(), spacing.begin(), x.begin(), std::multiplies<>());
+      anywhere.push_back(x);
+    }
+    noisy->SetSpacing(spacing.data());
+    this->Filter->SetInputData(0, noisy);
+    this->Filter->SetPathData(MakePath(anywhere));
+    this->Filter->Update();
+    std::vector<double> strengths;
+    vtkPolyData* const output = this->Filter->GetOutput();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      strengths.push_back(Get(output, "SurfaceStrength", i));
+    }
+    return strengths;
+  };
+  for (const int estimator : { vtkVolumeHapticsFilter::CENTRAL_DIFFERENCE,
+         vtkVolumeHapticsFilter::GAUSSIAN, vtkVolumeHapticsFilter::CUBIC_BSPLINE })
+  {
+    this->Filter->SetGradientEstimator(estimator);
+    const std::vector<double> cubes = findStrengths({ 0.5, 0.5, 0.5 });
+    const auto felt =
+      std::count_if(cubes.begin(), cubes.end(), [](double strength) { return strength > 0.0; });
+    EXPECT_GT(felt, 0.002 * 2000) << "estimator " << estimator;
+    EXPECT_LT(felt, 0.03 * 2000) << "estimator " << estimator;
+    for (const double ratio : { 5.0, 10.0 })
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        SCOPED_TRACE(
+          testing::Message() << "estimator " << estimator << ", 1:" << ratio << ", axis " << axis);
+        Point spacing{ 0.5, 0.5, 0.5 };
+        spacing[axis] *= ratio;
+        const std::vector<double> slices = findStrengths(spacing);
+        double largest = 0.0;
+        for (std::size_t i = 0; i < cubes.size(); ++i)
+        {
+          largest = std::max(largest, slices[i] - cubes[i]);
+        }
+        // Proxies are found to the solver's tolerance.
+        EXPECT_LT(largest, 1e-8);
+      }
+    }
+  }
+}
+
+TEST_F(Noise, HidesNoWallAcrossSlices)
+{
+  // Noise from slice to slice: across them, the samples are those of cubes of their thickness, and
+  // so is what is felt. The wall is 10 times the noise.
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> noise(48);
+  std::generate(noise.begin(), noise.end(), [&]() { return Sigma * normal(random); });
+  const vtkSmartPointer<vtkImageData> wall = MakeImage(48, VTK_FLOAT,
+    [&](const Point& x)
+    {
+      return 5.0 * Sigma * (1.0 + std::erf((x[2] - 24.3) / 0.8)) +
+        noise[static_cast<std::size_t>(x[2])];
+    });
+  const auto press = [&](const Point& spacing)
+  {
+    wall->SetSpacing(spacing.data());
+    this->Filter->SetInputData(0, wall);
+    this->Filter->SetPathData(
+      MakePath(Line({ 24.2 * spacing[0], 24.4 * spacing[1], 21.0 * spacing[2] },
+        { 24.2 * spacing[0], 24.4 * spacing[1], 24.3 * spacing[2] + 1.5 }, 200)));
+    this->Filter->Update();
+    return -Get(this->Filter->GetOutput(), "Force", 200, 2);
+  };
+  for (const double thick : { 2.5, 5.0 })
+  {
+    const double expected = press({ thick, thick, thick });
+    EXPECT_GT(expected, 0.3);
+    EXPECT_NEAR(press({ 0.5, 0.5, thick }), expected, 1e-3 * expected) << thick << " mm";
   }
 }
 

@@ -109,7 +109,7 @@ double FindBorderValue(const NoiseSamples& samples);
  * The ramp of distinctness that keeps noise (scalar units) from being felt: 0 up to 3.4 sigma_g,
  * which a hundredth of the gradients of pure noise exceed, and 1 from twice that on. sigma_g is the
  * noise of a component of the estimated gradient per world unit, along the axis with the finest
- * spacing. Empty without noise.
+ * spacing; along the others it is less (HapticModel::DistinctnessOf). Empty without noise.
  */
 Polyline MakeNoiseRamp(double noise, const GradientKernel& kernel, const Affine3& indexToWorld);
 

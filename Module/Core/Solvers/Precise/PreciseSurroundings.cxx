@@ -115,7 +115,8 @@ PrecisePoint PreciseSurroundings::Look(
     slope.Normal = -slope.Normal;
     slope.Reach = -slope.Reach;
   }
-  const DistinctnessTable::Values distinct = baked.Distinctness(slope.Magnitude);
+  const DistinctnessTable::Values distinct =
+    this->Model.DistinctnessOf(slope.Magnitude, slope.Normal);
   const double fade = this->Model.BorderFade(index);
   FarWalk walk;
   const ValuePair values =
