@@ -49,15 +49,17 @@ struct Wall
   /**
    * @param normal along the axes of the volume
    * @param place between the slices of its middle
+   * @param thickness mm; finite: a sheet in front of which and behind which is air
    */
   Wall(const Vector3& spacing, const Matrix3& turn, const Vector3& normal, double place = 0.6,
-    double blur = Blur)
+    double blur = Blur, double thickness = HUGE_VAL)
     : IndexToWorld{ turn *
         Matrix3{ { { spacing.X, 0, 0 }, { 0, spacing.Y, 0 }, { 0, 0, spacing.Z } } },
       { 3.0, -7.0, 11.0 } }
     , Normal((1.0 / Norm(normal)) * (turn * normal))
     , Centre(IndexToWorld({ 13.3, 14.2, 13.0 + place }))
     , Width(blur)
+    , Thickness(thickness)
     , Volume(ScalarType::Float64, { Samples, Samples, Samples })
   {
     this->Volume.Fill<double>(
@@ -68,8 +70,9 @@ struct Wall
 
   double At(const Vector3& index) const
   {
-    const Vector3 from = this->IndexToWorld(index) - this->Centre;
-    return Low + (High - Low) * Phi(Dot(from, this->Normal) / this->Width);
+    const double depth = Dot(this->IndexToWorld(index) - this->Centre, this->Normal);
+    return Low +
+      (High - Low) * (Phi(depth / this->Width) - Phi((depth - this->Thickness) / this->Width));
   }
 
   /// As "CT contrast" for air, lung, fat and muscle, without friction and drag.
@@ -90,6 +93,7 @@ struct Wall
   const Vector3 Normal;
   const Vector3 Centre;
   const double Width;
+  const double Thickness;
   TestVolume Volume;
 };
 
@@ -141,6 +145,7 @@ struct Press
 {
   double Contact = HUGE_VAL; ///< mm behind the plane, where the surface takes 20 mN
   double Force = 0.0;        ///< N, along the normal, at the end
+  double Most = 0.0;         ///< N, in any direction, on the way
   Vector3 Proxy;             ///< in the world, at the end
 };
 
@@ -156,6 +161,7 @@ Press PressInto(const Wall& wall, const HapticModelDescription& description, dou
   {
     const double at = -3.0 + (3.0 + depth) * i / ticks;
     Tick(model, state, 0.001 * (wall.Centre + at * wall.Normal), record);
+    press.Most = std::max(press.Most, Norm(record.Force));
     if (record.NormalForce > 0.02 && press.Contact == HUGE_VAL)
     {
       press.Contact = Dot(1000.0 * record.Proxy - wall.Centre, wall.Normal);
@@ -294,6 +300,28 @@ TEST(ThickSlices, ASplineHoldsAnEdgeWithAnyRadius)
         EXPECT_NEAR(felt.Force, one.Force, 0.02 * one.Force);
       }
     }
+  }
+}
+
+TEST(ThickSlices, PaperFeelsNoSheetThatItsReachPasses)
+{
+  // A gradient is there from KernelRadius fine spacings before the sheet on, and x_s is as many
+  // largest spacings ahead: in air, behind sheets thinner than 2 (2.5 - 0.5) mm. Both sides of the
+  // sheet are blurred, and reach two blurs out.
+  const Vector3 normal{ 1, 0, 0 };
+  for (const double thickness : { 1.0, 1.6, 4.0 - 4.0 * Blur })
+  {
+    const Wall slices(Thick(5.0, 2), Slanted(), normal, 0.6, Blur, thickness);
+    const Wall cubes({ Fine, Fine, Fine }, Slanted(), normal, 0.6, Blur, thickness);
+    const auto press = [=](const Wall& sheet, HapticSolver solver)
+    {
+      HapticModelDescription description = sheet.Describe(GradientEstimator::Gaussian, 2);
+      description.Settings.Solver = solver;
+      return PressInto(sheet, description, thickness + 1.0).Most;
+    };
+    EXPECT_EQ(press(slices, HapticSolver::Paper), 0.0) << thickness << " mm";
+    EXPECT_GT(press(cubes, HapticSolver::Paper), 0.1) << thickness << " mm";
+    EXPECT_GT(press(slices, HapticSolver::Precise), 0.1) << thickness << " mm";
   }
 }
 

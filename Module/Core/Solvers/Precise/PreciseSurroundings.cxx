@@ -154,6 +154,10 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
 {
   ++this->Looks;
   const bool isDescending = Law::Orient(this->Model, lag, surface);
+  if (this->HasWalks && this->Model.Baked->Walls && !(surface.GradientMagnitude > 0.0))
+  {
+    surface.Reach = Vector3{}; // there is no wall: the labels around the proxy count
+  }
   const Law::Slope slope{ surface.Normal, surface.Reach, surface.GradientMagnitude };
   // Look up first: the sampling of the values then hides the lookup's latency.
   const DistinctnessTable::Values distinct = Law::FindDistinctness(this->Model, surface);
@@ -175,15 +179,9 @@ PrecisePoint PreciseSurroundings::LookAt(const Vector3& index, Surface surface, 
   {
     this->Align(index, slope, isDescending, join, point);
   }
-  if (this->HasWalks && surface.IsWall && point.Viscosity > 0.0)
+  if (this->HasWalks && surface.IsWall && !surface.IsOneSided)
   {
-    // At a wall, half of the voxels around are those of the medium; in the air beside it, fewer.
-    Surface own = surface;
-    own.Reach = Vector3{};
-    MaterialPoint here;
-    Law::SetMaterials(
-      this->Model, index, own, distinct, { values.Behind, values.Behind }, this->Labels, here);
-    point.Viscosity = std::min(point.Viscosity, 2.0 * here.Viscosity);
+    this->LeaveWall(index, surface, distinct, values, point);
   }
   else if (this->LeavesMedium && !surface.IsWall)
   {

@@ -161,6 +161,10 @@ private:
   template <typename Join>
   void Align(const Vector3& index, const Law::Slope& slope, bool isDescending, const Join& join,
     PrecisePoint& point) const noexcept;
+  /** As LeaveMedium, at a wall between labels. */
+  void LeaveWall(const Vector3& index, const Surface& surface,
+    const DistinctnessTable::Values& distinct, const ValuePair& values,
+    PrecisePoint& point) const noexcept;
   /**
    * Ends the drag of a medium behind an edge that the proxy has passed, if there is less drag where
    * it is: a proxy that comes out of a body has the body behind the edge, and air around it.
