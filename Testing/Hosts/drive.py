@@ -53,9 +53,12 @@ class Program:
         self.wait("a first look", (self.folder / "state.json").exists)
 
         def is_placed():
-            self.place = self.state()["middle"]
+            before = self.state()
             time.sleep(0.5)
-            return self.state()["middle"] == self.place
+            after = self.state()
+            self.place = after["middle"]
+            # A program that draws its first frame doesn't look where its window is meanwhile.
+            return after["looks"] > before["looks"] and self.place == before["middle"]
 
         self.wait("a window at its place", is_placed)
 

@@ -78,7 +78,7 @@ class Probe:
 
     def __init__(self, folder, names):
         self.folder, self.names, self.keys = folder, names, []
-        self.haptics, self.answer, self.runs, self.center = None, None, 0, (0.0, 0.0, 0.0)
+        self.haptics, self.answer, self.runs, self.looks, self.center = None, None, 0, 0, (0.0, 0.0, 0.0)
 
     def hear(self, key):
         self.keys.append(key)
@@ -180,10 +180,12 @@ class Probe:
                 self.answer = traceback.format_exc()
             self.runs += 1
         device = self.haptics.device
+        self.looks += 1
         state = {
             "touch": bool(self.haptics.style.GetTouchMode()), "force": list(device.GetForce()),
             "tip": list(device.GetTipPosition()), "proxy": list(device.GetProxyPosition()), "keys": self.keys,
             "status": device.GetStatusText(), "answer": self.answer, "runs": self.runs,
+            "looks": self.looks,
             "said": self.names.get("said", []), "middle": self.middle(),
             "center": self.center, "again": "again" in self.names, "lets_go": self.names.get("lets_go", "Escape"),
         }
