@@ -27,9 +27,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
-from volumehaptics import (
-    vtkHapticRidgeMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode, vtkHapticVectorFrontMode,
-    vtkVolumeHapticsFilter)
+from volumehaptics import vtkHapticMode, vtkVolumeHapticsFilter
 
 from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show, trace_stream
 
@@ -94,7 +92,8 @@ def pipe():
 
 def follow_flow(speed):
     """The mode that follows U, with full strength from a speed on."""
-    mode = vtkHapticVectorFollowMode()
+    mode = vtkHapticMode()
+    mode.SetKindToVectorFollow()
     mode.SetArrayName("U")
     mode.GetStrength().AddPoint(0.0, 0.0)
     mode.GetStrength().AddPoint(speed, STRONGEST)
@@ -170,7 +169,8 @@ def fibres():
         (1 - 0.5 * weight) * turning[:, :, None] * turning[:, None, :]
         + 0.5 * weight * crossing[:, :, None] * crossing[:, None, :])
     add_array(image, "tensor", tensor[:, [0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]])
-    mode = vtkHapticTensorFollowMode()
+    mode = vtkHapticMode()
+    mode.SetKindToTensorFollow()
     mode.SetArrayName("tensor")
     mode.ProposeFromImage(image)
     return image, mode, make_path([[-30, -20, 0], [30, 8, 0]]), ellipsoids(image, 5.0 / 1.7e-3)
@@ -209,7 +209,8 @@ def charges():
         field += 100 * charge * away / distance[:, None] ** 3
     add_array(image, "field", field)
     image.GetPointData().SetScalars(add_array(image, "potential", potential))
-    mode = vtkHapticVectorFrontMode()
+    mode = vtkHapticMode()
+    mode.SetKindToVectorFront()
     mode.SetArrayName("field")
     mode.TwoSidedOn()
     mode.ProposeFromImage(image)
@@ -233,7 +234,8 @@ def vessels():
         distance = np.linalg.norm(x - start - share[:, None] * (end - start), axis=1)
         value = np.maximum(value, 1000 * np.exp(-(distance / width) ** 2))
     image.GetPointData().SetScalars(add_array(image, "brightness", value))
-    mode = vtkHapticRidgeMode()
+    mode = vtkHapticMode()
+    mode.SetKindToRidge()
     mode.ProposeFromImage(image)
     contour = vtkContourFilter()
     contour.SetInputData(image)

@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkLineSource
-from volumehaptics import vtkHapticVortexMode, vtkVolumeHapticsFilter
+from volumehaptics import vtkHapticMode, vtkVolumeHapticsFilter
 
 from force_scene import STRONGEST, make_actor, make_bar, make_colours, make_renderer, show, trace_stream
 
@@ -37,7 +37,8 @@ def make_flow():
 
 def feel(flow):
     """The trace of a hand that moves through both cores along x."""
-    mode = vtkHapticVortexMode()
+    mode = vtkHapticMode()
+    mode.SetKindToVortex()
     mode.SetArrayName("velocity")
     mode.GetStrength().AddPoint(0.0, 0.0)  # against the vorticity
     mode.GetStrength().AddPoint(2.0 / CORE**2, STRONGEST)

@@ -9,13 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkHapticGuideMode.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticShearMode.h"
-#include "vtkHapticSurfaceMode.h"
-#include "vtkHapticTensorFollowMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVectorFrontMode.h"
-#include "vtkHapticVortexMode.h"
+#include "vtkHapticMode.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -30,61 +24,52 @@
 namespace
 {
 
-/** A kind of mode by its name in a row, and its second function. */
-struct ModeOfRow
+/** A kind of mode with other settings than its defaults. */
+struct ModeVariant
 {
-  const char* Kind;
-  vtkSmartPointer<vtkHapticMode> (*Make)();
-  vtkPiecewiseFunction* (*GetSecond)(vtkHapticMode* mode); ///< null: no second function
+  const char* Name; ///< as in a row
+  int Kind;
+  void (*Adjust)(vtkHapticMode*);
 };
 
-template <typename Mode>
-vtkSmartPointer<vtkHapticMode> MakeModeOfRow()
-{
-  return vtkSmartPointer<Mode>::New();
-}
-
-vtkSmartPointer<vtkHapticMode> MakeTwoSidedFront()
-{
-  auto front = vtkSmartPointer<vtkHapticVectorFrontMode>::New();
-  front->TwoSidedOn();
-  return front;
-}
-
-vtkSmartPointer<vtkHapticMode> MakeDarkRidge()
-{
-  auto ridge = vtkSmartPointer<vtkHapticRidgeMode>::New();
-  ridge->SetPolarityToDark();
-  return ridge;
-}
-
-template <int Side>
-vtkSmartPointer<vtkHapticMode> MakeGuide()
-{
-  auto guide = vtkSmartPointer<vtkHapticGuideMode>::New();
-  guide->SetSide(Side);
-  return guide;
-}
-
-constexpr ModeOfRow ModesOfRows[] = {
-  { "VectorFollow", &MakeModeOfRow<vtkHapticVectorFollowMode>,
-    [](vtkHapticMode* mode) { return vtkHapticVectorFollowMode::SafeDownCast(mode)->GetPush(); } },
-  { "VectorFront", &MakeModeOfRow<vtkHapticVectorFrontMode>, nullptr },
-  { "VectorFrontTwoSided", &MakeTwoSidedFront, nullptr },
-  { "Vortex", &MakeModeOfRow<vtkHapticVortexMode>,
-    [](vtkHapticMode* mode)
-    { return vtkHapticVortexMode::SafeDownCast(mode)->GetAxisStrength(); } },
-  { "Shear", &MakeModeOfRow<vtkHapticShearMode>, nullptr },
-  { "TensorFollow", &MakeModeOfRow<vtkHapticTensorFollowMode>,
-    [](vtkHapticMode* mode)
-    { return vtkHapticTensorFollowMode::SafeDownCast(mode)->GetSheetStrength(); } },
-  { "Ridge", &MakeModeOfRow<vtkHapticRidgeMode>, nullptr },
-  { "RidgeDark", &MakeDarkRidge, nullptr },
-  { "Surface", &MakeModeOfRow<vtkHapticSurfaceMode>, nullptr },
-  { "Guide", &MakeGuide<vtkHapticGuideMode::SURFACE>, nullptr },
-  { "GuideOutside", &MakeGuide<vtkHapticGuideMode::OUTSIDE>, nullptr },
-  { "GuideInside", &MakeGuide<vtkHapticGuideMode::INSIDE>, nullptr },
+constexpr ModeVariant ModeVariants[] = {
+  { "VectorFrontTwoSided", vtkHapticMode::VECTOR_FRONT,
+    [](vtkHapticMode* mode) { mode->TwoSidedOn(); } },
+  { "RidgeDark", vtkHapticMode::RIDGE, [](vtkHapticMode* mode) { mode->SetPolarityToDark(); } },
+  { "GuideOutside", vtkHapticMode::GUIDE,
+    [](vtkHapticMode* mode) { vtkHapticGuideMode::SafeDownCast(mode)->SetSideToOutside(); } },
+  { "GuideInside", vtkHapticMode::GUIDE,
+    [](vtkHapticMode* mode) { vtkHapticGuideMode::SafeDownCast(mode)->SetSideToInside(); } },
 };
+
+/** A mode by its name in a row; null if there is none. */
+vtkSmartPointer<vtkHapticMode> MakeModeOfRow(const std::string& name)
+{
+  const auto* const variant = std::find_if(std::begin(ModeVariants), std::end(ModeVariants),
+    [&name](const ModeVariant& known) { return name == known.Name; });
+  const bool isVariant = variant != std::end(ModeVariants);
+  const int kind =
+    isVariant ? variant->Kind : static_cast<int>(vtkHapticMode::GetKindNames()->LookupValue(name));
+  if (kind < 0)
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkHapticMode> mode;
+  if (kind == vtkHapticMode::GUIDE)
+  {
+    mode = vtkSmartPointer<vtkHapticGuideMode>::New();
+  }
+  else
+  {
+    mode = vtkSmartPointer<vtkHapticMode>::New();
+    mode->SetKind(kind);
+  }
+  if (isVariant)
+  {
+    variant->Adjust(mode);
+  }
+  return mode;
+}
 
 /**
  * The distances of an image, the active scalars or an array, as a field; null if there are none. An
@@ -155,25 +140,15 @@ vtkDataSet* FindFirstSet(vtkDataObject* data)
   return nullptr;
 }
 
-/** The first array of vectors or tensors, unless one is active; else empty. */
-std::string FindArray(vtkDataObject* data, bool isTensor)
+/** The first array that a mode can be about; empty if one is active, or there is none. */
+std::string FindArray(vtkDataObject* data, vtkHapticMode* mode)
 {
   vtkDataSet* const set = FindFirstSet(data);
   vtkPointData* const points = set ? set->GetPointData() : nullptr;
-  if (!points || (isTensor ? points->GetTensors() : points->GetVectors()))
-  {
-    return {};
-  }
-  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* const array = points->GetArray(i);
-    const int components = array && array->GetName() ? array->GetNumberOfComponents() : 0;
-    if (isTensor ? components == 6 || components == 9 : components == 3)
-    {
-      return array->GetName();
-    }
-  }
-  return {};
+  const bool isTensor = mode->GetKind() == vtkHapticMode::TENSOR_FOLLOW;
+  return !points || (isTensor ? points->GetTensors() : points->GetVectors())
+    ? std::string()
+    : mode->FindArrayName(set);
 }
 
 } // namespace
@@ -268,13 +243,7 @@ void HapticModeRows::AddPreset(vtkVolumeHapticsFilter* filter, std::string& erro
   for (int i = 0; i < preset->GetNumberOfModes(); ++i)
   {
     vtkHapticMode* const mode = preset->GetMode(i);
-    const bool isOfScalars =
-      vtkHapticRidgeMode::SafeDownCast(mode) || vtkHapticSurfaceMode::SafeDownCast(mode);
-    if (!isOfScalars)
-    {
-      const bool isTensor = vtkHapticTensorFollowMode::SafeDownCast(mode) != nullptr;
-      mode->SetArrayName(FindArray(this->Input.Data, isTensor).c_str());
-    }
+    mode->SetArrayName(FindArray(this->Input.Data, mode).c_str());
     filter->AddMode(mode);
   }
 }
@@ -284,24 +253,27 @@ void HapticModeRows::AddRow(
   const Row& row, vtkVolumeHapticsFilter* filter, std::string& error) const
 {
   const auto& [kind, array, strength, second] = row;
-  const auto* const found = std::find_if(std::begin(ModesOfRows), std::end(ModesOfRows),
-    [name = &kind](const ModeOfRow& known) { return *name == known.Kind; });
+  const vtkSmartPointer<vtkHapticMode> mode = MakeModeOfRow(kind);
   std::string flaw;
-  if (found == std::end(ModesOfRows))
+  if (!mode)
   {
     flaw = "has no kind of mode. Give one of";
-    for (const ModeOfRow& known : ModesOfRows)
+    vtkStringArray* const kinds = vtkHapticMode::GetKindNames();
+    for (vtkIdType i = 0; i < kinds->GetNumberOfValues(); ++i)
     {
-      flaw += std::string(" ") + known.Kind;
+      flaw += " " + kinds->GetValue(i);
+    }
+    for (const ModeVariant& known : ModeVariants)
+    {
+      flaw += std::string(" ") + known.Name;
     }
   }
-  else if (!found->GetSecond && !second.empty())
+  else if (!mode->HasSecondStrength() && !second.empty())
   {
     flaw = "has a second strength, which this kind has none of. Leave it empty";
   }
   else
   {
-    const vtkSmartPointer<vtkHapticMode> mode = found->Make();
     if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
     {
       flaw = FillGuide(this->Guide.Data, array, guide);
@@ -311,7 +283,7 @@ void HapticModeRows::AddRow(
       mode->SetArrayName(array.c_str());
     }
     if (!ReadFunctionText(strength, mode->GetStrength()) ||
-      (found->GetSecond && !ReadFunctionText(second, found->GetSecond(mode))))
+      (mode->HasSecondStrength() && !ReadFunctionText(second, mode->GetSecondStrength())))
     {
       flaw = "has a strength that is no number of newtons. Give one, or pairs such as "
              "\"0 0, 0.5 2\"";

@@ -114,12 +114,12 @@ public:
 
   ///@{
   /**
-   * Rows of texts, a vtkHapticMode each: its kind (VectorFollow, VectorFront, VectorFrontTwoSided,
-   * Vortex, Shear, TensorFollow, Ridge, RidgeDark, Surface, and what port 2 has as Guide,
-   * GuideOutside or GuideInside: polygons, an image of distances, or lines as Guide), the point
-   * array (empty: the active vectors, tensors or distances), its Strength, and the second function
-   * of kinds that have one (Push, AxisStrength, SheetStrength). A function is a number of newtons,
-   * pairs such as "0 0, 0.5 2" of what it depends on and newtons, or empty for the mode's default.
+   * Rows of texts, a vtkHapticMode each: its kind (one of vtkHapticMode::GetKindNames(), or
+   * VectorFrontTwoSided or RidgeDark; and what port 2 has as Guide, GuideOutside or GuideInside:
+   * polygons, an image of distances, or lines as Guide), the point array (empty: the active
+   * vectors, tensors or distances), its Strength, and the SecondStrength of kinds that have one. A
+   * function is a number of newtons, pairs such as "0 0, 0.5 2" of what it depends on and newtons,
+   * or empty for the mode's default.
    * A row that can't be read is an error, and the output is empty.
    */
   void AddModeRow(

@@ -21,8 +21,8 @@ from volumehaptics import (
     vtkHapticDevice,
     vtkHapticFrameSource,
     vtkHapticGuideMode,
+    vtkHapticMode,
     vtkHapticNeedle,
-    vtkHapticVectorFollowMode,
 )
 from volumehaptics._touch import Errors
 from volumehaptics.arrays import arrays
@@ -396,7 +396,8 @@ def surfaces_of_a_device(_):
 # Modes that are proposed.
 
 @result("Give it such an array, or take another preset: see GetModePresetNames()", "Use one of: ",
-        "Name one with SetArrayName(), or give the image active vectors", "Name another one with SetArrayName()")
+        "Name one with SetArrayName(), or give the image active vectors", "Name another one with SetArrayName()",
+        "Make a vtkHapticGuideMode instead", "Make a vtkHapticMode for another kind")
 def proposed_modes(_):
     b = Bench()
     with told(b.haptics, "Use one of: "):
@@ -407,7 +408,12 @@ def proposed_modes(_):
         assert not b.haptics.ApplyModePreset("Find a vortex", b.image)
     assert b.haptics.ApplyModePreset("Follow a dark vessel", ramp_of_a_ridge())
     b.haptics.RemoveAllModes()
-    mode = vtkHapticVectorFollowMode()
+    mode, guide = vtkHapticMode(), vtkHapticGuideMode()
+    with told(mode, "Make a vtkHapticGuideMode instead"):
+        mode.SetKind(mode.GUIDE)
+    with told(guide, "Make a vtkHapticMode for another kind"):
+        guide.SetKindToVortex()
+    assert (mode.GetKind(), guide.GetKind()) == (mode.VECTOR_FOLLOW, mode.GUIDE)
     with told(mode, "Name one with SetArrayName(), or give the image active vectors"):
         assert not mode.ProposeFromImage(vtkImageData())
     still = numpy_to_vtk(np.zeros((RAMP.size, 3)), deep=True)

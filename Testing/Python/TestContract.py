@@ -5,7 +5,7 @@
 import pydoc
 
 import volumehaptics
-from volumehaptics import vtkHapticProperty, vtkVolumeHapticsFilter
+from volumehaptics import vtkHapticGuideMode, vtkHapticMode, vtkHapticProperty, vtkVolumeHapticsFilter
 
 # A name, and words that its documentation has to contain. For Set... the getter must exist, too.
 PROPERTY = {
@@ -119,16 +119,9 @@ ARRAYS = {
     "RemovedVolume": "mm^3",
     "ForbiddenTouches": "forbidden label",
 }
-MODES = {
-    "VectorFollow": ("SetPush",),
-    "VectorFront": ("SetTwoSided",),
-    "Vortex": ("SetAxisStrength",),
-    "Shear": (),
-    "TensorFollow": ("SetSheetStrength",),
-    "Ridge": ("SetPolarityToDark", "SetSnapDistance"),
-    "Guide": ("SetPath", "GetPath", "SetSurface", "SetDistanceField", "SetSide", "SetDistance"),
-    "Surface": (),
-}
+MODES = ("VectorFollow", "VectorFront", "Vortex", "Shear", "TensorFollow", "Ridge", "Guide", "Surface")
+MODE_PLAIN = ("SetTwoSided", "SetPolarityToDark", "SetSnapDistance", "HasSecondStrength", "GetText")
+GUIDE_PLAIN = ("SetPath", "GetPath", "SetSurface", "SetDistanceField", "SetSide", "SetDistance")
 
 
 def check(cls, documented, plain):
@@ -171,12 +164,18 @@ def test_filter():
 
 def test_modes():
     documented = {"SetArrayName": ("components", "Empty (default)"), "SetStrength": ("(N)", "2 N"), "SetActive": ("on",)}
-    for kind, plain in MODES.items():
-        cls = getattr(volumehaptics, f"vtkHaptic{kind}Mode")
-        assert issubclass(cls, volumehaptics.vtkHapticMode)
-        check(cls, documented, plain)
+    documented["SetSecondStrength"] = ("(N)", "0 everywhere")
+    check(vtkHapticMode, documented, MODE_PLAIN)
+    check(vtkHapticGuideMode, documented, GUIDE_PLAIN)
+    names = vtkHapticMode.GetKindNames()
+    assert tuple(names.GetValue(i) for i in range(names.GetNumberOfValues())) == MODES
+    for kind, name in enumerate(MODES):
+        mode = vtkHapticGuideMode() if name == "Guide" else vtkHapticMode()
+        if name != "Guide":
+            getattr(mode, f"SetKindTo{name}")()
+        assert mode.GetKind() == kind
         haptics = vtkVolumeHapticsFilter()
-        haptics.AddMode(cls())
+        haptics.AddMode(mode)
         assert haptics.GetMode(0).GetStrength().GetSize() == 0
 
 

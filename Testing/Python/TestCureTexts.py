@@ -245,8 +245,7 @@ OUTSIDE = {
         "build it with GDCM (package libgdcm-dev)", "Build it with c-blosc (package libblosc-dev)", "turn it into NIfTI, e.g. with dcm2niix", "Update VTK Volume Haptics",
         "Load VolumeHapticsPlugin on the server, too", "Load the same VolumeHapticsPlugin there as here",
         "Use a client and a server of the same version",
-        "derive it from one of the module's modes", "derive it from one of the module's tools",
-        "of this kind of mode is not known. Set it with SetStrength()",
+        "derive it from one of the module's tools",
         "Give the interactor the manifest that WriteActions() makes", "this library with that VTK and -DVolumeHaptics_USE_OPENXR=ON",
     ),
 }

@@ -20,8 +20,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkTensorGlyph
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from volumehaptics import (
-    touch, vtkHapticDevice, vtkHapticGuideMode, vtkHapticTensorFollowMode, vtkHapticVectorFollowMode,
-    vtkVolumeHapticsFilter)
+    touch, vtkHapticDevice, vtkHapticGuideMode, vtkHapticMode, vtkVolumeHapticsFilter)
 
 
 def make_image(name, components, function):
@@ -82,7 +81,7 @@ def distance_to(line, place):
 
 def test_a_stream_line_of_a_rotation_is_a_circle():
     image = make_image("flow", 3, lambda x, y, z: (-y, x, 0.0 * z))
-    mode = vtkHapticVectorFollowMode()
+    mode = vtkHapticMode()
     mode.SetArrayName("flow")
     shapes, proxy = followed(mode, image, (3.0, -2.0, 1.0))
     line = vtk_to_numpy(shapes.GetPoints().GetData())
@@ -113,7 +112,8 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
     array = numpy_to_vtk(values.reshape(len(v), -1), deep=True)
     array.SetName("flow")
     image.GetPointData().AddArray(array)
-    mode = vtkHapticTensorFollowMode() if tensors else vtkHapticVectorFollowMode()
+    mode = vtkHapticMode()
+    mode.SetKind(mode.TENSOR_FOLLOW if tensors else mode.VECTOR_FOLLOW)
     mode.SetArrayName("flow")
     mode.GetStrength().AddPoint(0.0, 2.0)
     shapes, apart = vtkPolyData(), []
@@ -141,7 +141,7 @@ def test_a_hand_travels_along_the_line_that_is_drawn(tensors):
 def test_a_stream_line_is_that_of_the_stream_tracer():
     # A field that is linear, so that VTK's trilinear values and the splines of the servo are the same.
     image = make_image("flow", 3, lambda x, y, z: (-y + 0.1 * z, x, 2.0 + 0.05 * x))
-    mode = vtkHapticVectorFollowMode()
+    mode = vtkHapticMode()
     mode.SetArrayName("flow")
     shapes, proxy = followed(mode, image, (6.0, -2.0, -1.0))
     assert shapes.GetNumberOfLines() == 1
@@ -174,7 +174,8 @@ def test_a_stream_line_is_that_of_the_stream_tracer():
 def test_a_tensor_is_an_ellipsoid_at_the_proxy():
     # Eigenvalues 2, 1 and 0.5, the first one along (1, 1, 0).
     image = make_image("tensor", 6, lambda x, y, z: (1.5, 1.5, 0.5, 0.5, 0.0, 0.0))
-    mode = vtkHapticTensorFollowMode()
+    mode = vtkHapticMode()
+    mode.SetKindToTensorFollow()
     mode.SetArrayName("tensor")
     shapes, proxy = followed(mode, image, (1.0, 2.0, -1.0))
     assert shapes.GetNumberOfVerts() == 1 and shapes.GetNumberOfLines() == 1

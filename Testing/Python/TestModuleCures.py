@@ -36,12 +36,12 @@ from volumehaptics import (
     vtkHapticGuideMode,
     vtkHapticLabelTable,
     vtkHapticMeasurements,
+    vtkHapticMode,
     vtkHapticNeedle,
     vtkHapticPathSource,
     vtkHapticPointShell,
     vtkHapticProperty,
     vtkHapticSetup,
-    vtkHapticVectorFollowMode,
     vtkVolumeHapticsFilter,
 )
 from volumehaptics._touch import Errors
@@ -368,7 +368,7 @@ def vectors(b):
 @case("Name a point array of ")
 def _(b):
     vectors(b)
-    mode = b.follow(vtkHapticVectorFollowMode())
+    mode = b.follow(vtkHapticMode())
     mode.SetArrayName("across")
     return lambda: mode.SetArrayName("along")
 
@@ -376,9 +376,19 @@ def _(b):
 @case("Name another array with SetArrayName()")
 def _(b):
     vectors(b)
-    mode = b.follow(vtkHapticVectorFollowMode())
+    mode = b.follow(vtkHapticMode())
     mode.SetArrayName(b.points.GetScalars().GetName())
     return lambda: mode.SetArrayName("along")
+
+
+@case("Take it away with SetSecondStrength(nullptr), or choose another kind")
+def _(b):
+    vectors(b)
+    mode = b.follow(vtkHapticMode())
+    mode.SetArrayName("along")
+    mode.SetKindToShear()
+    mode.GetSecondStrength().AddPoint(0.0, 0.0)
+    return mode.SetKindToVectorFollow
 
 
 @case("Give it exactly one with SetPath(), SetSurface() or SetDistanceField()")
@@ -439,7 +449,7 @@ def _(b):
     short = numpy_to_vtk(np.tile([1.0, 0.0, 0.0], (RAMP.size - 1, 1)), deep=True)
     short.SetName("along")
     b.points.AddArray(short)
-    b.follow(vtkHapticVectorFollowMode()).SetArrayName("along")
+    b.follow(vtkHapticMode()).SetArrayName("along")
     return lambda: vectors(b)
 
 
@@ -449,7 +459,7 @@ def _(b):
     bits = bits_of(3 * RAMP.size, 3)
     bits.SetName("bits")
     b.points.AddArray(bits)
-    mode = b.follow(vtkHapticVectorFollowMode())
+    mode = b.follow(vtkHapticMode())
     mode.SetArrayName("bits")
 
     def cure():
@@ -464,7 +474,7 @@ def _(b):
 @case("Take some away with RemoveMode()")
 def _(b):
     vectors(b)
-    modes = [b.follow(vtkHapticVectorFollowMode()) for _ in range(9)]
+    modes = [b.follow(vtkHapticMode()) for _ in range(9)]
     for mode in modes:
         mode.SetArrayName("along")
     return lambda: [b.haptics.RemoveMode(mode) for mode in modes[1:]]
@@ -473,7 +483,7 @@ def _(b):
 @case("or switch them off with SetActive(false)")
 def _(b):
     vectors(b)
-    modes = [b.follow(vtkHapticVectorFollowMode()) for _ in range(5)]
+    modes = [b.follow(vtkHapticMode()) for _ in range(5)]
     for mode in modes:
         mode.SetArrayName("along")
     return lambda: [mode.SetActive(False) for mode in modes[1:]]

@@ -32,6 +32,8 @@
 #include "Core/Model/GuidePath.h"
 #include "Core/Model/GuideSurface.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace VolumeHaptics
@@ -50,6 +52,42 @@ enum class ModeKind : std::uint8_t
   GuideSurface,
   Surface
 };
+
+/** What a kind of mode reads. */
+enum class ModeInput : std::uint8_t
+{
+  Vectors,
+  Tensors,
+  Scalars, ///< those that the model feels
+  Line,    ///< ModeDescription::Guide
+  Surface  ///< ModeDescription::GuideSurface
+};
+
+/** What the kinds of modes differ in, but for the primitives themselves (ModePrimitives.cxx). */
+struct ModeFacts
+{
+  ModeInput Input;
+  int Primitives; ///< of an active mode, wherever it is read
+  bool HasLine;   ///< whether the hand is free along a line
+  bool HasFront;  ///< whether the hand is free on a surface
+};
+
+constexpr ModeFacts FactsOf(ModeKind kind) noexcept
+{
+  constexpr ModeFacts facts[] = {
+    { ModeInput::Vectors, 2, true, false },  // VectorFollow
+    { ModeInput::Vectors, 1, false, true },  // VectorFront
+    { ModeInput::Vectors, 2, false, true },  // TwoSidedFront
+    { ModeInput::Vectors, 3, true, false },  // VortexTube
+    { ModeInput::Vectors, 1, true, false },  // Shear
+    { ModeInput::Tensors, 3, true, true },   // TensorFollow
+    { ModeInput::Scalars, 1, true, false },  // Ridge
+    { ModeInput::Line, 2, true, false },     // Guide
+    { ModeInput::Surface, 2, false, true },  // GuideSurface
+    { ModeInput::Scalars, 3, false, false }, // Surface: the volume shows it
+  };
+  return facts[static_cast<std::size_t>(kind)];
+}
 
 /** Where a GuideSurface holds the hand. */
 enum class GuideSide : std::uint8_t
@@ -96,23 +134,23 @@ struct BakedMode
   {
   }
 
-  /** Whether the array has the number of components that the mode needs, if it needs an array. */
+  /** Whether the mode has what its kind reads. */
   bool IsValid() const noexcept
   {
-    switch (this->Kind)
+    switch (FactsOf(this->Kind).Input)
     {
-      case ModeKind::TensorFollow:
-        return this->Field.HasTensors();
-      case ModeKind::Guide:
-        return this->Guide != nullptr;
-      case ModeKind::GuideSurface:
-        return this->GuideSurface != nullptr;
-      case ModeKind::Ridge:
-      case ModeKind::Surface:
-        return true;
-      default:
+      case ModeInput::Vectors:
         return this->Field.HasVectors();
+      case ModeInput::Tensors:
+        return this->Field.HasTensors();
+      case ModeInput::Scalars:
+        break;
+      case ModeInput::Line:
+        return this->Guide != nullptr;
+      case ModeInput::Surface:
+        return this->GuideSurface != nullptr;
     }
+    return true;
   }
 
   const ModeKind Kind;

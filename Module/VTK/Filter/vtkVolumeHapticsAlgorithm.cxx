@@ -4,7 +4,6 @@
 
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
-#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/ModePresets.h"
 #include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Trace/TraceArrayChoice.h"
@@ -60,13 +59,6 @@ vtkMTimeType vtkVolumeHapticsAlgorithm::GetMTime()
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsAlgorithm::AddMode(vtkHapticMode* mode)
 {
-  if (mode && !VolumeHaptics::HasModeKind(mode))
-  {
-    vtkErrorMacro("A " << mode->GetClassName()
-                       << " can't be felt and is not added: derive it from "
-                          "one of the module's modes, such as vtkHapticVectorFollowMode.");
-    return;
-  }
   if (mode && std::find(this->Modes.begin(), this->Modes.end(), mode) == this->Modes.end())
   {
     this->Modes.emplace_back(mode);

@@ -65,8 +65,8 @@ public:
    * holds it from inside, and LOCAL_SURFACE does not hold it.
    *
    * PRIMITIVES feels the modes of AddMode(), with a spring of the CouplingStiffness; without modes
-   * the hand is free. The scalars are felt if there is a vtkHapticSurfaceMode. NormalForce is the
-   * magnitude of the whole force, along Normal; the arrays of materials are 0, except Stiffness.
+   * the hand is free. The scalars are felt if there is a mode of the kind SURFACE. NormalForce is
+   * the magnitude of the whole force, along Normal; the arrays of materials are 0, but Stiffness.
    */
   vtkSetClampMacro(Method, int, PROXY, PRIMITIVES);
   vtkGetMacro(Method, int);

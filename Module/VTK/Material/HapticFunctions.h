@@ -35,9 +35,9 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
  * Returns an error that names the first point of a function whose value is negative, above a
  * maximum or not finite, with the cure; empty if there is no such point.
  *
- * @param what such as "Strength of a vtkHapticVortexMode"
+ * @param what such as "Strength of a vtkHapticMode of kind Vortex"
  * @param allowed such as "0 N or more"
- * @param getter such as "vtkHapticVortexMode::GetStrength()"
+ * @param getter such as "vtkHapticMode::GetStrength()"
  */
 std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);

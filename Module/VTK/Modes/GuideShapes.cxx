@@ -187,7 +187,6 @@ bool DescribeGuide(
     return ReadPath(mode->GetPath(), rounding, d, error);
   }
   constexpr GuideSide sides[] = { GuideSide::Surface, GuideSide::Outside, GuideSide::Inside };
-  d.Kind = ModeKind::GuideSurface;
   d.Side = sides[mode->GetSide()];
   return mode->GetSurface() ? ReadSurface(mode->GetSurface(), rounding, distance, d, error)
                             : ReadDistanceField(mode->GetDistanceField(), distance, d, error);

@@ -7,6 +7,8 @@
 #ifndef HapticModeKinds_h
 #define HapticModeKinds_h
 
+#include "Core/Model/BakedMode.h"
+
 #include "vtkHapticMode.h"
 
 #include <vector>
@@ -16,42 +18,37 @@ class vtkPiecewiseFunction;
 namespace VolumeHaptics
 {
 
+/**
+ * What the kinds of vtkHapticMode differ in. Their names are the choices of Kind in
+ * Module/VTK/Settings.json; what a tick makes of them is in Core/Model/BakedMode.h.
+ */
+struct ModeKindRow
+{
+  /** Names of Strength and SecondStrength in files and errors; null for what the kind lacks. */
+  const char* Functions[2];
+  /** The settings that only this kind has; null after the last one. */
+  const char* Settings[2];
+  /** Returns the core's kind, and describes the settings that only this kind has. */
+  ModeKind (*Describe)(vtkHapticMode*, ModeDescription&);
+};
+
+const ModeKindRow& GetModeKind(vtkHapticMode* mode);
+
+/** What a mode reads of the touched image. */
+ModeInput GetInput(vtkHapticMode* mode);
+/** Whether an array with some components can be what a mode reads. */
+bool HasComponents(ModeInput input, int components);
+
 /** A strength function of a mode. */
 struct ModeFunction
 {
-  const char* Name; ///< as in Get... and Set...
-  double Default;   ///< N, of a function without points
-  vtkPiecewiseFunction* (*Get)(vtkHapticMode*);
+  const char* Name; ///< as in files and errors
+  const char* Getter;
+  double Default; ///< N, of a function without points
+  vtkPiecewiseFunction* Function;
 };
 
-/** The array that a kind of mode is about. */
-enum class ModeInput
-{
-  None,
-  Vectors,
-  Tensors
-};
-
-/** A kind of mode; its class is vtkHapticNAMEMode. */
-struct ModeKindRow
-{
-  const char* Name; ///< as in files
-  ModeInput Input;
-  vtkSmartPointer<vtkHapticMode> (*Make)();
-  std::vector<ModeFunction> Functions; ///< two at most
-};
-
-const std::vector<ModeKindRow>& GetModeKinds();
-/** Whether a mode is of one of these kinds. An application's own class of modes is of none. */
-bool HasModeKind(vtkHapticMode* mode);
-/** The kind of a mode that has one. */
-const ModeKindRow& FindModeKind(vtkHapticMode* mode);
-
-/** A mode as the user sees it, such as "vector follow, velocity". */
-std::string GetModeText(vtkHapticMode* mode);
-
-/** Prints the settings that all kinds have, for PrintSelf. */
-void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode);
+std::vector<ModeFunction> GetModeFunctions(vtkHapticMode* mode);
 
 } // namespace VolumeHaptics
 

@@ -11,19 +11,13 @@
 #include "VTK/Modes/HapticModeSettings.h"
 
 #include "vtkHapticGuideMode.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticShearMode.h"
-#include "vtkHapticSurfaceMode.h"
-#include "vtkHapticTensorFollowMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVectorFrontMode.h"
-#include "vtkHapticVortexMode.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace VolumeHaptics
@@ -31,44 +25,12 @@ namespace VolumeHaptics
 namespace
 {
 
-template <typename Mode>
-vtkSmartPointer<vtkHapticMode> MakeMode()
+/** Names a mode in an error. */
+std::string NameOf(vtkHapticMode* mode)
 {
-  return vtkSmartPointer<Mode>::New();
-}
-
-constexpr ModeFunction HoldStrength = { "Strength", 2.0,
-  [](vtkHapticMode* mode) { return mode->GetStrength(); } };
-
-std::string ClassOf(const ModeKindRow& kind)
-{
-  return std::string("vtkHaptic") + kind.Name + "Mode";
-}
-
-/** Returns the index of a mode's kind in GetModeKinds(); their number if it has none. */
-std::size_t IndexOfKind(vtkHapticMode* mode)
-{
-  const auto& kinds = GetModeKinds();
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-    [mode](const ModeKindRow& kind) { return mode->IsA(ClassOf(kind).c_str()); });
-  return static_cast<std::size_t>(found - kinds.begin());
-}
-
-ModeKind BakedKindOf(vtkHapticMode* mode)
-{
-  if (auto* const front = vtkHapticVectorFrontMode::SafeDownCast(mode))
-  {
-    return front->GetTwoSided() ? ModeKind::TwoSidedFront : ModeKind::VectorFront;
-  }
-  constexpr ModeKind kinds[] = { ModeKind::VectorFollow, ModeKind::VectorFront,
-    ModeKind::VortexTube, ModeKind::Shear, ModeKind::TensorFollow, ModeKind::Ridge, ModeKind::Guide,
-    ModeKind::Surface };
-  return kinds[IndexOfKind(mode)];
-}
-
-bool HasComponents(ModeInput input, int components)
-{
-  return input == ModeInput::Vectors ? components == 3 : components == 6 || components == 9;
+  return mode->GetKind() == vtkHapticMode::GUIDE
+    ? "vtkHapticGuideMode"
+    : std::string("vtkHapticMode of kind ") + ModeSettingRows::KindNames[mode->GetKind()].Name;
 }
 
 vtkDataArray* FindArray(vtkHapticMode* mode, ModeInput input, vtkImageData* image)
@@ -106,51 +68,54 @@ public:
 
   bool Describe(vtkHapticMode* mode, ModeDescription& d)
   {
-    const ModeKindRow& kind = FindModeKind(mode);
-    d.Kind = BakedKindOf(mode);
+    const ModeKindRow& kind = GetModeKind(mode);
+    d.Kind = kind.Describe(mode, d);
     d.IsActive = mode->GetActive();
     d.Axes = mode->GetAxes() == vtkHapticMode::IMAGE ? VectorAxes::Image : VectorAxes::World;
     if (!d.IsActive)
     {
       return true;
     }
-    if (auto* const ridge = vtkHapticRidgeMode::SafeDownCast(mode))
+    Polyline* line = &d.First;
+    for (const ModeFunction& function : GetModeFunctions(mode))
     {
-      d.IsDark = ridge->GetPolarity() == vtkHapticRidgeMode::DARK;
-      d.SnapDistance = ridge->GetSnapDistance();
-    }
-    Polyline* const lines[] = { &d.First, &d.Second };
-    for (std::size_t i = 0; i < kind.Functions.size(); ++i)
-    {
-      if (!this->ReadFunction(mode, kind, kind.Functions[i], *lines[i]))
+      if (!this->ReadFunction(mode, function, *line))
       {
         return false;
       }
+      line = &d.Second;
+    }
+    if (!kind.Functions[1] && mode->GetSecondStrength()->GetSize() > 0)
+    {
+      this->Message << "A " << NameOf(mode)
+                    << " has no SecondStrength, but was given one. "
+                       "Take it away with SetSecondStrength(nullptr), or choose another kind.";
+      return false;
     }
     auto* const guide = vtkHapticGuideMode::SafeDownCast(mode);
     return (!guide || this->ReadGuide(guide, d)) &&
-      (kind.Input == ModeInput::None || this->ReadArray(mode, kind, d));
+      (mode->GetArrayText().empty() || this->ReadArray(mode, d));
   }
 
   std::string GetError() const { return this->Message.str(); }
 
 private:
-  bool ReadFunction(
-    vtkHapticMode* mode, const ModeKindRow& kind, const ModeFunction& function, Polyline& line)
+  bool ReadFunction(vtkHapticMode* mode, const ModeFunction& function, Polyline& line)
   {
-    line = ToPolyline(function.Get(mode), function.Default);
+    line = ToPolyline(function.Function, function.Default);
     const std::string fault =
-      FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of a " + ClassOf(kind),
-        "0 N or more", ClassOf(kind) + "::Get" + function.Name + "()");
+      FindFunctionFault(line, HUGE_VAL, std::string(function.Name) + " of a " + NameOf(mode),
+        "0 N or more", std::string("vtkHapticMode::") + function.Getter);
     this->Message << fault;
     return fault.empty();
   }
 
-  bool ReadArray(vtkHapticMode* mode, const ModeKindRow& kind, ModeDescription& d)
+  bool ReadArray(vtkHapticMode* mode, ModeDescription& d)
   {
-    vtkDataArray* const array = FindArray(mode, kind.Input, this->Image);
+    const ModeInput input = GetInput(mode);
+    vtkDataArray* const array = FindArray(mode, input, this->Image);
     const std::string name = mode->GetArrayName();
-    const char* const wanted = kind.Input == ModeInput::Vectors
+    const char* const wanted = input == ModeInput::Vectors
       ? "vectors of 3 components"
       : "tensors of 6 (XX, YY, ZZ, XY, YZ, XZ) or 9 components";
     if (!array)
@@ -158,15 +123,15 @@ private:
       this->Message << "The input image on input port 0 has no "
                     << (name.empty() ? "active " + std::string(wanted)
                                      : "numeric point array \"" + name + "\"")
-                    << " for a " << ClassOf(kind) << ". Name a point array of " << wanted
+                    << " for a " << NameOf(mode) << ". Name a point array of " << wanted
                     << " with SetArrayName(), or switch the mode off with SetActive(false).";
       return false;
     }
     const int components = array->GetNumberOfComponents();
-    if (!HasComponents(kind.Input, components))
+    if (!HasComponents(input, components))
     {
       this->Message << "The " << DescribeArray(array) << " of the input image on input port 0 has "
-                    << components << " component(s), and a " << ClassOf(kind) << " needs " << wanted
+                    << components << " component(s), and a " << NameOf(mode) << " needs " << wanted
                     << ". Name another array with SetArrayName().";
       return false;
     }
@@ -225,82 +190,75 @@ private:
 
 } // namespace
 
-const std::vector<ModeKindRow>& GetModeKinds()
+const ModeKindRow& GetModeKind(vtkHapticMode* mode)
 {
-  using F = vtkHapticVectorFollowMode;
-  using V = vtkHapticVortexMode;
-  using T = vtkHapticTensorFollowMode;
-  // Never destroyed: see MethodChoices().
-  static const auto* const kinds = new std::vector<ModeKindRow>{
-    { "VectorFollow", ModeInput::Vectors, &MakeMode<F>,
-      { HoldStrength,
-        { "Push", 0.0, [](vtkHapticMode* m) { return F::SafeDownCast(m)->GetPush(); } } } },
-    { "VectorFront", ModeInput::Vectors, &MakeMode<vtkHapticVectorFrontMode>, { HoldStrength } },
-    { "Vortex", ModeInput::Vectors, &MakeMode<V>,
-      { HoldStrength,
-        { "AxisStrength", 0.0,
-          [](vtkHapticMode* m) { return V::SafeDownCast(m)->GetAxisStrength(); } } } },
-    { "Shear", ModeInput::Vectors, &MakeMode<vtkHapticShearMode>, { HoldStrength } },
-    { "TensorFollow", ModeInput::Tensors, &MakeMode<T>,
-      { HoldStrength,
-        { "SheetStrength", 0.0,
-          [](vtkHapticMode* m) { return T::SafeDownCast(m)->GetSheetStrength(); } } } },
-    { "Ridge", ModeInput::None, &MakeMode<vtkHapticRidgeMode>, { HoldStrength } },
-    { "Guide", ModeInput::None, &MakeMode<vtkHapticGuideMode>, { HoldStrength } },
-    { "Surface", ModeInput::None, &MakeMode<vtkHapticSurfaceMode>, {} },
+  using M = vtkHapticMode;
+  using D = ModeDescription;
+  constexpr const char* strength = "Strength";
+  static constexpr ModeKindRow rows[] = {
+    { { strength, "Push" }, {}, [](M*, D&) { return ModeKind::VectorFollow; } },
+    { { strength, nullptr }, { "TwoSided", nullptr },
+      [](M* mode, D&)
+      { return mode->GetTwoSided() ? ModeKind::TwoSidedFront : ModeKind::VectorFront; } },
+    { { strength, "AxisStrength" }, {}, [](M*, D&) { return ModeKind::VortexTube; } },
+    { { strength, nullptr }, {}, [](M*, D&) { return ModeKind::Shear; } },
+    { { strength, "SheetStrength" }, {}, [](M*, D&) { return ModeKind::TensorFollow; } },
+    { { strength, nullptr }, { "Polarity", "SnapDistance" },
+      [](M* mode, D& d)
+      {
+        d.IsDark = mode->GetPolarity() == M::DARK;
+        d.SnapDistance = mode->GetSnapDistance();
+        return ModeKind::Ridge;
+      } },
+    // Its own settings are those of vtkHapticGuideMode, and GuideShapes.h describes them.
+    { { strength, nullptr }, {},
+      [](M* mode, D&)
+      {
+        return vtkHapticGuideMode::SafeDownCast(mode)->GetPath() ? ModeKind::Guide
+                                                                 : ModeKind::GuideSurface;
+      } },
+    { {}, {}, [](M*, D&) { return ModeKind::Surface; } },
   };
-  return *kinds;
+  static_assert(std::size(rows) == std::size(ModeSettingRows::KindNames));
+  return rows[mode->GetKind()];
 }
 
-bool HasModeKind(vtkHapticMode* mode)
+ModeInput GetInput(vtkHapticMode* mode)
 {
-  return IndexOfKind(mode) < GetModeKinds().size();
+  ModeDescription unused;
+  return FactsOf(GetModeKind(mode).Describe(mode, unused)).Input;
 }
 
-const ModeKindRow& FindModeKind(vtkHapticMode* mode)
+bool HasComponents(ModeInput input, int components)
 {
-  return GetModeKinds()[IndexOfKind(mode)];
+  return input == ModeInput::Vectors
+    ? components == 3
+    : input == ModeInput::Tensors && (components == 6 || components == 9);
 }
 
-std::string GetModeText(vtkHapticMode* mode)
+std::vector<ModeFunction> GetModeFunctions(vtkHapticMode* mode)
 {
-  std::string text;
-  if (HasModeKind(mode))
+  const ModeKindRow& kind = GetModeKind(mode);
+  std::vector<ModeFunction> functions;
+  if (kind.Functions[0])
   {
-    for (const char* c = FindModeKind(mode).Name; *c; ++c)
-    {
-      const bool isCapital = *c >= 'A' && *c <= 'Z';
-      text += isCapital && !text.empty() ? " " : "";
-      text += isCapital ? static_cast<char>(*c - 'A' + 'a') : *c;
-    }
-    const std::string array = mode->GetArrayName();
-    text += FindModeKind(mode).Input == ModeInput::None || array.empty() ? "" : ", " + array;
+    functions.push_back({ kind.Functions[0], "GetStrength()", 2.0, mode->GetStrength() });
   }
-  return text;
-}
-
-void PrintMode(std::ostream& os, vtkIndent indent, vtkHapticMode* mode)
-{
-  PrintSettings(os, indent, mode, ModeTexts);
-  PrintSettings(os, indent, mode, ModeSettings);
-  if (!HasModeKind(mode))
+  if (kind.Functions[1])
   {
-    return;
+    functions.push_back(
+      { kind.Functions[1], "GetSecondStrength()", 0.0, mode->GetSecondStrength() });
   }
-  for (const ModeFunction& function : FindModeKind(mode).Functions)
-  {
-    os << indent << function.Name << ":\n";
-    function.Get(mode)->PrintSelf(os, indent.GetNextIndent());
-  }
+  return functions;
 }
 
 vtkDataArray* FindModeArray(const HapticModes& modes, vtkImageData* image)
 {
   for (vtkHapticMode* const mode : modes)
   {
-    const ModeInput input = FindModeKind(mode).Input;
-    vtkDataArray* const array =
-      mode->GetActive() && input != ModeInput::None ? FindArray(mode, input, image) : nullptr;
+    vtkDataArray* const array = mode->GetActive() && !mode->GetArrayText().empty()
+      ? FindArray(mode, GetInput(mode), image)
+      : nullptr;
     if (array)
     {
       return array;
@@ -322,7 +280,7 @@ bool DescribeModes(const HapticModes& modes, vtkImageData* image, const VolumeVi
       error = describer.GetError();
       return false;
     }
-    primitives += mode->GetActive() ? CountPrimitives(described.back().Kind) : 0;
+    primitives += mode->GetActive() ? FactsOf(described.back().Kind).Primitives : 0;
   }
   std::ostringstream message;
   if (static_cast<int>(modes.size()) > ModeField::Most || primitives > PrimitiveSet::Most)
@@ -344,7 +302,8 @@ bool FitIntoATick(const HapticModes& modes)
   int primitives = 0;
   for (vtkHapticMode* const mode : modes)
   {
-    primitives += CountPrimitives(BakedKindOf(mode));
+    ModeDescription unused;
+    primitives += FactsOf(GetModeKind(mode).Describe(mode, unused)).Primitives;
   }
   return static_cast<int>(modes.size()) <= ModeField::Most && primitives <= PrimitiveSet::Most;
 }

@@ -5,9 +5,9 @@
 #include "Core/Field/FieldSampler.h"
 #include "Core/Math/SymmetricEigen.h"
 #include "VTK/Base/HapticVolume.h"
-#include "VTK/Modes/HapticModeKinds.h"
 #include "VTK/Modes/HapticModes.h"
 
+#include "vtkHapticMode.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -87,9 +87,7 @@ Measure MeasureVectors(ModeKind kind, const VectorField& field)
   };
 }
 
-/**
- * Measures how tubular the scalars are, as vtkHapticRidgeMode defines it, by a kernel of 2 voxels.
- */
+/** Measures how tubular the scalars are (vtkHapticMode::SetKind), by a kernel of 2 voxels. */
 Measure MeasureRidges(const FieldSampler& scalars, const Affine3& indexToWorld, bool isDark)
 {
   return [&scalars, sign = isDark ? -1.0 : 1.0, worldToIndex = Inverse(indexToWorld.Linear)](
@@ -140,14 +138,8 @@ bool SetPointsOf(vtkHapticMode* mode, const std::vector<double>& found, double s
 bool ProposeStrength(vtkHapticMode* mode, vtkImageData* image, std::string& error)
 {
   constexpr int kernelRadius = 2;
-  if (!HasModeKind(mode))
-  {
-    error = "The strength of this kind of mode is not known. Set it with SetStrength().";
-    return false;
-  }
   std::vector<ModeDescription> described;
-  const std::string kind = FindModeKind(mode).Name;
-  if (kind == "Guide" || kind == "Surface")
+  if (mode->GetKind() == vtkHapticMode::GUIDE || mode->GetKind() == vtkHapticMode::SURFACE)
   {
     mode->SetStrength(nullptr); // the default of a guide is the same everywhere
     return true;

@@ -16,7 +16,12 @@ vtkCxxSetSmartPointerMacro(vtkHapticGuideMode, Surface, vtkPolyData);
 vtkCxxSetSmartPointerMacro(vtkHapticGuideMode, DistanceField, vtkImageData);
 
 //------------------------------------------------------------------------------
-vtkHapticGuideMode::vtkHapticGuideMode() = default;
+vtkHapticGuideMode::vtkHapticGuideMode()
+{
+  this->Kind = GUIDE;
+}
+
+//------------------------------------------------------------------------------
 vtkHapticGuideMode::~vtkHapticGuideMode() = default;
 
 //------------------------------------------------------------------------------

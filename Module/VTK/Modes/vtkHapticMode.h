@@ -6,7 +6,8 @@
  *
  * Makes a feature of a volume felt with the method PRIMITIVES of vtkVolumeHapticsFilter:
  *
- *   vtkNew<vtkHapticVectorFollowMode> stream;
+ *   vtkNew<vtkHapticMode> stream;
+ *   stream->SetKindToVectorFollow();
  *   stream->SetArrayName("velocity");
  *   stream->GetStrength()->AddPoint(0.0, 0.0); // m/s, N
  *   stream->GetStrength()->AddPoint(0.5, 2.0);
@@ -18,20 +19,20 @@
  * the hand pulls more, the proxy gives way, at that force. The modes of a filter are felt together,
  * and the force is never more than the sum of their strengths.
  *
- *   vtkHapticVectorFollowMode  free along a flow, held across it; and, if wanted, pushed along
- *   vtkHapticVectorFrontMode   surfaces across a field, such as wave fronts or equipotentials
- *   vtkHapticVortexMode        held in around the axis of a vortex
- *   vtkHapticShearMode         free in the direction in which a flow stretches
- *   vtkHapticTensorFollowMode  free along fibres, or within sheets
- *   vtkHapticRidgeMode         drawn to the middle of vessels in the scalars, free along them
- *   vtkHapticGuideMode         drawn to a polyline, a mesh or a distance field, free along it
- *   vtkHapticSurfaceMode       the surfaces of the scalars, with the material of the property
+ *   VECTOR_FOLLOW  free along a flow, held across it; the second strength pushes along
+ *   VECTOR_FRONT   surfaces across a field, such as wave fronts or equipotentials
+ *   VORTEX         held in around the axis of a vortex; the second strength, on lines along it
+ *   SHEAR          free in the direction in which a flow stretches
+ *   TENSOR_FOLLOW  free along fibres; the second strength holds within sheets
+ *   RIDGE          drawn to the middle of vessels in the scalars, free along them
+ *   GUIDE          drawn to a polyline, a mesh or a distance field: see vtkHapticGuideMode
+ *   SURFACE        the surfaces of the scalars, with the material of the property
  *
  * Vectors and tensors are interpolated by cubic B-splines; eigenvectors never are. Over the last
  * two voxels before the border of the volume, strengths fade. Where a vector is 0 or a sample is
  * not finite, nothing holds.
  *
- * @sa vtkVolumeHapticsAlgorithm
+ * @sa vtkHapticGuideMode, vtkVolumeHapticsAlgorithm
  */
 #ifndef vtkHapticMode_h
 #define vtkHapticMode_h
@@ -42,14 +43,82 @@
 
 #include <string> // for std::string
 
+class vtkDataSet;
 class vtkImageData;
 class vtkPiecewiseFunction;
+class vtkStringArray;
 
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticMode : public vtkObject
 {
 public:
+  static vtkHapticMode* New();
   vtkTypeMacro(vtkHapticMode, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum KindType
+  {
+    VECTOR_FOLLOW = 0,
+    VECTOR_FRONT = 1,
+    VORTEX = 2,
+    SHEAR = 3,
+    TENSOR_FOLLOW = 4,
+    RIDGE = 5,
+    GUIDE = 6,
+    SURFACE = 7
+  };
+
+  ///@{
+  /**
+   * What of the volume is felt, and how. Default VECTOR_FOLLOW. GUIDE is the kind of every
+   * vtkHapticGuideMode, and of no other mode: setting another kind there, or GUIDE here, is an
+   * error without an effect.
+   *
+   * - VECTOR_FOLLOW: the hand moves freely along the vectors, as if on a rail, and is held across
+   *   them with the Strength, a function of the magnitude of the vector. The proxy follows the
+   *   field line, however it turns, without drift. Let the strength be 0 where the magnitude is 0,
+   *   since a zero vector has no direction.
+   * - VECTOR_FRONT: the hand is held, wherever it is, on a surface across the vectors, with the
+   *   Strength, a function of their magnitude, and slides along this surface. If it pushes with
+   *   more, it moves on to the next surface, at that force. See TwoSided.
+   * - VORTEX: the curl omega of the vectors is the axis of their rotation. The hand moves freely
+   *   towards the axis, along it and around it; if it moves away from the axis, it is held back
+   *   with the Strength, a function of the magnitude of omega (per world unit). Within a tenth of a
+   *   voxel of the core line, on which the flow does not turn, it rests on the line itself.
+   * - SHEAR: the hand moves freely in the direction in which the flow of the vectors stretches
+   *   most, the first eigenvector of (J + J^T)/2 with J the Jacobian. Across it the hand is held
+   *   with the Strength, a function of the rate of stretching (the eigenvalue, per world unit).
+   * - TENSOR_FOLLOW: with l_1 >= l_2 >= l_3 the eigenvalues of the tensor, negative ones taken as
+   *   0, c_l = (l_1 - l_2)/l_1 says how clear one direction is (diffusion along fibres), and
+   *   c_p = (l_2 - l_3)/l_1 how clear one plane is (sheets). The hand moves freely along the first
+   *   eigenvector, and is held across it with the Strength, a function of c_l, from 0 to 1. Let
+   *   the strength be 0 where c_l is 0: the default of 2 N holds there, too, in an arbitrary
+   *   direction. If tensors have 9 components (row by row), their symmetric part counts.
+   * - RIDGE: the hand is drawn to the middle of a vessel or nerve, where the touched scalars fall
+   *   to all sides but along one direction, and moves freely along it. With |h_1| <= |h_2| <= |h_3|
+   *   the eigenvalues of the scalars' Hessian, the Strength is a function of |h_2| - |h_1| (scalar
+   *   units per square world unit). Noise has small ridges everywhere: let the strength be 0 there.
+   *   The filter's gradient estimator smooths the scalars; a KernelRadius of about the radius of
+   *   the vessels suits best. See Polarity and SnapDistance.
+   * - SURFACE: the surfaces of the scalars are felt, with the law of the method PROXY: the material
+   *   functions of vtkHapticProperty, or the label table, give surface strength, friction and drag,
+   *   while the stiffness is the CouplingStiffness. A material without stiffness is not felt. As
+   *   with the solver PAPER, surfaces begin where their distinctness begins, and materials are read
+   *   a kernel radius to either side. Other settings of the method PROXY don't count, nor do
+   *   ArrayName, Strength and Axes.
+   */
+  void SetKind(int kind);
+  vtkGetMacro(Kind, int);
+  void SetKindToVectorFollow() { this->SetKind(VECTOR_FOLLOW); }
+  void SetKindToVectorFront() { this->SetKind(VECTOR_FRONT); }
+  void SetKindToVortex() { this->SetKind(VORTEX); }
+  void SetKindToShear() { this->SetKind(SHEAR); }
+  void SetKindToTensorFollow() { this->SetKind(TENSOR_FOLLOW); }
+  void SetKindToRidge() { this->SetKind(RIDGE); }
+  void SetKindToSurface() { this->SetKind(SURFACE); }
+  ///@}
+
+  /** Get the names of all kinds by their number, as in setups, such as "VectorFollow". */
+  static vtkStringArray* GetKindNames();
 
   ///@{
   /**
@@ -57,7 +126,7 @@ public:
    * tensors of 6 (XX, YY, ZZ, XY, YZ, XZ) or 9. Empty (default): the active vectors or tensors, or
    * else the active scalars, if they have as many components.
    *
-   * nullptr stands for the empty name. Modes that are not about an array ignore it.
+   * nullptr stands for the empty name. RIDGE, GUIDE and SURFACE ignore it.
    */
   void SetArrayName(const char* name);
   std::string GetArrayName();
@@ -71,6 +140,56 @@ public:
    */
   void SetStrength(vtkPiecewiseFunction* strength);
   vtkPiecewiseFunction* GetStrength();
+  ///@}
+
+  ///@{
+  /**
+   * What only some kinds have (N), as a function of the same quantity as the Strength or, for
+   * TENSOR_FOLLOW, of c_p. VECTOR_FOLLOW: it pushes the hand along the vectors, and so does work,
+   * which holds never do. VORTEX: it holds the hand on lines along the axis. TENSOR_FOLLOW: it
+   * holds the hand within the plane of the first two eigenvectors. A function without points is 0
+   * everywhere, the default; with points it is an error for the other kinds.
+   */
+  void SetSecondStrength(vtkPiecewiseFunction* strength);
+  vtkPiecewiseFunction* GetSecondStrength();
+  ///@}
+
+  /** Get whether the kind has a SecondStrength. */
+  bool HasSecondStrength();
+
+  ///@{
+  /**
+   * Whether the hand is held in both directions along the vectors, so that it snaps on a front.
+   * Off (default): it is held only against them, and free the way they point. For VECTOR_FRONT.
+   */
+  vtkSetMacro(TwoSided, bool);
+  vtkGetMacro(TwoSided, bool);
+  vtkBooleanMacro(TwoSided, bool);
+  ///@}
+
+  enum PolarityType
+  {
+    BRIGHT = 0,
+    DARK = 1
+  };
+
+  ///@{
+  /**
+   * Whether vessels are BRIGHT (default), brighter than what is around them, or DARK. For RIDGE.
+   */
+  vtkSetClampMacro(Polarity, int, BRIGHT, DARK);
+  vtkGetMacro(Polarity, int);
+  void SetPolarityToBright() { this->SetPolarity(BRIGHT); }
+  void SetPolarityToDark() { this->SetPolarity(DARK); }
+  ///@}
+
+  ///@{
+  /**
+   * How far from the ridge the hand is drawn to it with all of the strength (voxels), 0.1 to 16. At
+   * twice this distance it is free. Default 3. For RIDGE.
+   */
+  vtkSetClampMacro(SnapDistance, double, 0.1, 16.0);
+  vtkGetMacro(SnapDistance, double);
   ///@}
 
   /**
@@ -114,6 +233,15 @@ public:
   /** Get a description for the user, such as "vector follow, velocity". */
   std::string GetText();
 
+  ///@{
+  /**
+   * Get the point arrays that the kind can be about: "vectors (a point array of 3 components)", for
+   * example, or "" if it reads none; and the name of the first one that some data have, or "".
+   */
+  std::string GetArrayText();
+  std::string FindArrayName(vtkDataSet* data);
+  ///@}
+
   /** Includes the change times of the functions. */
   vtkMTimeType GetMTime() override;
 
@@ -121,17 +249,15 @@ protected:
   vtkHapticMode();
   ~vtkHapticMode() override;
 
-  ///@{
-  /** The second function of kinds that have one. */
-  void SetSecondStrength(vtkPiecewiseFunction* strength);
-  vtkPiecewiseFunction* GetSecondStrength();
-  ///@}
-
+  int Kind = VECTOR_FOLLOW;
   std::string ArrayName;
   vtkSmartPointer<vtkPiecewiseFunction> Strength;
   vtkSmartPointer<vtkPiecewiseFunction> SecondStrength;
   bool Active = true;
   int Axes = WORLD;
+  bool TwoSided = false;
+  int Polarity = BRIGHT;
+  double SnapDistance = 3.0;
 
 private:
   vtkHapticMode(const vtkHapticMode&) = delete;

@@ -119,14 +119,14 @@ double FindModeSpring(vtkVolumeHapticsFilter* filter)
     {
       continue;
     }
-    if (mode->IsA("vtkHapticSurfaceMode"))
+    if (mode->GetKind() == vtkHapticMode::SURFACE)
     {
       return LongestSpring; // its materials have their own stiffness
     }
-    for (const ModeFunction& function : FindModeKind(mode).Functions)
+    for (const ModeFunction& function : GetModeFunctions(mode))
     {
       double most = function.Default;
-      vtkPiecewiseFunction* const strength = function.Get(mode);
+      vtkPiecewiseFunction* const strength = function.Function;
       for (int n = 0; n < strength->GetSize(); ++n)
       {
         double node[4];

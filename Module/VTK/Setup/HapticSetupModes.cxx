@@ -12,7 +12,12 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsAlgorithm.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace VolumeHaptics
 {
@@ -21,37 +26,45 @@ namespace
 
 using ModeRow = std::vector<vtkSmartPointer<vtkHapticMode>>;
 
-std::vector<const char*> KindNames()
+/** Passes the kind of a mode by `get`; -1 if a file has none. */
+int PassKind(SetupNode& node, const std::function<int()>& get)
 {
   std::vector<const char*> names;
-  for (const ModeKindRow& kind : GetModeKinds())
+  for (const SettingChoice& kind : ModeSettingRows::KindNames)
   {
     names.push_back(kind.Name);
   }
-  return names;
+  return node.Choice("Kind", names, get, [](int) {});
+}
+
+/** Whether a setting of vtkHapticMode is of a mode's kind. */
+bool HasSetting(vtkHapticMode* mode, const std::string& name)
+{
+  const auto& own = GetModeKind(mode).Settings;
+  return name == "Active" || name == "Axes" ||
+    std::any_of(std::begin(own), std::end(own),
+      [&name](const char* other) { return other && name == other; });
 }
 
 void PassMode(SetupNode& node, vtkHapticMode* mode)
 {
   PassSettings(node, mode, ModeTexts);
-  PassSettings(node, mode, ModeSettings);
-  if (auto* const front = vtkHapticVectorFrontMode::SafeDownCast(mode))
+  for (const ModeSetting& setting : ModeSettings)
   {
-    PassSettings(node, front, FrontModeSettings);
-  }
-  if (auto* const ridge = vtkHapticRidgeMode::SafeDownCast(mode))
-  {
-    PassSettings(node, ridge, RidgeModeSettings);
+    if (HasSetting(mode, setting.Name))
+    {
+      PassSetting(node, mode, setting);
+    }
   }
   if (auto* const guide = vtkHapticGuideMode::SafeDownCast(mode))
   {
     PassSettings(node, guide, GuideModeSettings);
   }
   const vtkSmartPointer<vtkHapticMode> kept = mode;
-  for (const ModeFunction& function : FindModeKind(mode).Functions)
+  for (const ModeFunction& function : GetModeFunctions(mode))
   {
-    PassFunction(
-      node.Child(function.Name), NotNegative(), [kept, get = function.Get] { return get(kept); });
+    PassFunction(node.Child(function.Name), NotNegative(),
+      [kept, strength = function.Function] { return strength; });
   }
 }
 
@@ -61,9 +74,7 @@ void WriteModes(SetupNode& modes, vtkVolumeHapticsAlgorithm* filter)
   {
     vtkHapticMode* const mode = filter->GetMode(i);
     SetupNode node = modes.Child(std::to_string(i));
-    node.Choice(
-      "Kind", KindNames(),
-      [mode] { return static_cast<int>(&FindModeKind(mode) - GetModeKinds().data()); }, [](int) {});
+    PassKind(node, [mode] { return mode->GetKind(); });
     PassMode(node, mode);
   }
 }
@@ -88,14 +99,21 @@ void PassModes(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
     modes.Require(key.c_str(), key == std::to_string(read->size()),
       "called by its number, from 0 on without gaps");
     SetupNode node = modes.Child(key);
-    const int kind = node.Choice(
-      "Kind", KindNames(), [] { return 0; }, [](int) {});
+    const int kind = PassKind(node, [] { return 0; });
     modes.Require(key.c_str(), kind >= 0, "an object with the Kind of a mode");
     if (kind < 0)
     {
       return;
     }
-    read->push_back(GetModeKinds()[static_cast<std::size_t>(kind)].Make());
+    if (kind == vtkHapticMode::GUIDE)
+    {
+      read->push_back(vtkSmartPointer<vtkHapticGuideMode>::New());
+    }
+    else
+    {
+      read->push_back(vtkSmartPointer<vtkHapticMode>::New());
+      read->back()->SetKind(kind);
+    }
     auto* const before =
       vtkHapticGuideMode::SafeDownCast(filter->GetMode(static_cast<int>(read->size()) - 1));
     auto* const guide = vtkHapticGuideMode::SafeDownCast(read->back());

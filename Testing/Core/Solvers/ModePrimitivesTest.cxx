@@ -251,7 +251,7 @@ TEST(ModePrimitives, SingularTensorsAndMissingVectorsAreNotFelt)
     {
       vectors.Bake(kind, { { 0.0, 0.0 }, { 1.0, 2.0 } }, { { 0.0, 0.0 }, { 1.0, 2.0 } });
       EXPECT_EQ(vectors.At({}).SumStrengths(), 0.0);
-      EXPECT_EQ(vectors.At({}).GetSize(), CountPrimitives(kind));
+      EXPECT_EQ(vectors.At({}).GetSize(), FactsOf(kind).Primitives);
       vectors.StartAt({});
       vectors.Move({ 1.0, 0.5, 0.0 });
       EXPECT_EQ(Norm(vectors.Motion.Force), 0.0);

@@ -15,7 +15,7 @@
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Trace/Paths/HapticPathSettings.h"
 
-#include <vtkHapticShearMode.h>
+#include <vtkHapticMode.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeHapticsFilter.h>
@@ -123,9 +123,7 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceSettings);
   ExpectHeadersBehave<vtkHapticRegionSource>(RegionSourceVectors);
   ExpectHeadersBehave<vtkHapticPathSource>(PathVectors);
-  ExpectHeadersBehave<vtkHapticShearMode>(ModeSettings);
-  ExpectHeadersBehave<vtkHapticVectorFrontMode>(FrontModeSettings);
-  ExpectHeadersBehave<vtkHapticRidgeMode>(RidgeModeSettings);
+  ExpectHeadersBehave<vtkHapticMode>(ModeSettings);
   ExpectHeadersBehave<vtkHapticGuideMode>(GuideModeSettings);
   ExpectHeadersBehave<vtkHapticNeedle>(NeedleSettings);
   ExpectHeadersBehave<vtkHapticPointShell>(ShapedToolSettings);
@@ -183,9 +181,9 @@ TEST(SettingLists, EveryMacroOfTheHeadersHasARow)
   std::vector<std::string> path = Names(PathSettings, PathVectors);
   path.emplace_back("FileName"); // a text
   ExpectRows("vtkHapticPathSource", path);
-  ExpectRows("vtkHapticMode", Names(ModeSettings));
-  ExpectRows("vtkHapticVectorFrontMode", Names(FrontModeSettings));
-  ExpectRows("vtkHapticRidgeMode", Names(RidgeModeSettings));
+  std::vector<std::string> mode = Names(ModeSettings);
+  mode.erase(std::find(mode.begin(), mode.end(), "Kind")); // without macro
+  ExpectRows("vtkHapticMode", mode);
   ExpectRows("vtkHapticGuideMode", Names(GuideModeSettings));
   ExpectRows("vtkHapticNeedle", Names(NeedleSettings));
   ExpectRows("vtkHapticShapedTool", Names(ShapedToolSettings));
@@ -213,8 +211,6 @@ TEST(SettingLists, CommentsOfTheHeadersBeginWithTheDocumentation)
   ExpectComments("vtkHapticRegionSource", RegionSourceVectors);
   ExpectComments("vtkHapticMode", ModeSettings);
   ExpectComments("vtkHapticMode", ModeTexts);
-  ExpectComments("vtkHapticVectorFrontMode", FrontModeSettings);
-  ExpectComments("vtkHapticRidgeMode", RidgeModeSettings);
   ExpectComments("vtkHapticGuideMode", GuideModeSettings);
   ExpectComments("vtkHapticNeedle", NeedleSettings);
   ExpectComments("vtkHapticShapedTool", ShapedToolSettings);

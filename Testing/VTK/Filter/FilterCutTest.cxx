@@ -8,7 +8,7 @@
 #include "Rigs/ApiRig.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkHapticSurfaceMode.h"
+#include "vtkHapticMode.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -197,7 +197,8 @@ TEST_F(FilterCutMethods, ThePapersSurfacesEndAtACut)
 TEST_F(FilterCutMethods, SurfacesAmongModesEndAtACut)
 {
   this->Filter->SetMethodToPrimitives();
-  vtkNew<vtkHapticSurfaceMode> mode;
+  vtkNew<vtkHapticMode> mode;
+  mode->SetKindToSurface();
   this->Filter->AddMode(mode);
   this->ExpectThatAPlaneEndsIt();
 }

@@ -12,8 +12,8 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkHapticDevice.h>
+#include <vtkHapticMode.h>
 #include <vtkHapticRegionSource.h>
-#include <vtkHapticVectorFollowMode.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkRectilinearGrid.h>
@@ -134,7 +134,7 @@ protected:
     EXPECT_NEAR(Get(trace, "Value", 100), -100.0, 0.01) << "of the scalars, at the proxy";
   }
 
-  vtkNew<vtkHapticVectorFollowMode> Follow;
+  vtkNew<vtkHapticMode> Follow;
 };
 } // namespace
 

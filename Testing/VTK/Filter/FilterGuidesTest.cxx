@@ -25,7 +25,7 @@ class FilterGuides : public FilterModes
 
 TEST_F(FilterGuides, AGuideLeadsAroundItsCornerAndEnds)
 {
-  const auto mode = NewMode<vtkHapticGuideMode>();
+  const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   mode->SetPath(MakePath({ { 5, 5, 12 }, { 15, 5, 12 }, { 15, 15, 12 } }));
   this->Filter->AddMode(mode);
   // Beside the first leg; outside of the corner; beside the second leg; beyond the end.
@@ -69,7 +69,7 @@ TEST_F(FilterGuides, ASurfaceHoldsTheHandOnIt)
   const vtkNew<vtkPolyData> plane;
   plane->SetPoints(corners);
   plane->SetPolys(square);
-  const auto mode = NewMode<vtkHapticGuideMode>();
+  const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   mode->SetSurface(plane);
   this->Filter->AddMode(mode);
   const double tips[2] = { 15.0, 9.0 };
@@ -113,7 +113,7 @@ TEST_F(FilterGuides, AMeshOfABallAndItsDistanceFieldHoldTheHandAlike)
   {
     SCOPED_TRACE(isField);
     this->Filter->RemoveAllModes();
-    const auto mode = NewMode<vtkHapticGuideMode>();
+    const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
     mode->SetSurface(isField ? nullptr : ball->GetOutput());
     mode->SetDistanceField(isField ? field.Get() : nullptr);
     this->Filter->AddMode(mode);
@@ -163,7 +163,7 @@ TEST_F(FilterGuides, TheEdgeOfAGuidingCubeIsGoneAround)
   const vtkNew<vtkCubeSource> cube;
   cube->SetBounds(6, 16, 6, 16, 6, 16);
   cube->Update();
-  const auto mode = NewMode<vtkHapticGuideMode>();
+  const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   mode->SetSurface(cube->GetOutput());
   this->Filter->AddMode(mode);
   std::vector<Point> tips = Line({ 12, 11, 16 }, { 15, 11, 17 }, 100);
@@ -198,7 +198,7 @@ TEST_F(FilterGuides, TheEdgeOfAGuidingCubeIsGoneAround)
 
 TEST_F(FilterGuides, BadGuidesGiveOneErrorWithItsCure)
 {
-  const auto guide = NewMode<vtkHapticGuideMode>();
+  const auto guide = vtkSmartPointer<vtkHapticGuideMode>::New();
   this->Filter->AddMode(guide);
   this->ExpectError({ "vtkHapticGuideMode", "no path", "SetPath()" });
   guide->SetPath(MakePath({ { 0, 0, 0 }, { NAN, 0, 0 } }));

@@ -9,13 +9,7 @@
 #include "FilterModesRig.h"
 
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticRidgeMode.h>
-#include <vtkHapticShearMode.h>
-#include <vtkHapticSurfaceMode.h>
-#include <vtkHapticTensorFollowMode.h>
-#include <vtkHapticVectorFollowMode.h>
-#include <vtkHapticVectorFrontMode.h>
-#include <vtkHapticVortexMode.h>
+#include <vtkHapticMode.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 
@@ -121,19 +115,19 @@ protected:
     SetConstant(this->Property->GetFriction(), 0.3);
     SetConstant(this->Property->GetViscosity(), 0.2);
     SetConstant(this->Property->GetDistinctness(), 1.0);
-    const auto front = NewMode<vtkHapticVectorFrontMode>("flow");
+    const auto front = NewMode(vtkHapticMode::VECTOR_FRONT, "flow");
     front->TwoSidedOn();
-    const auto vortex = NewMode<vtkHapticVortexMode>("flow");
-    SetConstant(vortex->GetAxisStrength(), 0.3);
-    const auto fibres = NewMode<vtkHapticTensorFollowMode>("tensor");
-    SetConstant(fibres->GetSheetStrength(), 0.5);
+    const auto vortex = NewMode(vtkHapticMode::VORTEX, "flow");
+    SetConstant(vortex->GetSecondStrength(), 0.3);
+    const auto fibres = NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor");
+    SetConstant(fibres->GetSecondStrength(), 0.5);
     // Functions hold their last value; a tensor's measures are shares. One of two fronts holds, and
     // only at its ends a guide has a front.
-    const std::vector<FeltMode> modes = { { NewMode<vtkHapticVectorFollowMode>("flow"), 1.5 },
-      { front, 1.5 }, { vortex, 1.8 }, { NewMode<vtkHapticShearMode>("flow"), 1.5 },
-      { fibres, 2.0 }, { NewMode<vtkHapticVectorFrontMode>("flow"), 1.5 },
-      { NewMode<vtkHapticRidgeMode>(), 1.5 }, { NewMode<vtkHapticGuideMode>(), 3.0 },
-      { NewMode<vtkHapticSurfaceMode>(), 0.6 * (1.0 + 0.3) + 0.2 } };
+    const std::vector<FeltMode> modes = { { NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"), 1.5 },
+      { front, 1.5 }, { vortex, 1.8 }, { NewMode(vtkHapticMode::SHEAR, "flow"), 1.5 },
+      { fibres, 2.0 }, { NewMode(vtkHapticMode::VECTOR_FRONT, "flow"), 1.5 },
+      { NewMode(vtkHapticMode::RIDGE), 1.5 }, { vtkSmartPointer<vtkHapticGuideMode>::New(), 3.0 },
+      { NewMode(vtkHapticMode::SURFACE), 0.6 * (1.0 + 0.3) + 0.2 } };
     for (const FeltMode& felt : modes)
     {
       felt.Mode->GetStrength()->AddPoint(0.0, 0.0);
@@ -166,7 +160,7 @@ TEST_F(FilterModeForms, ALineIsKeptOverAHundredTurns)
       v[1] = p[0];
       v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
   this->Filter->AddMode(mode);
   std::vector<Point> tips = { { 20.0, 0.0, 0.0 } };
   for (int tick = 0; tick <= 100 * 500; ++tick)
@@ -194,7 +188,7 @@ TEST_F(FilterModeForms, AStrengthThatFallsOutwardLetsTheHandGoAsItSays)
       v[0] = v[1] = 0.0;
       v[2] = 1.0 - (p[0] * p[0] + p[1] * p[1]) / 400.0;
     });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
   mode->GetStrength()->AddPoint(0.0, 0.0);
   mode->GetStrength()->AddPoint(1.0, 2.0);
   this->Filter->AddMode(mode);
@@ -228,7 +222,7 @@ TEST_F(FilterModeForms, AVortexHoldsTheHandInAsItsVorticityFalls)
       v[1] = turn * p[0];
       v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVortexMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VORTEX, "flow");
   mode->GetStrength()->AddPoint(0.0, 0.0);
   mode->GetStrength()->AddPoint(2.0, 2.0);
   this->Filter->AddMode(mode);
@@ -282,7 +276,7 @@ TEST_F(FilterModeForms, FibresTurnAsInterpolatedTensorsDo)
         std::copy_n(six, 6, t);
       });
     this->Filter->RemoveAllModes();
-    this->Filter->AddMode(NewMode<vtkHapticTensorFollowMode>("tensor"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor"));
     const double z = 16.0 * of.Share - 8.0;
     this->Follow(Line({ 0, 0, z }, { 2.0, 0, z }, 100));
     vtkPolyData* const trace = this->Run(101);

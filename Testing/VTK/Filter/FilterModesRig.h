@@ -10,6 +10,7 @@
 #include "Rigs/ApiRig.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkHapticMode.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -84,10 +85,10 @@ protected:
   }
 };
 
-template <typename Mode>
-vtkSmartPointer<Mode> NewMode(const char* array = "")
+inline vtkSmartPointer<vtkHapticMode> NewMode(int kind, const char* array = "")
 {
-  auto mode = vtkSmartPointer<Mode>::New();
+  auto mode = vtkSmartPointer<vtkHapticMode>::New();
+  mode->SetKind(kind);
   mode->SetArrayName(array);
   return mode;
 }

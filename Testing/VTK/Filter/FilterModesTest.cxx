@@ -11,13 +11,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticRidgeMode.h>
-#include <vtkHapticShearMode.h>
-#include <vtkHapticSurfaceMode.h>
-#include <vtkHapticTensorFollowMode.h>
-#include <vtkHapticVectorFollowMode.h>
-#include <vtkHapticVectorFrontMode.h>
-#include <vtkHapticVortexMode.h>
+#include <vtkHapticMode.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
@@ -38,7 +32,7 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
       v[0] = 3.0;
       v[1] = v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
   this->Filter->AddMode(mode);
   this->Follow(Line({ 8, 8, 12 }, { 16, 11, 12 }, 100));
   vtkPolyData* trace = this->Run(101);
@@ -48,12 +42,12 @@ TEST_F(FilterModes, AFlowLetsGoAlongItHoldsAcrossItAndPushes)
   EXPECT_EQ(Get(trace, "Stiffness", 100), SpringOf);
   this->Follow(Line({ 8, 8, 12 }, { 16, 15, 12 }, 100));
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, -2.0, 0.0 }, 1e-12);
-  mode->GetPush()->AddPoint(0.0, 0.0);
-  mode->GetPush()->AddPoint(6.0, 1.0);
+  mode->GetSecondStrength()->AddPoint(0.0, 0.0);
+  mode->GetSecondStrength()->AddPoint(6.0, 1.0);
   this->Follow({ { 8, 8, 12 }, { 8, 8, 12 } });
   ExpectNear(Last(this->Run(2), "Force"), { 0.5, 0.0, 0.0 }, 1e-12);
   // A stiffness of the coupling, and a cap on it.
-  mode->GetPush()->RemoveAllPoints();
+  mode->GetSecondStrength()->RemoveAllPoints();
   this->Filter->SetCouplingStiffness(300.0);
   this->Follow(Line({ 8, 8, 12 }, { 9, 9, 12 }, 10));
   ExpectNear(Last(this->Run(11), "Force"), { 0.0, -0.3, 0.0 }, 1e-12);
@@ -65,7 +59,7 @@ TEST_F(FilterModes, ACircleIsFollowedWithoutDrift)
 {
   // P4: the tip 2 mm inside of a circle of 8 mm: 1 N outwards, turn after turn.
   this->AddCircles();
-  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("flow"));
+  this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
   std::vector<Point> tips = { { Middle + 8.0, Middle, Middle } };
   for (int i = 0; i <= 5000; ++i)
   {
@@ -90,7 +84,7 @@ TEST_F(FilterModes, ComponentsMayStandAlongTheAxesOfTheImage)
       v[0] = 1.0;
       v[1] = v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
   this->Filter->AddMode(mode);
   this->Image->SetDirectionMatrix(direction);
   this->Follow(Line({ 12, 12, 8 }, { 13, 12, 9 }, 20));
@@ -123,8 +117,8 @@ TEST_F(FilterModes, LayoutsOfAnArrayAreAlikeToTheBit)
   apart->DeepCopy(six);
   apart->SetName("apart");
   this->Image->GetPointData()->AddArray(apart);
-  const auto mode = NewMode<vtkHapticTensorFollowMode>("six");
-  mode->GetSheetStrength()->AddPoint(0.0, 0.5);
+  const auto mode = NewMode(vtkHapticMode::TENSOR_FOLLOW, "six");
+  mode->GetSecondStrength()->AddPoint(0.0, 0.5);
   this->Filter->AddMode(mode);
   this->Follow(Line({ 6, 6, 6 }, { 17, 15, 16 }, 300));
   const auto first = (this->Run(301), Keep(this->Filter));
@@ -154,9 +148,9 @@ TEST_F(FilterModes, ModesAreFeltTogetherAndEachHasItsForce)
       v[0] = v[1] = 0.0;
       v[2] = -1.0;
     });
-  const auto follow = NewMode<vtkHapticVectorFollowMode>("flow");
-  const auto front = NewMode<vtkHapticVectorFrontMode>("wave");
-  const auto surface = NewMode<vtkHapticSurfaceMode>();
+  const auto follow = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
+  const auto front = NewMode(vtkHapticMode::VECTOR_FRONT, "wave");
+  const auto surface = NewMode(vtkHapticMode::SURFACE);
   SetConstant(follow->GetStrength(), 0.7);
   SetConstant(front->GetStrength(), 0.4);
   SetConstant(this->Property->GetSurfaceStrength(), 0.3);
@@ -212,7 +206,7 @@ TEST_F(FilterModes, AVesselIsSnappedOnAndFollowed)
       });
     this->Filter->SetInputData(this->Image);
     this->Filter->RemoveAllModes();
-    const auto mode = NewMode<vtkHapticRidgeMode>();
+    const auto mode = NewMode(vtkHapticMode::RIDGE);
     mode->SetPolarity(isDark);
     this->Filter->AddMode(mode);
     // From 1 mm off the axis, along it with 1 mm of lag across it.
@@ -239,7 +233,7 @@ TEST_F(FilterModes, WhereAFlowTurnsOverTheForceGoesThroughZero)
       v[0] = p[1] - Middle;
       v[1] = v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVectorFollowMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
   mode->GetStrength()->AddPoint(0.0, 0.0);
   mode->GetStrength()->AddPoint(4.0, 1.0);
   this->Filter->AddMode(mode);
@@ -282,11 +276,11 @@ TEST_F(FilterModes, WhatHasNoDirectionOrIsNotFiniteIsNotFelt)
         t[0] = value;
       });
     this->Image->GetPointData()->GetScalars()->FillComponent(0, value);
-    this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("flow"));
-    this->Filter->AddMode(NewMode<vtkHapticTensorFollowMode>("tensor"));
-    this->Filter->AddMode(NewMode<vtkHapticVectorFrontMode>("flow"));
-    this->Filter->AddMode(NewMode<vtkHapticShearMode>("flow"));
-    this->Filter->AddMode(NewMode<vtkHapticRidgeMode>());
+    this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::TENSOR_FOLLOW, "tensor"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FRONT, "flow"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::SHEAR, "flow"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::RIDGE));
     this->Follow(Line({ 8, 8, 12 }, { 16, 15, 30 }, 100));
     vtkPolyData* const trace = this->Run(101);
     for (vtkIdType tick = 0; tick < 101; ++tick)
@@ -294,8 +288,8 @@ TEST_F(FilterModes, WhatHasNoDirectionOrIsNotFiniteIsNotFelt)
       ASSERT_EQ(Get(trace, "NormalForce", tick), 0.0);
     }
     this->Filter->RemoveAllModes();
-    this->Filter->AddMode(NewMode<vtkHapticVortexMode>("flow"));
-    this->Filter->AddMode(NewMode<vtkHapticSurfaceMode>());
+    this->Filter->AddMode(NewMode(vtkHapticMode::VORTEX, "flow"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::SURFACE));
     this->Run(101);
   }
 }
@@ -308,28 +302,33 @@ TEST_F(FilterModes, BadInputGivesOneErrorWithItsCure)
       v[0] = 1.0;
       v[1] = v[2] = 0.0;
     });
-  const auto follow = NewMode<vtkHapticVectorFollowMode>("velocity");
+  const auto follow = NewMode(vtkHapticMode::VECTOR_FOLLOW, "velocity");
   this->Filter->AddMode(follow);
-  this->ExpectError({ "port 0", "\"velocity\"", "vtkHapticVectorFollowMode", "SetArrayName()" });
+  this->ExpectError(
+    { "port 0", "\"velocity\"", "vtkHapticMode of kind VectorFollow", "SetArrayName()" });
   follow->SetArrayName("");
   this->ExpectError({ "port 0", "active vectors of 3 components", "SetArrayName()" });
   follow->SetArrayName("Density");
   this->ExpectError({ "array \"Density\"", "1 component(s)", "vectors of 3", "SetArrayName()" });
   follow->SetArrayName("flow");
-  SetConstant(follow->GetPush(), -1.0);
-  this->ExpectError({ "Push", "vtkHapticVectorFollowMode", "-1", "0 N or more", "GetPush()" });
-  follow->GetPush()->RemoveAllPoints();
-  const auto tensors = NewMode<vtkHapticTensorFollowMode>("flow");
+  SetConstant(follow->GetSecondStrength(), -1.0);
+  this->ExpectError({ "Push", "kind VectorFollow", "-1", "0 N or more", "GetSecondStrength()" });
+  SetConstant(follow->GetSecondStrength(), 1.0);
+  follow->SetKindToShear();
+  this->ExpectError({ "kind Shear has no SecondStrength", "SetSecondStrength(nullptr)" });
+  follow->SetKindToVectorFollow();
+  follow->SetSecondStrength(nullptr);
+  const auto tensors = NewMode(vtkHapticMode::TENSOR_FOLLOW, "flow");
   this->Filter->AddMode(tensors);
   this->ExpectError({ "array \"flow\"", "3 component(s)", "6 (XX", "SetArrayName()" });
   tensors->ActiveOff();
-  const auto guide = NewMode<vtkHapticGuideMode>();
+  const auto guide = vtkSmartPointer<vtkHapticGuideMode>::New();
   this->Filter->AddMode(guide);
   guide->SetPath(MakePath({ { 0, 0, 0 }, { 5, 5, 5 } }));
   this->Run(51);
   for (int i = 0; i < 3; ++i)
   {
-    this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("flow"));
+    this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
   }
   this->ExpectError({ "too many", "8 primitives", "have 10", "RemoveMode()" });
   this->Filter->RemoveMode(guide);
@@ -359,7 +358,7 @@ TEST_F(FilterModes, ARankineVortexLetsGoAtItsRadius)
       v[1] = turn * x;
       v[2] = 0.0;
     });
-  const auto mode = NewMode<vtkHapticVortexMode>("flow");
+  const auto mode = NewMode(vtkHapticMode::VORTEX, "flow");
   mode->GetStrength()->AddPoint(0.99, 0.0);
   mode->GetStrength()->AddPoint(1.01, 2.0);
   this->Filter->AddMode(mode);
@@ -398,7 +397,7 @@ TEST_F(FilterModes, ALineOfADipoleIsKept)
       v[1] = fall * 3.0 * p[2] * p[1];
       v[2] = fall * (3.0 * p[2] * p[2] - square);
     });
-  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("field"));
+  this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "field"));
   constexpr double c = 40.0;
   std::vector<Point> tips = { { c, 0.0, 0.0 } };
   for (int i = 0; i <= 500; ++i)
@@ -435,8 +434,8 @@ TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
       v[0] = v[2] = 3.0;
       v[1] = 0.0;
     });
-  const auto line = NewMode<vtkHapticVectorFollowMode>("flow");
-  const auto front = NewMode<vtkHapticVectorFrontMode>("wave");
+  const auto line = NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow");
+  const auto front = NewMode(vtkHapticMode::VECTOR_FRONT, "wave");
   SetConstant(line->GetStrength(), 1.0);
   SetConstant(front->GetStrength(), 1.0);
   this->Filter->AddMode(line);
@@ -493,7 +492,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
     const bool hasSurface = name.find("surfaces") != std::string::npos;
     ASSERT_EQ(this->Filter->GetNumberOfModes(), hasSurface ? 2 : 1);
     vtkHapticMode* const mode = this->Filter->GetMode(0);
-    EXPECT_EQ(mode->GetClassName(), std::string("vtkHaptic") + kinds.at(name) + "Mode");
+    EXPECT_EQ(vtkHapticMode::GetKindNames()->GetValue(mode->GetKind()), kinds.at(name));
     EXPECT_EQ(mode->GetStrength()->GetSize(), isStrange ? 0 : 2);
   }
   // The proposed strength is felt: it draws to the vessel's middle from a millimetre beside it.
@@ -508,7 +507,7 @@ TEST_F(FilterModes, PresetsMakeTheirModes)
   ASSERT_EQ(this->Log.Errors.size(), 2u);
   EXPECT_NE(this->Log.Errors[0].find("\"Waltz\". Use one of: \"Follow"), std::string::npos);
   EXPECT_NE(this->Log.Errors[1].find("no vectors (a point array of 3"), std::string::npos);
-  EXPECT_EQ(this->Filter->GetMode(0)->GetClassName(), std::string("vtkHapticRidgeMode"));
+  EXPECT_EQ(this->Filter->GetMode(0)->GetKind(), vtkHapticMode::RIDGE);
   this->Log.Errors.clear();
 }
 
@@ -517,7 +516,7 @@ TEST_F(FilterModes, AnImageOfVectorsAloneNeedsNoScalars)
   this->AddCircles();
   this->Image->GetPointData()->SetActiveVectors("flow");
   this->Image->GetPointData()->RemoveArray("Density");
-  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>());
+  this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW));
   this->Follow(Line({ 16, Middle, 12 }, { 17, Middle, 12 }, 20));
   ExpectNear(Last(this->Run(21), "Force"), { -SpringPerMm, 0.0, 0.0 }, 1e-3);
   // Without modes the hand is free; menus leave the method out then.
@@ -536,7 +535,7 @@ TEST_F(FilterModes, AFlowEndsAtACut)
       v[0] = 3.0;
       v[1] = v[2] = 0.0;
     });
-  this->Filter->AddMode(NewMode<vtkHapticVectorFollowMode>("flow"));
+  this->Filter->AddMode(NewMode(vtkHapticMode::VECTOR_FOLLOW, "flow"));
   this->Follow(Line({ 8, 8, 12 }, { 8, 11, 12 }, 100));
   ExpectNear(Last(this->Run(101), "Force"), { 0.0, -3.0 * SpringPerMm, 0.0 }, 1e-12);
   vtkNew<vtkPlane> plane;

@@ -11,9 +11,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkHapticDevice.h>
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticVectorFollowMode.h>
-#include <vtkHapticVectorFrontMode.h>
-#include <vtkHapticVortexMode.h>
+#include <vtkHapticMode.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -101,10 +99,12 @@ int TestFollowedModes(int argc, char* argv[])
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputData(MakeHelix());
-  vtkNew<vtkHapticVectorFollowMode> follow;
-  vtkNew<vtkHapticVortexMode> vortex;
+  vtkNew<vtkHapticMode> follow;
+  vtkNew<vtkHapticMode> vortex;
+  vortex->SetKindToVortex();
   vtkNew<vtkHapticGuideMode> guide;
-  vtkNew<vtkHapticVectorFrontMode> front;
+  vtkNew<vtkHapticMode> front;
+  front->SetKindToVectorFront();
   guide->SetPath(MakeGuide());
   for (vtkHapticMode* const mode : std::initializer_list<vtkHapticMode*>{ follow, vortex, front })
   {

@@ -8,7 +8,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkHapticTensorFollowMode.h>
+#include <vtkHapticMode.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkPiecewiseFunction.h>
@@ -115,9 +115,10 @@ bool CheckShapes(vtkPolyData* shapes, const double* proxy)
 
 int TestFollowedTensor(int argc, char* argv[])
 {
-  vtkNew<vtkHapticTensorFollowMode> mode;
+  vtkNew<vtkHapticMode> mode;
+  mode->SetKindToTensorFollow();
   mode->SetArrayName("tensor");
-  mode->GetSheetStrength()->AddPoint(0.0, 1.0);
+  mode->GetSecondStrength()->AddPoint(0.0, 1.0);
   vtkNew<vtkVolumeHapticsFilter> filter;
   filter->SetInputData(MakeFibres());
   filter->AddMode(mode);

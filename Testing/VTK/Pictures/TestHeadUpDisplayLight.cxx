@@ -7,9 +7,7 @@
 
 #include "vtkHapticDevice.h"
 #include "vtkHapticHeadUpDisplay.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVortexMode.h"
+#include "vtkHapticMode.h"
 #include "vtkVolumeHapticsFilter.h"
 
 #include "vtkNew.h"
@@ -20,10 +18,12 @@
 int TestHeadUpDisplayLight(int argc, char* argv[])
 {
   vtkNew<vtkVolumeHapticsFilter> filter;
-  vtkNew<vtkHapticVectorFollowMode> follow;
+  vtkNew<vtkHapticMode> follow;
   follow->SetArrayName("velocity");
-  vtkNew<vtkHapticVortexMode> vortex;
-  vtkNew<vtkHapticRidgeMode> ridge;
+  vtkNew<vtkHapticMode> vortex;
+  vortex->SetKindToVortex();
+  vtkNew<vtkHapticMode> ridge;
+  ridge->SetKindToRidge();
   ridge->ActiveOff();
   filter->AddMode(follow);
   filter->AddMode(vortex);

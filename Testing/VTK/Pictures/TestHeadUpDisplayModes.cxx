@@ -8,9 +8,7 @@
 
 #include "vtkHapticDevice.h"
 #include "vtkHapticHeadUpDisplay.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVortexMode.h"
+#include "vtkHapticMode.h"
 
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindow.h"
@@ -36,10 +34,12 @@ int TestHeadUpDisplayModes(int argc, char* argv[])
   }
   states->AddColumn(forces);
   vtkNew<vtkVolumeHapticsFilter> filter;
-  vtkNew<vtkHapticVectorFollowMode> follow;
+  vtkNew<vtkHapticMode> follow;
   follow->SetArrayName("velocity");
-  vtkNew<vtkHapticVortexMode> vortex;
-  vtkNew<vtkHapticRidgeMode> ridge;
+  vtkNew<vtkHapticMode> vortex;
+  vortex->SetKindToVortex();
+  vtkNew<vtkHapticMode> ridge;
+  ridge->SetKindToRidge();
   ridge->ActiveOff();
   filter->AddMode(follow);
   filter->AddMode(vortex);

@@ -9,13 +9,7 @@
 #include "SetupErrorsRig.h"
 
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticRidgeMode.h>
-#include <vtkHapticShearMode.h>
-#include <vtkHapticSurfaceMode.h>
-#include <vtkHapticTensorFollowMode.h>
-#include <vtkHapticVectorFollowMode.h>
-#include <vtkHapticVectorFrontMode.h>
-#include <vtkHapticVortexMode.h>
+#include <vtkHapticMode.h>
 
 using namespace setuptest;
 
@@ -23,10 +17,17 @@ namespace
 {
 using SetupModes = SetupErrors;
 
-template <typename Mode>
-vtkSmartPointer<Mode> AddTo(vtkVolumeHapticsFilter* filter)
+vtkSmartPointer<vtkHapticMode> AddTo(vtkVolumeHapticsFilter* filter, int kind)
 {
-  const auto mode = vtkSmartPointer<Mode>::New();
+  const auto mode = vtkSmartPointer<vtkHapticMode>::New();
+  mode->SetKind(kind);
+  filter->AddMode(mode);
+  return mode;
+}
+
+vtkSmartPointer<vtkHapticGuideMode> AddGuideTo(vtkVolumeHapticsFilter* filter)
+{
+  const auto mode = vtkSmartPointer<vtkHapticGuideMode>::New();
   filter->AddMode(mode);
   return mode;
 }
@@ -35,24 +36,24 @@ vtkSmartPointer<Mode> AddTo(vtkVolumeHapticsFilter* filter)
 TEST_F(SetupModes, ComeBackAsTheyWere)
 {
   Scene a;
-  const auto follow = AddTo<vtkHapticVectorFollowMode>(a.Filter);
+  const auto follow = AddTo(a.Filter, vtkHapticMode::VECTOR_FOLLOW);
   follow->SetArrayName("velocity \"U\"");
   follow->GetStrength()->AddPoint(0.1, 0.3, 0.25, 0.5);
-  follow->GetPush()->AddPoint(0.2, 1.0 / 3.0);
+  follow->GetSecondStrength()->AddPoint(0.2, 1.0 / 3.0);
   follow->SetAxesToImage();
   follow->ActiveOff();
-  AddTo<vtkHapticVectorFrontMode>(a.Filter)->TwoSidedOn();
-  AddTo<vtkHapticVortexMode>(a.Filter)->GetAxisStrength()->AddPoint(1.0, 2.0);
-  AddTo<vtkHapticShearMode>(a.Filter);
-  AddTo<vtkHapticTensorFollowMode>(a.Filter)->GetSheetStrength()->AddPoint(0.5, 0.7);
-  const auto ridge = AddTo<vtkHapticRidgeMode>(a.Filter);
+  AddTo(a.Filter, vtkHapticMode::VECTOR_FRONT)->TwoSidedOn();
+  AddTo(a.Filter, vtkHapticMode::VORTEX)->GetSecondStrength()->AddPoint(1.0, 2.0);
+  AddTo(a.Filter, vtkHapticMode::SHEAR);
+  AddTo(a.Filter, vtkHapticMode::TENSOR_FOLLOW)->GetSecondStrength()->AddPoint(0.5, 0.7);
+  const auto ridge = AddTo(a.Filter, vtkHapticMode::RIDGE);
   ridge->SetPolarityToDark();
   ridge->SetSnapDistance(1.25);
-  const auto guide = AddTo<vtkHapticGuideMode>(a.Filter);
+  const auto guide = AddGuideTo(a.Filter);
   guide->SetPath(MakePath({ { 0, 0, 0 }, { 1, 1, 1 } }));
   guide->SetSideToInside();
   guide->SetDistance(-0.3);
-  AddTo<vtkHapticSurfaceMode>(a.Filter);
+  AddTo(a.Filter, vtkHapticMode::SURFACE);
   a.Filter->SetMethodToPrimitives();
   const std::string file = File("Modes.json");
   ASSERT_TRUE(a.Setup->Save(file.c_str()));
@@ -61,7 +62,7 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   const auto path = MakePath({ { 0, 0, 0 }, { 2, 2, 2 } });
   for (int i = 0; i < 7; ++i)
   {
-    AddTo<vtkHapticGuideMode>(b.Filter)->SetPath(path);
+    AddGuideTo(b.Filter)->SetPath(path);
   }
   ASSERT_TRUE(b.Setup->Load(file.c_str()));
   const std::string again = File("Again.json");
@@ -71,10 +72,11 @@ TEST_F(SetupModes, ComeBackAsTheyWere)
   for (int i = 0; i < 8; ++i)
   {
     EXPECT_STREQ(b.Filter->GetMode(i)->GetClassName(), a.Filter->GetMode(i)->GetClassName());
+    EXPECT_EQ(b.Filter->GetMode(i)->GetKind(), a.Filter->GetMode(i)->GetKind());
   }
-  auto* const read = vtkHapticVectorFollowMode::SafeDownCast(b.Filter->GetMode(0));
+  vtkHapticMode* const read = b.Filter->GetMode(0);
   EXPECT_EQ(read->GetArrayName(), "velocity \"U\"");
-  EXPECT_EQ(read->GetPush()->GetValue(0.2), 1.0 / 3.0);
+  EXPECT_EQ(read->GetSecondStrength()->GetValue(0.2), 1.0 / 3.0);
   EXPECT_FALSE(read->GetActive());
   auto* const back = vtkHapticGuideMode::SafeDownCast(b.Filter->GetMode(6));
   EXPECT_EQ(back->GetPath(), path.Get());

@@ -7,90 +7,78 @@
 #include "Applications/Explorer/Exploration/GuideFile.h"
 
 #include "vtkDataArray.h"
-#include "vtkHapticRidgeMode.h"
-#include "vtkHapticShearMode.h"
-#include "vtkHapticSurfaceMode.h"
-#include "vtkHapticTensorFollowMode.h"
-#include "vtkHapticVectorFollowMode.h"
-#include "vtkHapticVectorFrontMode.h"
-#include "vtkHapticVortexMode.h"
+#include "vtkHapticGuideMode.h"
+#include "vtkHapticMode.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkVolumeHapticsFilter.h"
 
-#include <functional>
-#include <map>
+#include <algorithm>
+#include <cctype>
 
 namespace
 {
 using Explore::InputError;
 using ModePointer = vtkSmartPointer<vtkHapticMode>;
 
-enum class Needs
+/// The names of the kinds by their number, such as "vector-follow"; that of a guide is empty.
+std::vector<std::string> NameKinds()
 {
-  Scalars,
-  Vectors,
-  Tensors
-};
-
-struct ModeName
-{
-  Needs What;
-  std::function<ModePointer()> Make;
-};
-
-template <typename Mode>
-ModePointer Make()
-{
-  return vtkSmartPointer<Mode>::New();
+  std::vector<std::string> names;
+  vtkStringArray* const kinds = vtkHapticMode::GetKindNames();
+  for (vtkIdType kind = 0; kind < kinds->GetNumberOfValues(); ++kind)
+  {
+    const std::string capitals = kinds->GetValue(kind);
+    std::string name;
+    for (const char c : kind == vtkHapticMode::GUIDE ? std::string() : capitals)
+    {
+      const bool isCapital = std::isupper(static_cast<unsigned char>(c));
+      name += isCapital && !name.empty() ? "-" : "";
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    names.push_back(name);
+  }
+  return names;
 }
 
-ModePointer MakeTwoSided()
+/// A mode by its name, such as "vector-follow"; null if there is none. Guides have a flag of their
+/// own.
+ModePointer MakeMode(const std::string& name)
 {
-  auto mode = vtkSmartPointer<vtkHapticVectorFrontMode>::New();
-  mode->TwoSidedOn();
+  auto mode = ModePointer::New();
+  if (name == "two-sided-front")
+  {
+    mode->SetKindToVectorFront();
+    mode->TwoSidedOn();
+    return mode;
+  }
+  if (name == "dark-ridge")
+  {
+    mode->SetKindToRidge();
+    mode->SetPolarityToDark();
+    return mode;
+  }
+  const std::vector<std::string> names = NameKinds();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end() || name.empty())
+  {
+    return nullptr;
+  }
+  mode->SetKind(static_cast<int>(found - names.begin()));
   return mode;
-}
-
-ModePointer MakeDarkRidge()
-{
-  auto mode = vtkSmartPointer<vtkHapticRidgeMode>::New();
-  mode->SetPolarityToDark();
-  return mode;
-}
-
-const std::map<std::string, ModeName>& Modes()
-{
-  static const std::map<std::string, ModeName> modes = {
-    { "vector-follow", { Needs::Vectors, &Make<vtkHapticVectorFollowMode> } },
-    { "vector-front", { Needs::Vectors, &Make<vtkHapticVectorFrontMode> } },
-    { "two-sided-front", { Needs::Vectors, &MakeTwoSided } },
-    { "vortex", { Needs::Vectors, &Make<vtkHapticVortexMode> } },
-    { "shear", { Needs::Vectors, &Make<vtkHapticShearMode> } },
-    { "tensor-follow", { Needs::Tensors, &Make<vtkHapticTensorFollowMode> } },
-    { "ridge", { Needs::Scalars, &Make<vtkHapticRidgeMode> } },
-    { "dark-ridge", { Needs::Scalars, &MakeDarkRidge } },
-    { "surface", { Needs::Scalars, &Make<vtkHapticSurfaceMode> } },
-  };
-  return modes;
 }
 
 /// The first array with vectors or tensors; empty if there is none.
-std::string FindField(vtkImageData* image, Needs what)
+std::string FindVectors(vtkImageData* image)
 {
-  vtkPointData* const points = image->GetPointData();
-  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* const array = points->GetArray(i);
-    const int components = array && array->GetName() ? array->GetNumberOfComponents() : 0;
-    if (what == Needs::Vectors ? components == 3 : components == 6 || components == 9)
-    {
-      return array->GetName();
-    }
-  }
-  return {};
+  return ModePointer::New()->FindArrayName(image);
+}
+
+std::string FindTensors(vtkImageData* image)
+{
+  return MakeMode("tensor-follow")->FindArrayName(image);
 }
 
 bool IsPreset(const std::string& name)
@@ -120,18 +108,14 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
     return;
   }
   const std::size_t colon = name.find(':');
-  const ModeName& known = Modes().at(name.substr(0, colon));
-  const ModePointer mode = known.Make();
+  const ModePointer mode = MakeMode(name.substr(0, colon));
   const std::string wanted = colon == std::string::npos ? "" : name.substr(colon + 1);
-  if (known.What != Needs::Scalars)
+  if (!mode->GetArrayText().empty())
   {
-    const std::string array = wanted.empty() ? FindField(image, known.What) : wanted;
+    const std::string array = wanted.empty() ? mode->FindArrayName(image) : wanted;
     if (array.empty())
     {
-      throw InputError("--mode " + name,
-        known.What == Needs::Vectors ? "the volume has no vectors (a point array of 3 components)"
-                                     : "the volume has no tensors (a point array of 6 or 9 "
-                                       "components)",
+      throw InputError("--mode " + name, "the volume has no " + mode->GetArrayText(),
         "name a .vti file that has them, or take another mode");
     }
     mode->SetArrayName(array.c_str());
@@ -152,23 +136,22 @@ void OfferModes(vtkImageData* image, vtkVolumeHapticsFilter* filter)
   const std::string known = filter->GetMode(filter->GetNumberOfModes() - 1)->GetArrayName();
   vtkDataArray* const array = image->GetPointData()->GetArray(known.c_str());
   const bool isOfVectors = array && array->GetNumberOfComponents() == 3;
-  const std::string vectors = isOfVectors ? known : FindField(image, Needs::Vectors);
+  const std::string vectors = isOfVectors ? known : FindVectors(image);
   const auto isThere = [filter](const ModePointer& mode)
   {
     bool found = false;
     for (int i = 0; i < filter->GetNumberOfModes(); ++i)
     {
-      found = found || filter->GetMode(i)->IsA(mode->GetClassName());
+      found = found || filter->GetMode(i)->GetKind() == mode->GetKind();
     }
     return found;
   };
   for (const char* const name :
     { "vector-follow", "two-sided-front", "vortex", "shear", "tensor-follow" })
   {
-    const ModeName& offer = Modes().at(name);
-    const bool isFlow = offer.What == Needs::Vectors;
-    const std::string field = isFlow ? vectors : FindField(image, Needs::Tensors);
-    const ModePointer mode = offer.Make();
+    const ModePointer mode = MakeMode(name);
+    const bool isFlow = mode->GetKind() != vtkHapticMode::TENSOR_FOLLOW;
+    const std::string field = isFlow ? vectors : mode->FindArrayName(image);
     mode->SetArrayName(field.c_str());
     // A mode with nothing to hold on, such as a flow without a rotation, is not offered.
     const Explore::MessageCapture capture;
@@ -185,10 +168,10 @@ namespace Explore
 {
 std::string ListModes()
 {
-  std::string list;
-  for (const auto& mode : Modes())
+  std::string list = "two-sided-front, dark-ridge";
+  for (const std::string& name : NameKinds())
   {
-    list += (list.empty() ? "" : ", ") + mode.first;
+    list += (name.empty() ? "" : ", ") + name;
   }
   return list;
 }
@@ -211,14 +194,14 @@ void CheckMode(const std::string& mode)
     return;
   }
   const std::size_t colon = mode.find(':');
-  const auto known = Modes().find(mode.substr(0, colon));
-  if (known == Modes().end() || (colon != std::string::npos && colon + 1 == mode.size()))
+  const ModePointer known = MakeMode(mode.substr(0, colon));
+  if (!known || (colon != std::string::npos && colon + 1 == mode.size()))
   {
     throw InputError("--mode '" + mode + "'", "is not known",
       "take one of: " + ListModes() +
         "; the name of an array may follow after a colon. Or one of: " + ListModePresets());
   }
-  if (colon != std::string::npos && known->second.What == Needs::Scalars)
+  if (colon != std::string::npos && known->GetArrayText().empty())
   {
     throw InputError("--mode '" + mode + "'", "is about the scalars, and has no array",
       "leave the array's name out");
@@ -250,9 +233,9 @@ void AddModes(const std::vector<std::string>& modes, const std::string& wantedFl
   }
   if (modes.empty())
   {
-    const std::string flow = wantedFlow.empty() ? FindField(image, Needs::Vectors) : wantedFlow;
+    const std::string flow = wantedFlow.empty() ? FindVectors(image) : wantedFlow;
     const bool hasVectors = !flow.empty();
-    const bool hasTensors = !FindField(image, Needs::Tensors).empty();
+    const bool hasTensors = !FindTensors(image).empty();
     const std::string first = hasVectors ? "vector-follow:" + flow
       : hasTensors                       ? "tensor-follow"
                                          : "surface";

@@ -16,12 +16,6 @@ namespace
 /** Voxels. A place this near to its anchor is on the line. */
 constexpr double OnLine = 1e-4;
 
-bool HasLine(ModeKind kind)
-{
-  return kind != ModeKind::VectorFront && kind != ModeKind::TwoSidedFront &&
-    kind != ModeKind::GuideSurface && kind != ModeKind::Surface;
-}
-
 } // namespace
 
 FollowedShapes::FollowedShapes(const HapticModel& model)
@@ -47,7 +41,8 @@ std::vector<FollowedShape> FollowedShapes::Find(const Vector3& place)
 void FollowedShapes::FindOf(int mode, const Vector3& place, std::vector<FollowedShape>& shapes)
 {
   const ModeKind kind = this->KindOf(mode);
-  if (kind == ModeKind::Surface || !this->Read(mode, place))
+  const ModeFacts facts = FactsOf(kind);
+  if (!(facts.HasLine || facts.HasFront) || !this->Read(mode, place))
   {
     return;
   }
@@ -57,7 +52,7 @@ void FollowedShapes::FindOf(int mode, const Vector3& place, std::vector<Followed
   }
   this->AddTensor(mode, place, shapes);
   Vector3 start = place;
-  if (HasLine(kind) && this->FindStart(mode, start) && this->Read(mode, start))
+  if (facts.HasLine && this->FindStart(mode, start) && this->Read(mode, start))
   {
     if (const Primitive* const line = this->FindLine(kind))
     {
@@ -94,8 +89,7 @@ bool FollowedShapes::Read(int mode, const Vector3& place)
 
 const Primitive* FollowedShapes::FindFront(ModeKind kind) const
 {
-  const bool isFront = !HasLine(kind) || kind == ModeKind::TensorFollow;
-  return isFront ? this->FindPrimitive(PrimitiveKind::Plane, 0.0) : nullptr;
+  return FactsOf(kind).HasFront ? this->FindPrimitive(PrimitiveKind::Plane, 0.0) : nullptr;
 }
 
 const Primitive* FollowedShapes::FindLine(ModeKind kind) const

@@ -324,27 +324,6 @@ private:
   double Fade = 1.0;
 };
 
-int CountPrimitives(ModeKind kind) noexcept
-{
-  switch (kind)
-  {
-    case ModeKind::VectorFront:
-    case ModeKind::Shear:
-    case ModeKind::Ridge:
-      return 1;
-    case ModeKind::VortexTube:
-    case ModeKind::TensorFollow:
-    case ModeKind::Surface:
-      return 3;
-    case ModeKind::VectorFollow:
-    case ModeKind::TwoSidedFront:
-    case ModeKind::Guide:
-    case ModeKind::GuideSurface:
-      break;
-  }
-  return 2;
-}
-
 ModeField::ModeField(const Affine3& indexToWorld, const Affine3& deviceToWorld) noexcept
   : DeviceToIndex(Compose(Inverse(indexToWorld), deviceToWorld))
   , DeviceToWorld(deviceToWorld)
@@ -376,9 +355,10 @@ bool ModeField::Add(const BakedMode& mode) noexcept
   {
     return false;
   }
-  const bool readsScalars = mode.Kind == ModeKind::Ridge || mode.Kind == ModeKind::Surface;
+  const ModeFacts facts = FactsOf(mode.Kind);
+  const bool readsScalars = facts.Input == ModeInput::Scalars;
   const int first = this->First[this->Count];
-  const int count = CountPrimitives(mode.Kind);
+  const int count = facts.Primitives;
   const bool fits =
     mode.IsValid() && (this->Model || !readsScalars) && first + count <= PrimitiveSet::Most;
   const bool isFelt = fits && mode.IsActive;

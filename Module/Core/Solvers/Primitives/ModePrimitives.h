@@ -49,9 +49,6 @@ namespace VolumeHaptics
 {
 class HapticModel;
 
-/** The number of primitives that an active mode adds, wherever it is read. */
-int CountPrimitives(ModeKind kind) noexcept;
-
 /** A volume's modes, in the order in which their primitives are added; borrows the modes. */
 class ModeField
 {

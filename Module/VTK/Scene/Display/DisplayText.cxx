@@ -9,7 +9,6 @@
 #include "vtkHapticPointShell.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
-#include "vtkHapticSurfaceMode.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlaneCollection.h"
@@ -42,7 +41,7 @@ bool AreOnlyFieldsFelt(vtkVolumeHapticsFilter* filter)
   for (int i = 0; i < filter->GetNumberOfModes(); ++i)
   {
     vtkHapticMode* const mode = filter->GetMode(i);
-    if (mode->GetActive() && vtkHapticSurfaceMode::SafeDownCast(mode))
+    if (mode->GetActive() && mode->GetKind() == vtkHapticMode::SURFACE)
     {
       return false;
     }

@@ -10,13 +10,7 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkHapticGuideMode.h>
-#include <vtkHapticRidgeMode.h>
-#include <vtkHapticShearMode.h>
-#include <vtkHapticSurfaceMode.h>
-#include <vtkHapticTensorFollowMode.h>
-#include <vtkHapticVectorFollowMode.h>
-#include <vtkHapticVectorFrontMode.h>
-#include <vtkHapticVortexMode.h>
+#include <vtkHapticMode.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -43,6 +37,7 @@ protected:
     }
     this->Image->GetPointData()->AddArray(flow);
     this->Follow->SetArrayName("flow");
+    this->Front->SetKindToVectorFront();
     this->Front->SetArrayName("flow");
     this->Follow->GetStrength()->AddPoint(0.0, 0.0);
     this->Follow->GetStrength()->AddPoint(3.0, 1.5);
@@ -50,8 +45,8 @@ protected:
     this->Filter->SetMethodToPrimitives();
   }
 
-  vtkNew<vtkHapticVectorFollowMode> Follow;
-  vtkNew<vtkHapticVectorFrontMode> Front;
+  vtkNew<vtkHapticMode> Follow;
+  vtkNew<vtkHapticMode> Front;
 };
 
 Point GetPoint(vtkDataArray* array, vtkIdType row)
@@ -62,7 +57,8 @@ Point GetPoint(vtkDataArray* array, vtkIdType row)
 
 TEST_F(ModeRecording, ReplaysToTheBit)
 {
-  vtkNew<vtkHapticSurfaceMode> surface;
+  vtkNew<vtkHapticMode> surface;
+  surface->SetKindToSurface();
   this->Front->TwoSidedOn();
   SetConstant(this->Front->GetStrength(), 0.3);
   SetConstant(this->Filter->GetProperty()->GetSurfaceStrength(), 0.6);
@@ -95,18 +91,22 @@ TEST_F(ModeRecording, OtherModesReplayToTheBit)
     tensor->InsertNextTuple(fibre);
   }
   this->Image->GetPointData()->AddArray(tensor);
-  vtkNew<vtkHapticVortexMode> vortex;
+  vtkNew<vtkHapticMode> vortex;
+  vortex->SetKindToVortex();
   vortex->SetArrayName("flow");
   SetConstant(vortex->GetStrength(), 0.4);
-  vtkNew<vtkHapticRidgeMode> ridge;
+  vtkNew<vtkHapticMode> ridge;
+  ridge->SetKindToRidge();
   SetConstant(ridge->GetStrength(), 0.3);
   vtkNew<vtkHapticGuideMode> guide;
   guide->SetPath(path);
   SetConstant(guide->GetStrength(), 0.5);
-  vtkNew<vtkHapticShearMode> shear;
+  vtkNew<vtkHapticMode> shear;
+  shear->SetKindToShear();
   shear->SetArrayName("flow");
   SetConstant(shear->GetStrength(), 0.8);
-  vtkNew<vtkHapticTensorFollowMode> fibres;
+  vtkNew<vtkHapticMode> fibres;
+  fibres->SetKindToTensorFollow();
   fibres->SetArrayName("tensor");
   SetConstant(fibres->GetStrength(), 1.5);
   const std::vector<vtkHapticMode*> sets[] = { { vortex, ridge, guide }, { shear, fibres } };

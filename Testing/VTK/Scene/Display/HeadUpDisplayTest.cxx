@@ -12,7 +12,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkHapticHeadUpDisplay.h>
 #include <vtkHapticLabelTable.h>
-#include <vtkHapticVectorFollowMode.h>
+#include <vtkHapticMode.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 
@@ -223,7 +223,7 @@ TEST_F(HeadUpDisplay, NamesNoSurfaceWhereModesAreFelt)
     flow->InsertNextTuple3(1.0, 0.0, 0.0);
   }
   this->Image->GetPointData()->AddArray(flow);
-  vtkNew<vtkHapticVectorFollowMode> follow;
+  vtkNew<vtkHapticMode> follow;
   follow->SetArrayName("flow");
   this->Filter->AddMode(follow);
   this->Filter->SetMethodToPrimitives();

@@ -9,9 +9,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkHapticHeadUpDisplay.h>
-#include <vtkHapticRidgeMode.h>
-#include <vtkHapticSurfaceMode.h>
-#include <vtkHapticVectorFollowMode.h>
+#include <vtkHapticMode.h>
 #include <vtkStringArray.h>
 
 using namespace scenetest;
@@ -56,7 +54,9 @@ protected:
 
 TEST_F(StyleMethod, GoesThroughAllMethodsAndBack)
 {
-  this->Filter->AddMode(vtkNew<vtkHapticSurfaceMode>());
+  vtkNew<vtkHapticMode> surfaces;
+  surfaces->SetKindToSurface();
+  this->Filter->AddMode(surfaces);
   this->Touch();
   vtkStringArray* const names = vtkVolumeHapticsFilter::GetMethodNames();
   std::vector<std::string> shown;
@@ -132,8 +132,11 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     }
     return modes;
   };
-  this->Filter->AddMode(vtkNew<vtkHapticSurfaceMode>());
-  vtkNew<vtkHapticRidgeMode> ridge;
+  vtkNew<vtkHapticMode> surfaces;
+  surfaces->SetKindToSurface();
+  this->Filter->AddMode(surfaces);
+  vtkNew<vtkHapticMode> ridge;
+  ridge->SetKindToRidge();
   ridge->GetStrength()->AddPoint(0.0, 0.0); // nothing, so that the force is that of the surface
   this->Filter->AddMode(ridge);
   this->Touch();
@@ -161,7 +164,7 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
     EXPECT_EQ(Length(this->Device->GetModeForce(0)) > 0.5, wanted[1] == '-') << wanted;
   }
   // A mode that can't be felt is left off again.
-  vtkNew<vtkHapticVectorFollowMode> follow;
+  vtkNew<vtkHapticMode> follow;
   follow->ActiveOff();
   this->Filter->AddMode(follow);
   this->Style->UpdateHaptics();
@@ -178,7 +181,8 @@ TEST_F(StyleMethod, AKeyFeelsOneModeAfterAnotherAndThenAll)
   this->Filter->RemoveAllModes();
   for (int i = 0; i < 3; ++i)
   {
-    vtkNew<vtkHapticSurfaceMode> surface;
+    vtkNew<vtkHapticMode> surface;
+    surface->SetKindToSurface();
     surface->SetActive(i == 0);
     this->Filter->AddMode(surface);
   }
