@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HapticDock.h"
 
+#include "VTK/Filter/HapticFilterSettings.h"
+
 #include "vtkHapticProperty.h"
 #include "vtkHapticViewStyle.h"
 #include "vtkStringArray.h"
@@ -27,11 +29,6 @@ namespace
 {
 constexpr int Period = 100;    ///< ms between looks at the device
 constexpr int BarSteps = 1000; ///< of the bar, from 0 to the largest force
-
-/** Names in the order of vtkVolumeHapticsAlgorithm::MethodType. */
-const char* const Methods[] = { QT_TRANSLATE_NOOP("HapticDock", "Proxy"),
-  QT_TRANSLATE_NOOP("HapticDock", "Force field"), QT_TRANSLATE_NOOP("HapticDock", "Surface proxy"),
-  QT_TRANSLATE_NOOP("HapticDock", "Local surface"), QT_TRANSLATE_NOOP("HapticDock", "Primitives") };
 
 /** The pointer by the window system, which knows of motions whose events are still to come. */
 void FindPointer(int position[2])
@@ -176,9 +173,9 @@ void HapticDock::addChoices(QGridLayout* grid, int row)
   }
   this->Method = addCombo(row + 1, "HapticMethod", tr("Method"),
     tr("How the volume is felt. Key m in the view goes through them."));
-  for (const char* const method : Methods)
+  for (const VolumeHaptics::SettingChoice& method : VolumeHaptics::FilterSettingRows::MethodNames)
   {
-    this->Method->addItem(tr(method));
+    this->Method->addItem(tr(method.Text));
   }
   this->LoadPreset = this->addButton(grid, row + 2, 0, "HapticLoadPreset", tr("Load preset..."),
     tr("Functions from a file, for Custom."));

@@ -19,38 +19,19 @@
 #ifndef Residency_h
 #define Residency_h
 
-#include "Core/Math/Vector3.h"
-#include "Core/Solvers/Primitives/PrimitiveFollower.h"
+#include "Core/Solvers/Method.h"
 
 namespace VolumeHaptics
 {
-class HapticModel;
-struct ServoState;
-
-/**
- * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between
- * tip and proxy, and one more.
- */
-constexpr double ResidencySpare = 3.0;
-/** How far (voxels) a mode's push, or a line that bends, leads out of the box of proxy and tip. */
-constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
 
 /**
  * The reach (index steps along each axis) of the samples that a tick reads around tip and proxy.
  */
 Vector3 FindReadReach(const HapticModel& model) noexcept;
 
-/** The samples that a tick can read: those between two corners (index steps), and a margin. */
-struct ReadBox
-{
-  Vector3 Low;
-  Vector3 High;
-  Vector3 Margin; ///< along each axis, on either side
-};
-
 /**
- * Computes that box for the tick that takes a state to a tip (device); false if the tick reads
- * none.
+ * Computes the samples that are read by the tick that takes a state to a tip (device); false if
+ * the tick reads none.
  */
 bool FindReadBox(
   const HapticModel& model, const ServoState& state, const Vector3& tip, ReadBox& box) noexcept;

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Servo/ServoTick.h"
 
-#include "Core/Solvers/ForceField/ForceField.h"
-#include "Core/Solvers/Paper/PaperSolver.h"
-#include "Core/Solvers/Precise/PreciseSolver.h"
-#include "Core/Solvers/Primitives/PrimitivesMethod.h"
+#include "Core/Solvers/Methods/Methods.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
 #include "Core/Tools/BurrInServo.h"
 #include "Core/Tools/Needle/NeedleEntry.h"
@@ -21,31 +18,7 @@ namespace
 inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& record,
   const LocalSurfaceResult& result, TickMemory* memory) noexcept
 {
-  const HapticMethod method = model.Baked->Settings.Method;
-  if (method == HapticMethod::SurfaceProxy && model.Baked->Mesh)
-  {
-    StepSurfaceProxy(model, state, record);
-  }
-  else if (method == HapticMethod::LocalSurface)
-  {
-    StepLocalSurface(model, state, record, result);
-  }
-  else if (method == HapticMethod::Proxy && model.Baked->Settings.Solver == HapticSolver::Precise)
-  {
-    StepPrecise(model, state, record, memory);
-  }
-  else if (method == HapticMethod::ForceField)
-  {
-    StepForceField(model, state, record, memory);
-  }
-  else if (method == HapticMethod::Primitives)
-  {
-    StepPrimitives(model, state, record);
-  }
-  else
-  {
-    StepPaper(model, state, record, memory);
-  }
+  GetMethod(model.Baked->Settings).Step(model, state, record, { result, memory });
 }
 
 /** One tick with a tool in the hand. */
@@ -180,17 +153,8 @@ void TickAndServe(const HapticModel& model, ServoState& state, const Vector3& ti
 Vector3 FindDrag(
   const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept
 {
-  const bool isField = model.Baked->Settings.Method == HapticMethod::ForceField;
-  if (!isField || !(record.DragForce > 0.0))
-  {
-    return {};
-  }
-  // Only the hand's motion: where the material moves, it may give energy.
-  const Vector3 drag = FindFieldDamping(model, before.PreviousTip, record);
-  const Vector3 material = FindFieldDamping(model, FindFieldPlace(model, before), record);
-  const double whole = Norm(FindFieldPush(model, record) + material);
-  // The force may be clamped.
-  return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
+  const Method& method = GetMethod(model.Baked->Settings);
+  return method.Drag ? method.Drag(model, before, record) : Vector3{};
 }
 
 void CarryState(

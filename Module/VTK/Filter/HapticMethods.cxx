@@ -5,25 +5,46 @@
 #include "VTK/Filter/HapticFilterSettings.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace VolumeHaptics
 {
 
+namespace
+{
+
+using A = vtkVolumeHapticsAlgorithm;
+
+std::vector<MethodChoice> MakeChoices()
+{
+  std::vector<MethodChoice> choices;
+  for (const SettingChoice& method : FilterSettingRows::MethodNames)
+  {
+    const std::string text = method.Text;
+    if (choices.empty())
+    {
+      // The choices begin with PROXY, the one that has several solvers.
+      choices.push_back({ A::PROXY, A::PRECISE, "proxy", text + ", PRECISE", false });
+      choices.push_back({ A::PROXY, A::PAPER, "paper", text + ", PAPER", false });
+      continue;
+    }
+    std::string name;
+    for (const char c : text)
+    {
+      name += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    const int number = static_cast<int>(&method - FilterSettingRows::MethodNames);
+    choices.push_back({ number, MethodChoice::AnySolver, name, text, number == A::SURFACE_PROXY });
+  }
+  return choices;
+}
+
+} // namespace
+
 const std::vector<MethodChoice>& MethodChoices()
 {
-  using A = vtkVolumeHapticsAlgorithm;
-  using FilterSettingRows::MethodNames;
-  constexpr int any = MethodChoice::AnySolver;
-  const std::string proxy = MethodNames[A::PROXY].Text + std::string(", ");
   // Never destroyed, because objects that are deleted while the process exits still read it.
-  static const auto* const choices = new std::vector<MethodChoice>{
-    { A::PROXY, A::PRECISE, "proxy", proxy + "PRECISE", false },
-    { A::PROXY, A::PAPER, "paper", proxy + "PAPER", false },
-    { A::FORCE_FIELD, any, "force-field", MethodNames[A::FORCE_FIELD].Text, false },
-    { A::SURFACE_PROXY, any, "surface-proxy", MethodNames[A::SURFACE_PROXY].Text, true },
-    { A::LOCAL_SURFACE, any, "local-surface", MethodNames[A::LOCAL_SURFACE].Text, false },
-    { A::PRIMITIVES, any, "primitives", MethodNames[A::PRIMITIVES].Text, false },
-  };
+  static const auto* const choices = new std::vector<MethodChoice>(MakeChoices());
   return *choices;
 }
 

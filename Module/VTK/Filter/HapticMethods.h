@@ -21,7 +21,7 @@ struct MethodChoice
 
   int Method;       ///< vtkVolumeHapticsAlgorithm::MethodType
   int Solver;       ///< vtkVolumeHapticsAlgorithm::SolverType, or AnySolver
-  const char* Name; ///< the name in programs
+  std::string Name; ///< the name in programs
   std::string Text; ///< the name that the user sees
   bool IsPrepared;  ///< whether a switch to it may keep the GUI thread busy for about a second
 };

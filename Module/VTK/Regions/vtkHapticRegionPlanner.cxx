@@ -8,6 +8,7 @@
 #include "Core/Regions/Residency.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
 #include "Core/Solvers/Precise/FarSide.h"
+#include "Core/Solvers/Primitives/PrimitiveFollower.h"
 #include "VTK/Base/WholeFacts.h"
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Modes/HapticModeKinds.h"

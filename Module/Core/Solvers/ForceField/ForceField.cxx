@@ -34,10 +34,10 @@ Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexce
   return state.PreviousTip + Inverse(model.DeviceToIndex.Linear) * (now - index);
 }
 
-void StepForceField(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept
 {
-  const FieldAtTime field = model.Baked->At(state.DataTime, memory);
+  const FieldAtTime field = model.Baked->At(state.DataTime, input.Memory);
   const Vector3 index = model.DeviceToIndex(record.Tip);
   const Surface surface = Law::FindFieldSurface(model, field, index);
   Law::ReadMaterials(model, field, index, surface, state.Labels, record);
@@ -54,6 +54,26 @@ void StepForceField(
   record.NormalForce = Norm(push);
   record.DragForce = Norm(damping);
   record.Force = push + damping;
+}
+
+Vector3 FindFieldReach(const HapticModel& model) noexcept
+{
+  return FindValueReach(model, model.KernelLength, GetKernelReach(model));
+}
+
+Vector3 FindFieldDrag(
+  const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept
+{
+  if (!(record.DragForce > 0.0))
+  {
+    return {};
+  }
+  // Only the hand's motion: where the material moves, it may give energy.
+  const Vector3 drag = FindFieldDamping(model, before.PreviousTip, record);
+  const Vector3 material = FindFieldDamping(model, FindFieldPlace(model, before), record);
+  const double whole = Norm(FindFieldPush(model, record) + material);
+  // The force may be clamped.
+  return whole > 0.0 ? (Norm(record.Force) / whole) * drag : Vector3{};
 }
 
 } // namespace VolumeHaptics

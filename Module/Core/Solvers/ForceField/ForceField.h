@@ -7,18 +7,14 @@
 #ifndef ForceField_h
 #define ForceField_h
 
-#include "Core/Math/Vector3.h"
+#include "Core/Solvers/Method.h"
 
 namespace VolumeHaptics
 {
-class HapticModel;
-struct ServoState;
-struct TickMemory;
-struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record. */
-void StepForceField(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
+void StepForceField(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept;
 
 /** The damping force (N) on a tip that has come from a place within one tick. */
 Vector3 FindFieldDamping(
@@ -32,6 +28,12 @@ Vector3 FindFieldPlace(const HapticModel& model, const ServoState& state) noexce
 
 /** The force (N) against the gradient. */
 Vector3 FindFieldPush(const HapticModel& model, const TickRecord& record) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindFieldReach(const HapticModel& model) noexcept;
+/** See Method::Drag. */
+Vector3 FindFieldDrag(
+  const HapticModel& model, const ServoState& before, const TickRecord& record) noexcept;
 
 } // namespace VolumeHaptics
 

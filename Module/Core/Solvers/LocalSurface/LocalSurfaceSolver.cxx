@@ -5,6 +5,8 @@
 #include "Core/Law/MaterialLaw.h"
 #include "Core/State/ServoState.h"
 
+#include <cmath>
+
 namespace VolumeHaptics
 {
 namespace
@@ -318,6 +320,12 @@ void Request(const HapticModel& model, const Vector3& motion, LocalState& local)
   ++local.Number;
 }
 
+/** The reach (world units) of the search for a surface, except for the ray ahead. */
+double FindSearchReach(const HapticModel& model) noexcept
+{
+  return LocalCornerReach * model.Baked->LargestSpacing;
+}
+
 } // namespace
 
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept
@@ -331,8 +339,9 @@ void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& 
 }
 
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result) noexcept
+  const MethodInput& input) noexcept
 {
+  const LocalSurfaceResult& result = input.Result;
   LocalState& local = state.Local;
   const HapticSettings& settings = model.Baked->Settings;
   record.Proxy = record.Tip;
@@ -371,6 +380,23 @@ void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& r
   {
     WriteForces(model, LagOf(local) + local.Fading, local, record);
   }
+}
+
+Vector3 FindLocalSurfaceReach(const HapticModel& model) noexcept
+{
+  const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
+  const double bend = model.Baked->Kernel.Radius * model.Baked->LargestSpacing;
+  return (FindSearchReach(model) + bend) * perUnit + GetKernelReach(model);
+}
+
+void IncludeLocalSurface(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept
+{
+  const LocalSurfaceRequest& request = state.Local.Request;
+  box.Include(model.DeviceToIndex(model.WorldToDevice(request.Position)));
+  // The nearest point of a surface ahead may lie on any side.
+  const double most = LocalReachAhead * model.Baked->LargestSpacing;
+  const double ahead = std::fmin(Norm(request.Ahead), most) - FindSearchReach(model);
+  box.Margin += (std::fmax(ahead, 0.0) / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
 }
 
 } // namespace VolumeHaptics

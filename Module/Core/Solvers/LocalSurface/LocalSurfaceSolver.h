@@ -27,12 +27,11 @@
 #define LocalSurfaceSolver_h
 
 #include "Core/Solvers/LocalSurface/LocalSurfaceFit.h"
+#include "Core/Solvers/Method.h"
 
 namespace VolumeHaptics
 {
 struct LocalState;
-struct ServoState;
-struct TickRecord;
 
 /** The result of the slow loop for a tick. */
 struct LocalSurfaceResult
@@ -46,7 +45,12 @@ struct LocalSurfaceResult
 
 /** One tick from record.Tip; writes all of the record. */
 void StepLocalSurface(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result) noexcept;
+  const MethodInput& input) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindLocalSurfaceReach(const HapticModel& model) noexcept;
+/** See Method::Include. */
+void IncludeLocalSurface(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept;
 
 /** Drops all surfaces, and requests one near a position, for a tip; both in the world. */
 void StartLocalSurface(const Vector3& position, const Vector3& tip, LocalState& local) noexcept;

@@ -154,9 +154,10 @@ VOLUME_HAPTICS_OUTLINE bool StepPlainMotion(
 
 } // namespace
 
-void StepPaper(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept
 {
+  TickMemory* const memory = input.Memory;
   const bool isMoving = model.Baked->IsMoving();
   if (state.Enabled && model.Baked->IsPlain())
   {
@@ -181,6 +182,11 @@ void StepPaper(
   const CarriedProxy carried = CarryProxy(model, state, field, memory);
   record.WallWork = carried.Work;
   Step(model, state, record, field, carried.There ? &*carried.There : nullptr);
+}
+
+Vector3 FindPaperReach(const HapticModel& model) noexcept
+{
+  return FindValueReach(model, FindMaterialReach(model), GetKernelReach(model));
 }
 
 } // namespace VolumeHaptics

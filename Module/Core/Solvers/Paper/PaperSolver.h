@@ -8,16 +8,17 @@
 #ifndef PaperSolver_h
 #define PaperSolver_h
 
+#include "Core/Solvers/Method.h"
+
 namespace VolumeHaptics
 {
-class HapticModel;
-struct ServoState;
-struct TickMemory;
-struct TickRecord;
 
 /** One tick from record.Tip; writes all of the record, and the memory of labels. */
-void StepPaper(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
+void StepPaper(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindPaperReach(const HapticModel& model) noexcept;
 
 } // namespace VolumeHaptics
 

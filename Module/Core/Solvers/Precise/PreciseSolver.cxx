@@ -3,6 +3,7 @@
 #include "Core/Solvers/Precise/PreciseSolver.h"
 
 #include "Core/Solvers/CarriedProxy.h"
+#include "Core/Solvers/Precise/FarSide.h"
 #include "Core/Solvers/Precise/PreciseFollower.h"
 
 namespace VolumeHaptics
@@ -25,9 +26,10 @@ void Follow(const HapticModel& model, const SpringBefore& before, double carried
 
 } // namespace
 
-void StepPrecise(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept
+void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept
 {
+  TickMemory* const memory = input.Memory;
   if (!state.Enabled)
   {
     state.Proxy = record.Tip;
@@ -59,6 +61,23 @@ void StepPrecise(
     follower.TakeOver(*carried.There, carried.Motion);
   }
   Follow(model, spring, distance, follower, record);
+}
+
+Vector3 FindPreciseReach(const HapticModel& model) noexcept
+{
+  Vector3 around = GetKernelReach(model);
+  if (model.Baked->Settings.Placement == MaterialPlacement::FarSide)
+  {
+    const double walk = FarSide::FarthestRadii * model.Baked->Kernel.Radius;
+    around =
+      Vector3{ walk, walk, walk } + Vector3{ ResidencySpare, ResidencySpare, ResidencySpare };
+  }
+  return FindValueReach(model, FindMaterialReach(model), around);
+}
+
+void IncludePrecise(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept
+{
+  box.Include(model.DeviceToIndex(state.Precise.ReachedTip));
 }
 
 } // namespace VolumeHaptics

@@ -51,19 +51,22 @@
 #ifndef PreciseSolver_h
 #define PreciseSolver_h
 
+#include "Core/Solvers/Method.h"
+
 namespace VolumeHaptics
 {
-class HapticModel;
-struct ServoState;
-struct TickMemory;
-struct TickRecord;
 
 /** The largest number of samples in a tick. */
 constexpr int MaximumLooks = 256;
 
 /** One tick from record.Tip; writes the record and all of the state except its proxy. */
-void StepPrecise(
-  const HapticModel& model, ServoState& state, TickRecord& record, TickMemory* memory) noexcept;
+void StepPrecise(const HapticModel& model, ServoState& state, TickRecord& record,
+  const MethodInput& input) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindPreciseReach(const HapticModel& model) noexcept;
+/** See Method::Include. */
+void IncludePrecise(const HapticModel& model, const ServoState& state, ReadBox& box) noexcept;
 
 } // namespace VolumeHaptics
 

@@ -61,6 +61,9 @@ constexpr double ShortShare = 0.1;
 constexpr double FinishedShare = 1e-3;
 } // namespace PrimitiveFollower
 
+/** How far (voxels) a mode's push, or a line that bends, leads out of the box of proxy and tip. */
+constexpr double ModeWay = 0.25 * PrimitiveFollower::MostSteps;
+
 /**
  * The proxy's motion from a place to the balance with a tip (m).
  *

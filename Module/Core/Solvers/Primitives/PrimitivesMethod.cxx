@@ -7,7 +7,8 @@
 namespace VolumeHaptics
 {
 
-void StepPrimitives(const HapticModel& model, ServoState& state, TickRecord& record) noexcept
+void StepPrimitives(
+  const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept
 {
   const HapticSettings& settings = model.Baked->Settings;
   if (!state.Enabled)
@@ -53,6 +54,13 @@ ModeForces FindModeForces(const HapticModel& model, const ServoState& state) noe
     }
   }
   return forces;
+}
+
+Vector3 FindPrimitivesReach(const HapticModel& model) noexcept
+{
+  // A derivative's step.
+  const Vector3 around = GetKernelReach(model) + Vector3{ 1.0, 1.0, 1.0 };
+  return FindValueReach(model, model.KernelLength, around) + Vector3{ ModeWay, ModeWay, ModeWay };
 }
 
 } // namespace VolumeHaptics

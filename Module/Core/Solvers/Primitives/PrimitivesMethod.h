@@ -11,6 +11,7 @@
 #define PrimitivesMethod_h
 
 #include "Core/Model/HapticModel.h"
+#include "Core/Solvers/Method.h"
 #include "Core/Solvers/Primitives/ModePrimitives.h"
 #include "Core/State/ServoState.h"
 
@@ -23,7 +24,11 @@ namespace VolumeHaptics
  * One tick. The record has the whole force as its NormalForce, along its Normal; the contact is
  * sticking if the proxy stays and sliding if it moves; and there is no material.
  */
-void StepPrimitives(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
+void StepPrimitives(
+  const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindPrimitivesReach(const HapticModel& model) noexcept;
 
 /** The forces (N, device, on the hand) of a model's modes, in their order. */
 using ModeForces = std::array<Vector3, ModeField::Most>;

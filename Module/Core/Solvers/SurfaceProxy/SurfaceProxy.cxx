@@ -221,7 +221,7 @@ Vector3 Carry(const MeshWay& way, double radius, const Vector3& from) noexcept
 } // namespace
 
 void StepSurfaceProxy(
-  const HapticModel& model, const ServoState& state, TickRecord& record) noexcept
+  const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept
 {
   record.Proxy = record.Tip;
   if (!Law::ReadIsoMaterial(model, record) || !state.Enabled)
@@ -327,6 +327,13 @@ Vector3 EnterSurface(const HapticModel& model, const Vector3& place, double time
     }
   }
   return place;
+}
+
+Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept
+{
+  const Vector3 perUnit = (1.0 / model.WorldUnitsPerMeter) * model.VoxelsPerMeter;
+  return model.Baked->Settings.ProxyRadius * perUnit +
+    Vector3{ ResidencySpare, ResidencySpare, ResidencySpare };
 }
 
 } // namespace VolumeHaptics

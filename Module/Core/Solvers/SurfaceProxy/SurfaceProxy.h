@@ -35,13 +35,10 @@
 #ifndef SurfaceProxy_h
 #define SurfaceProxy_h
 
-#include "Core/Math/Vector3.h"
+#include "Core/Solvers/Method.h"
 
 namespace VolumeHaptics
 {
-class HapticModel;
-struct ServoState;
-struct TickRecord;
 
 /** The largest number of rounds of subgoal and motion in a tick. */
 constexpr int MaximumPasses = 24;
@@ -58,7 +55,10 @@ constexpr int MostTouched = MaximumVisits / 4;
 
 /** One tick from record.Tip; writes all of the record. The model must have a mesh. */
 void StepSurfaceProxy(
-  const HapticModel& model, const ServoState& state, TickRecord& record) noexcept;
+  const HapticModel& model, ServoState& state, TickRecord& record, const MethodInput&) noexcept;
+
+/** See Method::Reach. */
+Vector3 FindSurfaceProxyReach(const HapticModel& model) noexcept;
 
 /**
  * The first position (device) of a proxy that another method has left at `place`.

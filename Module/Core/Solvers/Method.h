@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a method is to a tick, to regions and to the safety stage: one interface, with one row a
+ * method in Methods/Methods.cxx.
+ */
+#ifndef Method_h
+#define Method_h
+
+#include "Core/Math/Vector3.h"
+
+namespace VolumeHaptics
+{
+class HapticModel;
+struct LocalSurfaceResult;
+struct ServoState;
+struct TickMemory;
+struct TickRecord;
+
+/**
+ * Spare voxels: for the taps of a kernel beyond its radius, for motions off the line between
+ * tip and proxy, and one more.
+ */
+constexpr double ResidencySpare = 3.0;
+
+/** The samples that a tick can read: those between two corners (index steps), and a margin. */
+struct ReadBox
+{
+  Vector3 Low;
+  Vector3 High;
+  Vector3 Margin; ///< along each axis, on either side
+
+  void Include(const Vector3& index) noexcept
+  {
+    this->Low = Least(this->Low, index);
+    this->High = Most(this->High, index);
+  }
+};
+
+/** What a tick gives to a method beside model, state and record. */
+struct MethodInput
+{
+  const LocalSurfaceResult& Result; ///< of the slow loop
+  TickMemory* Memory;               ///< saves time; may be null
+};
+
+/** A method, or one of the solvers of PROXY. All functions run in the servo's tick. */
+struct Method
+{
+  /** Goes from record.Tip to a force; writes all of the record that Tick() has not written. */
+  void (*Step)(const HapticModel&, ServoState&, TickRecord&, const MethodInput&) noexcept;
+  /** The reach (index steps along each axis) of the samples read around tip and proxy. */
+  Vector3 (*Reach)(const HapticModel&) noexcept;
+  /** Adds what else a tick reads with a proxy to a box; null: nothing. */
+  void (*Include)(const HapticModel&, const ServoState&, ReadBox&) noexcept = nullptr;
+  /**
+   * The dissipative part (N) of a tick's force, against the hand's motion; null: nothing. The
+   * state is that before the tick.
+   */
+  Vector3 (*Drag)(const HapticModel&, const ServoState&, const TickRecord&) noexcept = nullptr;
+  bool HasProxy = true; ///< if not, samples are read at the tip alone
+};
+
+///@{
+/**
+ * Reaches that several methods have: ResidencySpare and the radius of the kernel; and values some
+ * metres aside, but at least the samples around a place.
+ */
+Vector3 GetKernelReach(const HapticModel& model) noexcept;
+Vector3 FindValueReach(const HapticModel& model, double aside, const Vector3& around) noexcept;
+///@}
+/** How far (m) from a proxy materials are read: at a wall of labels, a voxel of theirs or more. */
+double FindMaterialReach(const HapticModel& model) noexcept;
+
+} // namespace VolumeHaptics
+
+#endif
