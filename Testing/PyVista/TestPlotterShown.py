@@ -225,7 +225,7 @@ def test_what_nobody_sees_is_refused(scene):
     assert add_haptics(plotter, actor).device.IsRunning()
 
 
-def test_multi_volumes_are_refused_with_the_cure(scene):
+def test_multi_volumes_are_touched(scene):
     plotter, grid, actor = scene
     image = actor.mapper.GetInputDataObject(0, 0)
     multi, mapper = vtkMultiVolume(), vtkOpenGLGPUVolumeRayCastMapper()
@@ -233,9 +233,10 @@ def test_multi_volumes_are_refused_with_the_cure(scene):
     multi.SetMapper(mapper)
     multi.SetVolume(actor, 0)
     plotter.renderer.AddVolume(multi)
-    with pytest.raises(ValueError, match=r"vtkMultiVolume.*Cure: TouchVolume\(\) with GetVolume\(0\)"):
-        add_haptics(plotter, multi)
-    assert add_haptics(plotter, multi.GetVolume(0)).device.IsRunning()
+    for volume in multi, multi.GetVolume(0):
+        with add_haptics(plotter, volume) as haptics:
+            assert haptics.device.IsRunning()
+            assert haptics.style.GetTouchedVolume() is actor
 
 
 def test_a_sheared_actor_warns(scene):

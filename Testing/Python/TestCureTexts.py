@@ -53,7 +53,7 @@ TRIED = {
         "CalibrateForce() is for an open real device": "Open() it and Stop() it first",
     },
     "VTK/Scene/Interaction/StyleVolumesTest.cxx": {
-        "Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume": "Cure: TouchVolume() with GetVolume(0)",
+        "Cure: TouchVolume() with the vtkMultiVolume": "Cure: TouchVolume() with the vtkMultiVolume, or",
         "Cure: SetMapper() of the vtkVolume, and SetInputData()": "Cure: SetMapper() of the vtkVolume",
         "TouchVolume() of the interactor style with a vtkVolume that is there": "Cure: TouchVolume() of the interactor style",
     },

@@ -236,6 +236,34 @@ def cropped():
     return s
 
 
+def ramp(radius=2):
+    """Gradients everywhere, without an edge."""
+    s = Scene(image(np.broadcast_to(50.0 + 2.5 * (np.arange(X) - 8.0), (Y, Y, X))))
+    s.filter.SetKernelRadius(radius)
+    return s
+
+
+@felt(8.0)
+def opacity_on_a_ramp():
+    return ramp()
+
+
+@felt(8.0)
+def opacity_on_a_ramp_with_a_large_kernel():
+    return ramp(radius=5)
+
+
+@felt(8.0)
+def opacity_on_a_steep_ramp():
+    return Scene(image(np.broadcast_to(50.0 + 40.0 * (np.arange(X) - 8.0), (Y, Y, X))))
+
+
+@felt(9.0)
+def opacity_on_the_distance_from_an_axis():
+    x, z = np.meshgrid(np.arange(X), np.arange(Y))
+    return Scene(image(np.broadcast_to((50.0 + 5.0 * (6.0 - np.hypot(x - 15.0, z - 7.5)))[:, None, :], (Y, Y, X))))
+
+
 @felt(15.0, drawn=1.05, most=1.1)
 def gradient_opacity():
     """Only the steeper of two walls has opacity. VTK's gradients begin a voxel before a wall."""
@@ -451,6 +479,13 @@ def second_port():
     return port(1)
 
 
+@felt(9.0)
+def multi_volume():
+    s = port(0)
+    s.volume = s.multi
+    return s
+
+
 # Voxels that are hidden one by one.
 
 def mask(first, shown=255, hidden=0):
@@ -602,7 +637,8 @@ def test_is_followed_when_it_changes():
     s.end()
 
 
-@pytest.mark.parametrize("make", [array_by_name, two_dependent_components, second_port, rectilinear_grid, mask_behind_the_wall])
+@pytest.mark.parametrize("make", [array_by_name, two_dependent_components, second_port, multi_volume, rectilinear_grid,
+                                  mask_behind_the_wall])
 def test_a_widget_feels_it_too(make):
     s = make()
     s.interactor.SetInteractorStyle(None)
@@ -615,9 +651,9 @@ def test_a_widget_feels_it_too(make):
         widget.On()
         widget.UpdateHaptics()
     assert not errors, errors
-    if make is second_port:  # the first one has its own filter, too
+    if make in (second_port, multi_volume):
         assert widget.GetStyle().GetNumberOfTouchedVolumes() == 2
-    else:
+    if make is not second_port:  # the first one has its own filter, too
         assert s.seen() == pytest.approx(s.felt(), abs=VOXEL)
     widget.SetInteractor(None)
     s.end()

@@ -23,6 +23,8 @@ constexpr double EdgeTolerance = 1e-3;
 constexpr double EdgeWidth = 0.5;
 /** N; the initial gain of strength, per EdgeWidth. */
 constexpr double EdgeStrength = 20.0;
+/** The channel of MaterialTable that says what is seen. */
+constexpr int VisibilityChannel = 4;
 /** The fraction of the edge's height by which the estimator's own value counts beyond V(x_p). */
 constexpr double OwnLead = 0.25;
 
@@ -245,18 +247,26 @@ void PreciseSurroundings::Align(const Vector3& index, const Law::Slope& slope, b
     return;
   }
   const double even = FarSide::FindEvenShare(point.Far);
+  const double value = this->Field.Value(index);
+  double edge = point.SurfaceStrength;
   if (even < 1.0)
   {
-    const double edge = GradedStrength(sides, point.SurfaceStrength, point.Value,
-      this->Field.Value(index), this->FindPromise(slope), isDescending);
-    // An even ramp has no middle: it holds as with the kernel's values.
-    MaterialPoint ramp;
-    if (even > 0.0)
-    {
-      join(this->Field.Values(index, slope.Reach), ramp);
-    }
-    point.SurfaceStrength = edge + even * (ramp.SurfaceStrength - edge);
+    edge = GradedStrength(
+      sides, point.SurfaceStrength, point.Value, value, this->FindPromise(slope), isDescending);
   }
+  // An even ramp has no middle: it holds as with the kernel's values, from where it is seen.
+  double ramp = point.SurfaceStrength;
+  if (even > 0.0 && even < 1.0)
+  {
+    MaterialPoint material;
+    join(this->Field.Values(index, slope.Reach), material);
+    ramp = material.SurfaceStrength;
+  }
+  if (even > 0.0)
+  {
+    ramp *= this->Model.Baked->Materials(value)[VisibilityChannel];
+  }
+  point.SurfaceStrength = edge + even * (ramp - edge);
 }
 
 double PreciseSurroundings::FindRise(const Law::Slope& slope) const noexcept

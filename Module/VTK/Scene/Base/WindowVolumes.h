@@ -55,6 +55,7 @@ struct DrawnVolume
   vtkAbstractVolumeMapper* Mapper = nullptr;
   int Port = 0;                         ///< the mapper's input that shows the volume
   vtkSmartPointer<vtkMatrix4x4> Matrix; ///< maps the data to the world
+  vtkVolume* Whole = nullptr;           ///< the prop: the volume, or the vtkMultiVolume around it
 
   /** The mapper's input; null without a mapper or an input. */
   vtkDataObject* FindData() const
@@ -90,7 +91,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
   {
     auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
     copy->DeepCopy(matrix);
-    all.push_back({ volume, mapper, 0, copy });
+    all.push_back({ volume, mapper, 0, copy, volume });
     return;
   }
   for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
@@ -102,7 +103,7 @@ inline void AppendDrawn(vtkVolume* volume, vtkMatrix4x4* matrix, std::vector<Dra
       part->ComputeMatrix();
       auto copy = vtkSmartPointer<vtkMatrix4x4>::New();
       copy->DeepCopy(part->GetMatrix());
-      all.push_back({ part, mapper, port, copy });
+      all.push_back({ part, mapper, port, copy, multi });
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "VTK/Base/HapticTuples.h"
 #include "VTK/Base/HapticVolume.h"
+#include "VTK/Scene/Base/KeptSettings.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
 #include "VTK/Scene/Volumes/FilterCarving.h"
 
@@ -69,6 +70,22 @@ bool FindDrawn(vtkInteractorStyleHaptic* style, std::vector<DrawnVolume>& drawn)
   return renderers && renderers->GetNumberOfItems() > 0;
 }
 
+/** The volumes of the ports of a vtkMultiVolume, whether or not it is drawn. */
+std::vector<vtkVolume*> FindPorts(vtkVolume* multi)
+{
+  std::vector<DrawnVolume> parts;
+  Detail::AppendDrawn(multi, multi->GetMatrix(), parts);
+  std::vector<vtkVolume*> volumes;
+  for (const DrawnVolume& part : parts)
+  {
+    if (part.Volume != multi && part.FindData())
+    {
+      volumes.push_back(part.Volume);
+    }
+  }
+  return volumes;
+}
+
 bool IsBetter(const SurfaceAhead& a, const SurfaceAhead& b, int choice)
 {
   // If forces are about equal, such as those of one material, choose the nearest volume.
@@ -96,20 +113,12 @@ bool TouchedVolumes::CanTouch(vtkVolume* volume) const
     // filter.
     this->Scene.Device->SetVolumeHaptics(vtkNew<vtkVolumeHapticsFilter>());
   }
-  if (volume->IsA("vtkMultiVolume"))
-  {
-    vtkErrorWithObjectMacro(this->Scene.Style,
-      "A vtkMultiVolume shows several volumes, each at a place of its own, and can't be touched as "
-      "one. Cure: TouchVolume() with GetVolume(0) of the vtkMultiVolume, and AddTouchedVolume() "
-      "with that of each other port.");
-    return false;
-  }
   std::vector<DrawnVolume> drawn;
   FindDrawn(this->Scene.Style, drawn);
   TouchedVolume touched;
   touched.Set(volume);
   touched.FindPlace(drawn);
-  if (!touched.HasData())
+  if (volume->IsA("vtkMultiVolume") ? FindPorts(volume).empty() : !touched.HasData())
   {
     vtkErrorWithObjectMacro(this->Scene.Style,
       "The volume has no mapper that shows data: call vtkVolume::SetMapper(), for example with a "
@@ -132,14 +141,63 @@ bool TouchedVolumes::Set(vtkVolume* volume)
     this->Feel(this->All.front().Filter);
   }
   this->All.clear();
+  this->Multi = vtkMultiVolume::SafeDownCast(volume);
   if (!volume)
   {
     return true;
   }
-  this->All.push_back({ std::make_unique<TouchedVolume>(), nullptr, true });
-  this->All.back().Volume->Set(volume);
+  this->Append(this->Multi ? FindPorts(volume).front() : volume, nullptr);
   this->Follow();
   return true;
+}
+
+void TouchedVolumes::Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
+{
+  this->All.push_back({ std::make_unique<TouchedVolume>(), filter, true, false });
+  this->All.back().Volume->Set(volume);
+}
+
+void TouchedVolumes::AddAlike(vtkVolume* volume)
+{
+  Entry& first = this->All.front();
+  first.Filter = this->FilterOf(first); // it may have shared the device's filter
+  this->Append(volume, vtkNew<vtkVolumeHapticsFilter>());
+  this->All.back().IsAlike = true;
+  this->CopiedTime = 0;
+}
+
+void TouchedVolumes::FollowPorts()
+{
+  for (vtkVolume* const port : this->Multi ? FindPorts(this->Multi) : std::vector<vtkVolume*>())
+  {
+    const auto isPort = [port](const Entry& entry) { return entry.Volume->Get() == port; };
+    if (std::none_of(this->All.begin(), this->All.end(), isPort))
+    {
+      this->AddAlike(port);
+    }
+  }
+}
+
+void TouchedVolumes::CopySettings()
+{
+  vtkVolumeHapticsFilter* const first = this->FilterOf(this->All.front());
+  const vtkMTimeType time = first ? first->GetMTime() : 0;
+  const auto isAlike = [](const Entry& entry) { return entry.IsAlike; };
+  if (time == this->CopiedTime || std::none_of(this->All.begin(), this->All.end(), isAlike))
+  {
+    return;
+  }
+  this->CopiedTime = time;
+  KeptSettings settings(first);
+  for (const Entry& entry : this->All)
+  {
+    if (entry.IsAlike)
+    {
+      // The opacity of each volume says what is felt of it.
+      settings.Property->SetVisibilityFrom(entry.Filter->GetProperty()->GetVisibilityFrom());
+      settings.Apply(entry.Filter);
+    }
+  }
 }
 
 bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
@@ -149,6 +207,14 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
     vtkErrorWithObjectMacro(this->Scene.Style,
       "Another volume to be touched takes a vtkVolume and a vtkVolumeHapticsFilter of its own, and "
       "one of them is missing. Cure: AddTouchedVolume(volume, filter).");
+    return false;
+  }
+  if (volume->IsA("vtkMultiVolume"))
+  {
+    vtkErrorWithObjectMacro(this->Scene.Style,
+      "A vtkMultiVolume shows several volumes, and a filter feels one. Cure: TouchVolume() with "
+      "the vtkMultiVolume, or AddTouchedVolume() with GetVolume(0) of it, and with that of each "
+      "other port and another filter.");
     return false;
   }
   if (!this->CanTouch(volume))
@@ -171,8 +237,7 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
   {
     this->Scene.Device->SetVolumeHaptics(filter);
   }
-  this->All.push_back({ std::make_unique<TouchedVolume>(), filter, true });
-  this->All.back().Volume->Set(volume);
+  this->Append(volume, filter);
   this->Follow();
   return true;
 }
@@ -227,6 +292,8 @@ void TouchedVolumes::Follow()
   }
   std::vector<DrawnVolume> drawn;
   const bool hasWindow = FindDrawn(this->Scene.Style, drawn);
+  this->FollowPorts();
+  this->CopySettings();
   for (Entry& entry : this->All)
   {
     entry.IsShown = (entry.Volume->FindPlace(drawn) || !hasWindow) && entry.Volume->HasData();
@@ -238,10 +305,11 @@ void TouchedVolumes::Follow()
   const Entry* const felt = this->FindFelt();
   if (felt && !felt->IsShown)
   {
-    const bool isVisible = felt->Volume->Get()->GetVisibility() != 0;
+    const bool isVisible = felt->Volume->Get()->GetVisibility() != 0 &&
+      (!this->Multi || this->Multi->GetVisibility() != 0);
     this->Scene.Hidden = !isVisible
       ? "What is touched is hidden, so that it is not felt. Cure: VisibilityOn() of the vtkVolume."
-      : !felt->Volume->HasData()
+      : !felt->Volume->HasData() && !this->Multi
       ? "What is touched shows nothing, so that it is not felt: it has no mapper, or its mapper no "
         "input. Cure: SetMapper() of the vtkVolume, and SetInputData() or SetInputConnection() of "
         "the mapper."

@@ -12,6 +12,7 @@
 #include "VTK/Scene/Interaction/TouchedScene.h"
 #include "VTK/Scene/Volumes/TouchedVolume.h"
 
+#include "vtkMultiVolume.h"
 #include "vtkSmartPointer.h"
 #include "vtkVolumeHapticsFilter.h"
 
@@ -46,6 +47,11 @@ public:
   bool Set(vtkVolume* volume);
   bool Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
   ///@}
+  /**
+   * Adds a volume that feels like the first one: its filter takes over the settings of the first
+   * filter whenever that changes. Call Set() before, and Follow() afterwards.
+   */
+  void AddAlike(vtkVolume* volume);
   /** The felt volume; null if there is none. */
   vtkVolume* Get() const;
   int GetCount() const { return static_cast<int>(this->All.size()); }
@@ -70,11 +76,16 @@ private:
     std::unique_ptr<TouchedVolume> Volume;
     vtkSmartPointer<vtkVolumeHapticsFilter> Filter; ///< null: the device's filter
     bool IsShown = true;
+    bool IsAlike = false; ///< its filter has the settings of the first one
   };
   /** The felt volume; null if there is none. */
   const Entry* FindFelt() const;
   /** Whether a volume can be touched; if not, reports why. */
   bool CanTouch(vtkVolume* volume) const;
+  void Append(vtkVolume* volume, vtkVolumeHapticsFilter* filter);
+  /** Adds the ports of the touched vtkMultiVolume that are new. */
+  void FollowPorts();
+  void CopySettings();
   /** The depth of the press that compares surfaces: four of the smallest voxels. */
   Press FindPress() const;
   /** Makes the device feel with this filter from now on. */
@@ -88,7 +99,9 @@ private:
   const HapticShownFrames& Pictures;
   const CarvedPictures& Carved;
   std::vector<Entry> All;
-  Vector3 ChosenTip; ///< position of the tip at the last choice
+  vtkSmartPointer<vtkMultiVolume> Multi; ///< whose ports are touched; null for other volumes
+  vtkMTimeType CopiedTime = 0;           ///< of the first filter, when its settings were copied
+  Vector3 ChosenTip;                     ///< position of the tip at the last choice
   double ChosenTime = 0.0;
 };
 

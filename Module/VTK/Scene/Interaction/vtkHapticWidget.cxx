@@ -3,7 +3,6 @@
 #include "vtkHapticWidget.h"
 
 #include "VTK/Scene/Base/HostParts.h"
-#include "VTK/Scene/Base/KeptSettings.h"
 #include "VTK/Scene/Base/WindowVolumes.h"
 #include "VTK/Scene/Interaction/HapticInteraction.h"
 
@@ -297,7 +296,8 @@ struct vtkHapticWidget::vtkInternals
     std::vector<vtkVolume*> found;
     for (const DrawnVolume& drawn : FindDrawnVolumes(renderer))
     {
-      if (this->Volume ? drawn.Volume == this->Volume : IsTouchable(drawn))
+      const bool isWanted = drawn.Volume == this->Volume || drawn.Whole == this->Volume;
+      if (this->Volume ? isWanted : IsTouchable(drawn))
       {
         found.push_back(drawn.Volume);
       }
@@ -334,7 +334,7 @@ struct vtkHapticWidget::vtkInternals
     return found ? found : first;
   }
 
-  /** Touches these volumes from now on, each with a filter of its own. */
+  /** Touches these volumes from now on, all with the settings of the filter. */
   void Touch(const std::vector<vtkVolume*>& volumes)
   {
     const bool isSame =
@@ -343,23 +343,14 @@ struct vtkHapticWidget::vtkInternals
     if (!isSame)
     {
       this->IsInputOurs = true;
-      this->Others.clear();
       this->Device->SetVolumeHaptics(this->Filter);
       this->Style->TouchVolume(volumes.front());
-      for (std::size_t i = 1; i < volumes.size(); ++i)
-      {
-        this->Others.push_back(vtkSmartPointer<vtkVolumeHapticsFilter>::New());
-        this->Style->AddTouchedVolume(volumes[i], this->Others.back());
-      }
+      TouchedVolumes& all = this->Style->GetInteraction().Touched;
+      std::for_each(
+        volumes.begin() + 1, volumes.end(), [&all](vtkVolume* one) { all.AddAlike(one); });
       this->Touched.assign(volumes.begin(), volumes.end());
     }
-    KeptSettings settings(this->Filter);
-    for (vtkVolumeHapticsFilter* const other : this->Others)
-    {
-      // Each volume's opacity says what is felt of it.
-      settings.Property->SetVisibilityFrom(other->GetProperty()->GetVisibilityFrom());
-      settings.Apply(other);
-    }
+    this->Style->GetInteraction().Touched.Follow();
   }
 
   /** The hand and the display, for what is so long (world units). */
@@ -420,7 +411,6 @@ struct vtkHapticWidget::vtkInternals
     this->Style->SetInteractor(nullptr);
     this->Hide();
     this->Touched.clear();
-    this->Others.clear();
     if (this->Device && this->Style->GetDevice())
     {
       this->Style->TouchVolume(nullptr);
@@ -443,7 +433,6 @@ struct vtkHapticWidget::vtkInternals
   vtkNew<StyleBeside> Style;
   vtkSmartPointer<vtkRenderer> Renderer; ///< that shows the hand
   std::vector<vtkSmartPointer<vtkVolume>> Touched;
-  std::vector<vtkSmartPointer<vtkVolumeHapticsFilter>> Others; ///< of all but the first volume
   double Radius = this->Hand->GetRadius();
   double ForceScale = this->Hand->GetForceScale();
   bool IsInputOurs = false; ///< that of the filter is what a volume shows

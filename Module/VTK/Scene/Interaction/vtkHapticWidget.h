@@ -76,7 +76,10 @@ public:
   ///@}
 
   ///@{
-  /** The volume that is touched. Default nullptr: all that the renderer under the pointer shows. */
+  /**
+   * The volume that is touched, or the vtkMultiVolume. Default nullptr: all that the renderer under
+   * the pointer shows.
+   */
   void SetVolume(vtkVolume* volume);
   vtkVolume* GetVolume();
   ///@}
@@ -94,8 +97,8 @@ public:
   ///@{
   /**
    * The filter that says how volumes feel, and its property. If several volumes can be touched, the
-   * first one is felt by this filter, and each of the others by a copy with the same settings. A
-   * filter that has an input feels that, whatever the window shows; the hand is then in the
+   * first one is felt by this filter, and each of the others by a copy, which follows its settings.
+   * A filter that has an input feels that, whatever the window shows; the hand is then in the
    * DefaultRenderer, or else in the window's first one.
    * Default: one of its own. nullptr is an error.
    */

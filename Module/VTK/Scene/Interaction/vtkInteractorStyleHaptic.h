@@ -390,8 +390,9 @@ public:
    * device's filter the image of the volume's mapper at the place where the volume's position,
    * orientation, scale and user matrix put it, the array and the component that the mapper draws,
    * its clipping planes and cropping, and the opacity of the volume's property as its visibility
-   * (vtkHapticProperty::SetVisibilityFrom). Other data than images are felt where they are. The
-   * volume of a port of a vtkMultiVolume can be touched, the vtkMultiVolume itself not.
+   * (vtkHapticProperty::SetVisibilityFrom). Other data than images are felt where they are. Of a
+   * vtkMultiVolume each port is felt, as if AddTouchedVolume() had added it with a filter that has
+   * the settings of the device's filter and follows them; or one port: TouchVolume(GetVolume(0)).
    * Voxels that the mapper hides by a mask, by the opacity of a mask's labels or because they are
    * blanked are cut away, and so is what lies outside of all isosurfaces that it draws. Materials,
    * method and FeelCutFaces stay the filter's own.

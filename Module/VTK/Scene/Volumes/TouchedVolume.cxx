@@ -203,7 +203,7 @@ bool TouchedVolume::FindPlace(const std::vector<DrawnVolume>& drawn)
   }
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   matrix->DeepCopy(this->Volume->GetMatrix());
-  this->Drawn = { this->Volume, this->Volume->GetMapper(), 0, matrix };
+  this->Drawn = { this->Volume, this->Volume->GetMapper(), 0, matrix, this->Volume };
   return false;
 }
 
@@ -269,7 +269,7 @@ void TouchedVolume::ChooseArray(vtkDataObject* data, vtkVolumeHapticsFilter* fil
   }
   const bool areFrames = filter->GetFrames() == vtkVolumeHapticsFilter::COMPONENTS &&
     filter->GetTimeUnitsPerSecond() != 0.0;
-  if (array->GetNumberOfComponents() > 1 && !areFrames)
+  if (!areFrames)
   {
     filter->GetProperty()->SetComponent(this->FindComponent(array, filter));
   }

@@ -172,7 +172,7 @@ TEST_F(HapticWidget, ThreeLinesMakeAProgramTouchable)
   // A ball of 30 mm: where the tip is by four wheel steps of a voxel each below the first contact.
   const double* const tip = this->Widget->GetDevice()->GetTipPosition();
   const double* const proxy = this->Widget->GetDevice()->GetProxyPosition();
-  EXPECT_NEAR(proxy[2], 30.0 + 2.0, 1.5) << "read a kernel radius ahead";
+  EXPECT_NEAR(proxy[2], 30.0, 0.1) << "where it is seen";
   EXPECT_LT(tip[2], proxy[2] - 1.0);
   EXPECT_EQ(this->Interactor->GetInteractorStyle(), this->Style.Get()) << "the style lives on";
   EXPECT_EQ(this->Press("Escape", '\x1b'), 0);
@@ -320,18 +320,18 @@ TEST_F(HapticWidget, TouchesTheFirstOfSeveralVolumes)
   this->AddBall(front, 40.0);
   this->SwitchOn();
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 70.0 + 2.0, 1.5);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 70.0, 0.1);
   this->Widget->TouchModeOff();
   this->ExpectLetGo();
   this->Widget->SetVolume(this->Volume);
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0, 0.1);
   this->Widget->TouchModeOff();
   this->ExpectLetGo();
   this->Widget->SetVolume(nullptr);
   front->VisibilityOff();
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0 + 2.0, 1.5);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 30.0, 0.1);
 }
 
 TEST_F(HapticWidget, WaitsForAVolumeAndTellsIfThereIsNone)
@@ -479,7 +479,7 @@ TEST_F(HapticWidget, FeelsWhatTheProgramHasConnected)
   this->Widget->On();
   this->Press("Escape");
   this->PushIn();
-  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 20.0 + 2.0, 1.5);
+  EXPECT_NEAR(this->Widget->GetDevice()->GetProxyPosition()[2], 20.0, 0.1);
 }
 
 TEST_F(HapticWidget, TellsWhatIsMissingWithTheCure)

@@ -9,6 +9,8 @@
 #include "StyleRig.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkMultiVolume.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
@@ -112,19 +114,78 @@ TEST_F(StyleSeveral, TheOneUnderThePointerIsTouched)
   this->Run(20);
   EXPECT_TRUE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Other);
-  // As for one volume, the surface is where the material two voxels ahead begins.
+  // The ball is seen from its radius of 30 mm on, and the hand waits half a voxel in front of it.
   EXPECT_NEAR(this->Device->GetTipPosition()[0], 70.0, 1.0);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
   this->Style->TouchModeOff();
   this->Pointer(150, 150);
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
   EXPECT_EQ(this->Style->GetTouchedVolume(), this->Volume);
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
   EXPECT_TRUE(this->Log.Warnings.empty());
   this->Style->TouchVolume(this->Volume);
   EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 1) << "ends the others";
+}
+
+TEST_F(StyleSeveral, EachPortOfAMultiVolumeIsTouched)
+{
+  this->Renderer->RemoveVolume(this->Volume);
+  this->Renderer->RemoveVolume(this->Other);
+  vtkNew<vtkMultiVolume> multi;
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  vtkNew<vtkVolume> ports[3];
+  const auto add = [&](int port)
+  {
+    mapper->SetInputDataObject(port, port == 0 ? this->Ball.Get() : MakeBall().Get());
+    multi->SetVolume(ports[port], port);
+    ShowBall(ports[port]);
+    ports[port]->SetPosition(70.0 * port, 0.0, 0.0);
+  };
+  EXPECT_FALSE(this->Style->TouchVolume(multi)) << "it shows nothing";
+  EXPECT_EQ(this->Log.Errors.size(), 1U);
+  this->Log.Errors.clear();
+  multi->SetMapper(mapper);
+  add(0);
+  add(1);
+  this->Renderer->AddVolume(multi);
+  EXPECT_TRUE(this->Style->TouchVolume(multi));
+  EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 2);
+  // Settings that come later are those of each port.
+  this->Filter->SetKernelRadius(3);
+  for (const int port : { 1, 0 })
+  {
+    this->Pointer(150 + 70 * port, 150);
+    this->Style->TouchModeOn();
+    this->Run(20);
+    EXPECT_EQ(this->Style->GetTouchedVolume(), ports[port]);
+    EXPECT_EQ(this->Device->GetVolumeHaptics() == this->Filter, port == 0);
+    EXPECT_EQ(this->Device->GetVolumeHaptics()->GetKernelRadius(), 3);
+    EXPECT_NEAR(this->Device->GetTipPosition()[0], 70.0 * port, 1.0);
+    EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
+    this->Style->TouchModeOff();
+  }
+  // Each has its own opacity and place, now and later.
+  ports[0]->SetPosition(0.0, 0.0, 10.0);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 40.5, 0.3);
+  this->Style->TouchModeOff();
+  add(2);
+  this->Style->UpdateHaptics();
+  EXPECT_EQ(this->Style->GetNumberOfTouchedVolumes(), 3);
+  this->Pointer(150 + 140, 150);
+  this->Style->TouchModeOn();
+  this->Run(20);
+  EXPECT_EQ(this->Style->GetTouchedVolume(), ports[2]);
+  EXPECT_TRUE(this->Style->GetTouchMode());
+  EXPECT_TRUE(this->Log.Warnings.empty());
+  multi->VisibilityOff();
+  this->Style->UpdateHaptics();
+  EXPECT_FALSE(this->Style->GetTouchMode());
+  ASSERT_EQ(this->Log.Warnings.size(), 1U);
+  EXPECT_NE(this->Log.Warnings[0].find("Cure: VisibilityOn()"), std::string::npos);
 }
 
 TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
@@ -137,7 +198,7 @@ TEST_F(StyleSeveral, AHandGoesFromOneToTheNextWithoutAStepOfForce)
   this->Style->TouchModeOn();
   this->RunUntilFullyArmed();
   EXPECT_TRUE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 102.5, 0.6);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 100.5, 0.3);
   const auto see = [this](vtkTable* states, vtkIdType row) { this->Watch(states, row); };
   bool hasFeltOther = false;
   for (int i = 0; i < 120 && this->Device->GetTipPosition()[2] > 28.0; ++i)
@@ -168,7 +229,7 @@ TEST_F(StyleSeveral, TheStrongestOneIsFeltThroughAnother)
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6) << "in front of the first one";
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3) << "in front of the first one";
   this->Style->TouchModeOff();
   this->Style->SetFeltVolumeToNearest();
   this->Style->TouchModeOn();
@@ -195,7 +256,7 @@ TEST_F(StyleSeveral, OneThatIsNotSeenIsNotChosen)
   this->Style->TouchModeOn();
   this->Run(20);
   EXPECT_FALSE(this->FeelsOther());
-  EXPECT_NEAR(this->Device->GetTipPosition()[2], 32.5, 0.6);
+  EXPECT_NEAR(this->Device->GetTipPosition()[2], 30.5, 0.3);
 }
 
 TEST_F(StyleSeveral, InsteadOfOneThatIsHiddenTheOtherOneIsFelt)
