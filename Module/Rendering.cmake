@@ -14,6 +14,7 @@ set(VolumeHaptics_RENDERING_MODULES # of VTK
   CommonComputationalGeometry
   FiltersSources
   InteractionStyle
+  RenderingAnnotation
   RenderingContext2D
   RenderingOpenGL2
   RenderingOpenXR

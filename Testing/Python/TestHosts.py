@@ -12,19 +12,13 @@ import pytest
 import volumehaptics
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkInteractionWidgets import vtkSliderRepresentation2D, vtkSliderWidget
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
-    vtkActor2D,
-    vtkPolyDataMapper2D,
     vtkRenderer,
     vtkRenderWindow,
     vtkRenderWindowInteractor,
     vtkTextActor,
-    vtkTextMapper,
     vtkVolume,
     vtkWindowToImageFilter,
 )
@@ -109,8 +103,8 @@ TARGETS = {
 def test_one_line_makes_a_window_touchable(program, target):
     haptics = volumehaptics.add_haptics(TARGETS[target](program))
     assert program.press(haptics) > 0.3
-    # 500 N/m at a surface that is read two voxels ahead: the proxy is within them of the ball.
-    assert abs(numpy.linalg.norm(haptics.device.GetProxyPosition()) - RADIUS) < 3.0
+    # 500 N/m at a surface that is seen from 30 mm on.
+    assert abs(numpy.linalg.norm(haptics.device.GetProxyPosition()) - RADIUS) < 0.5
     assert program.interactor.GetInteractorStyle() is program.style
     haptics.close()
     haptics.close()
@@ -238,41 +232,6 @@ def make_text(x, y):
     return actor
 
 
-def make_mapped_text(x, y):
-    """As vedo's Text2D, centered."""
-    actor, mapper = vtkActor2D(), vtkTextMapper()
-    mapper.SetInput("two lines\nof vedo")
-    mapper.GetTextProperty().SetFontSize(18)
-    mapper.GetTextProperty().SetJustificationToCentered()
-    mapper.GetTextProperty().SetVerticalJustificationToTop()
-    actor.SetMapper(mapper)
-    actor.SetPosition(x + 45, y + 45)
-    return actor
-
-
-def make_bar(x, y):
-    """As vedo's scalar bar."""
-    actor, table = vtkScalarBarActor(), vtkLookupTable()
-    table.SetTableRange(0.0, 1.0)
-    actor.SetLookupTable(table)
-    actor.SetPosition(x / 300.0, y / 300.0)
-    actor.SetWidth(0.2)
-    actor.SetHeight(0.4)
-    return actor
-
-
-def make_rectangle(x, y):
-    """As the parts of FURY's user interface."""
-    actor, mapper, plane = vtkActor2D(), vtkPolyDataMapper2D(), vtkPlaneSource()
-    plane.SetOrigin(0.0, 0.0, 0.0)
-    plane.SetPoint1(90.0, 0.0, 0.0)
-    plane.SetPoint2(0.0, 40.0, 0.0)
-    mapper.SetInputConnection(plane.GetOutputPort())
-    actor.SetMapper(mapper)
-    actor.SetPosition(x, y)
-    return actor
-
-
 def make_slider(x, y):
     """As PyVista's and vedo's."""
     slider = vtkSliderRepresentation2D()
@@ -298,44 +257,6 @@ def changed(program, switch):
         pictures.append(vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, 3).astype(int))
     rows, columns = numpy.nonzero((pictures[0] != pictures[1]).any(axis=2))
     return (columns.min(), columns.max(), rows.min(), rows.max()) if rows.size else None
-
-
-@pytest.mark.parametrize("make", (make_text, make_mapped_text, make_bar, make_rectangle, make_slider))
-@pytest.mark.parametrize("corner", ("lower left", "lower right", "upper left", "top"))
-def test_the_display_keeps_off_what_the_program_draws(program, make, corner):
-    """Of both, the pixels are compared that they change."""
-    x, y = {"lower left": (10, 10), "lower right": (190, 5), "upper left": (5, 230), "top": (90, 240)}[corner]
-    with volumehaptics.add_haptics(program.window) as haptics:
-        end = time.monotonic() + 30.0
-        while not haptics.update() and time.monotonic() < end:  # the scale belongs to a state
-            time.sleep(0.001)
-        actor = make(x, y)
-        slider = None
-        if isinstance(actor, vtkSliderRepresentation2D):
-            slider = vtkSliderWidget()
-            slider.SetInteractor(program.interactor)
-            slider.SetRepresentation(actor)
-            slider.EnabledOn()
-        else:
-            program.renderer.AddViewProp(actor)
-        program.window.Render()
-        display, hand = haptics.head_up_display, haptics.representation
-        display.SetNotice("a notice")
-        program.volume.VisibilityOff()  # only to have still pictures
-        for prop in (display, hand):
-            prop.SetVisibility(False)
-        theirs = changed(program, actor.SetVisibility)
-        for prop in (display, hand):
-            prop.SetVisibility(True)
-        parts = {"plot": display.SetPlotVisibility, "text": display.SetTextVisibility, "hint": display.SetHintVisibility,
-                 "scale": hand.SetScaleTextVisibility}
-        for name, switch in parts.items():
-            for others in parts.values():
-                others(False)
-            ours = changed(program, switch)
-            assert ours is not None, name
-            assert ours[0] > theirs[1] or ours[1] < theirs[0] or ours[2] > theirs[3] or ours[3] < theirs[2], \
-                f"{name} {ours} over {theirs}"
 
 
 def test_the_hint_names_each_key_that_lets_go(program):

@@ -5,7 +5,15 @@
 #include "VTK/Scene/Base/HapticPixels.h"
 
 #include "vtkActor2D.h"
+#include "vtkAxisActor2D.h"
+#include "vtkChart.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
 #include "vtkCoordinate.h"
+#include "vtkCornerAnnotation.h"
+#include "vtkImageData.h"
+#include "vtkImageMapper.h"
+#include "vtkLegendScaleActor.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -19,6 +27,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace VolumeHaptics
 {
@@ -28,6 +38,20 @@ namespace
 constexpr int ScaleWidth = 100;     // pixels at the lower right: "1 N = 10 mm"
 constexpr double ActorMargin = 3.0; // pixels around a 2D actor
 constexpr double LabelSpill = 15.0; // pixels by which labels may exceed the box of a scalar bar
+///@{
+/** The same for the labels and the title of an axis: pixels, and a fraction of the viewport. */
+constexpr double AxisSpill = 10.0;
+constexpr double AxisSpillFraction = 0.05;
+///@}
+
+/** The texts of a vtkCornerAnnotation, whose places VTK keeps to itself. */
+struct CornerTexts : vtkCornerAnnotation
+{
+  static vtkActor2D* Get(vtkCornerAnnotation* annotation, int corner)
+  {
+    return (annotation->*(&CornerTexts::TextActor))[corner];
+  }
+};
 
 bool ShowsSomething(vtkRenderer* renderer)
 {
@@ -70,7 +94,8 @@ bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
     {
       return false;
     }
-    const double* const bounds = polygons->GetBounds();
+    double bounds[6];
+    polygons->GetCellsBounds(bounds); // VTK's borders have other points, without a place
     box = { bounds[0], bounds[1], bounds[2], bounds[3] };
     if (vtkCoordinate* const system = shape->GetTransformCoordinate())
     {
@@ -83,8 +108,32 @@ bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
       }
     }
   }
+  else if (auto* const picture = vtkImageMapper::SafeDownCast(actor->GetMapper()))
+  {
+    vtkImageData* const image = picture->GetInput();
+    const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
+    const bool isScaled = picture->GetRenderToRectangle() != 0;
+    box = { 0.0,
+      isScaled  ? end[0] - position[0]
+        : image ? image->GetDimensions()[0]
+                : 0.0,
+      0.0,
+      isScaled  ? end[1] - position[1]
+        : image ? image->GetDimensions()[1]
+                : 0.0 };
+  }
+  else if (vtkAxisActor2D::SafeDownCast(actor))
+  {
+    const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
+    const int* const size = renderer->GetSize();
+    const double spill = AxisSpill + AxisSpillFraction * std::max(size[0], size[1]);
+    const double x = end[0] - position[0];
+    const double y = end[1] - position[1];
+    box = { std::min(0.0, x) - spill, std::max(0.0, x) + spill, std::min(0.0, y) - spill,
+      std::max(0.0, y) + spill };
+  }
   else if (actor->IsA("vtkScalarBarActor") || actor->IsA("vtkLegendBoxActor") ||
-    actor->IsA("vtkXYPlotActor"))
+    actor->IsA("vtkXYPlotActor") || actor->IsA("vtkCaptionActor2D"))
   {
     const int* const end = actor->GetPosition2Coordinate()->GetComputedViewportValue(renderer);
     const double spill = actor->IsA("vtkScalarBarActor") ? LabelSpill : 0.0;
@@ -96,6 +145,54 @@ bool FindBox(vtkActor2D* actor, vtkRenderer* renderer, ViewportBox& box)
   }
   box = { box[0] + position[0], box[1] + position[0], box[2] + position[1], box[3] + position[1] };
   return box[1] > box[0] && box[3] > box[2];
+}
+
+/** The 2D actors of a prop, and of its parts. */
+void FindActors(vtkProp* prop, vtkPropCollection* actors)
+{
+  prop->GetActors2D(actors);
+  if (auto* const annotation = vtkCornerAnnotation::SafeDownCast(prop))
+  {
+    for (int corner = 0; corner < vtkCornerAnnotation::NumTextPositions; ++corner)
+    {
+      actors->AddItem(CornerTexts::Get(annotation, corner));
+    }
+  }
+  if (auto* const scale = vtkLegendScaleActor::SafeDownCast(prop))
+  {
+    const std::pair<vtkAxisActor2D*, bool> axes[] = { { scale->GetLeftAxis(),
+                                                        scale->GetLeftAxisVisibility() != 0 },
+      { scale->GetRightAxis(), scale->GetRightAxisVisibility() != 0 },
+      { scale->GetBottomAxis(), scale->GetBottomAxisVisibility() != 0 },
+      { scale->GetTopAxis(), scale->GetTopAxisVisibility() != 0 } };
+    for (const auto& [axis, isShown] : axes)
+    {
+      if (isShown)
+      {
+        actors->AddItem(axis);
+      }
+    }
+  }
+}
+
+/** The boxes of a prop's charts, as PyVista adds them. */
+void FindCharts(vtkProp* prop, std::vector<ViewportBox>& boxes)
+{
+  auto* const context = vtkContextActor::SafeDownCast(prop);
+  vtkContextScene* const scene = context ? context->GetScene() : nullptr;
+  for (unsigned int i = 0; scene && i < scene->GetNumberOfItems(); ++i)
+  {
+    auto* const chart = vtkChart::SafeDownCast(scene->GetItem(i));
+    if (chart && chart->GetVisible())
+    {
+      // VTK adds the room for the labels at the left and below to the size.
+      const vtkRectf size = chart->GetSize();
+      const double right = chart->GetPoint1()[0] + chart->GetGeometry()[0];
+      const double top = chart->GetPoint1()[1] + chart->GetGeometry()[1];
+      boxes.push_back({ size.GetLeft(), std::max<double>(size.GetRight(), right), size.GetBottom(),
+        std::max<double>(size.GetTop(), top) });
+    }
+  }
 }
 
 /** Moves a box past one overlay after the other; see MoveOff. */
@@ -131,8 +228,7 @@ bool Overlaps(const ViewportBox& a, const ViewportBox& b)
 
 std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
 {
-  std::vector<ViewportBox> boxes;
-  const int* const size = renderer->GetSize();
+  std::vector<ViewportBox> found;
   vtkNew<vtkPropCollection> actors;
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator at;
@@ -141,7 +237,8 @@ std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
   {
     if (prop->GetVisibility())
     {
-      prop->GetActors2D(actors);
+      FindActors(prop, actors);
+      FindCharts(prop, found);
     }
   }
   actors->InitTraversal(at);
@@ -149,12 +246,16 @@ std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer)
   {
     auto* const actor = vtkActor2D::SafeDownCast(prop);
     ViewportBox box;
-    if (actor && actor->GetVisibility() && FindBox(actor, renderer, box) &&
-      (2.0 * (box[1] - box[0]) <= size[0] || 2.0 * (box[3] - box[2]) <= size[1]))
+    if (actor && actor->GetVisibility() && FindBox(actor, renderer, box))
     {
-      boxes.push_back(box);
+      found.push_back(box);
     }
   }
+  const int* const size = renderer->GetSize();
+  std::vector<ViewportBox> boxes;
+  std::copy_if(found.begin(), found.end(), std::back_inserter(boxes),
+    [size](const ViewportBox& box)
+    { return 2.0 * (box[1] - box[0]) <= size[0] || 2.0 * (box[3] - box[2]) <= size[1]; });
   return boxes;
 }
 

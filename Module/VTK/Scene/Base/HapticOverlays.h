@@ -21,9 +21,9 @@ using ViewportBox = std::array<double, 4>;
 
 /**
  * The boxes of the 2D actors of a renderer, such as texts, scalar bars, and the sliders of VTK and
- * FURY, also those that are parts of its other props. Leaves out actors wider and higher than half
- * of the viewport, and kinds whose place VTK does not report: vtkCornerAnnotation, and labels of
- * points.
+ * FURY, also those that are parts of its other props, and the boxes of its charts. Leaves out
+ * actors wider and higher than half of the viewport, labels of points, which are all over it, and
+ * VTK's textured buttons, which do not tell their place.
  */
 std::vector<ViewportBox> FindActorBoxes(vtkRenderer* renderer);
 
