@@ -43,7 +43,7 @@ require_packages cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy xv
   tesseract-ocr imagemagick libgdcm-dev libblosc-dev libvtk9-qt-dev chromium chromium-driver \
   python3-venv python3-dev python3-wxgtk4.0 doxygen libgl-dev debian-archive-keyring clang clang-tidy-14 libclang-rt-14-dev dbus libdbus-1-3 python3-gi
 
-[ $full = no ] || require_packages python3-tk invesalius # programs of Testing/Hosts
+[ $full = no ] || require_packages python3-tk invesalius f3d # programs of Testing/Hosts
 jobs=$(nproc)
 left_out='device|full' # labels of tests that ran before, or do not run
 left_out_of_device=full

@@ -16,7 +16,9 @@ Needs a screen and a window manager, which host.sh brings along.
 
 import json
 import math
+import os
 import re
+import struct
 import subprocess
 import sys
 import time
@@ -28,6 +30,7 @@ RADIUS = 30.0  # mm, of program.py
 # With the default kernel a surface is met up to two voxels ahead.
 AHEAD = 2.5  # mm
 PATIENCE = 20.0  # s
+START = 90.0  # s, of a program that imports much on a busy machine
 
 
 def norm(vector):
@@ -38,19 +41,56 @@ def xdotool(*words):
     return subprocess.run(["xdotool", *map(str, words)], stdout=subprocess.PIPE, text=True, check=False).stdout
 
 
+def write_ball(file):
+    """The ball of program.py for f3d, whose opacity rises from 0 at the least value: it is seen from 0.25 mm outside on."""
+    count, spacing = 97, 1.0
+    axis = [spacing * (i - count // 2) for i in range(count)]
+    values = [max(0.0, min(1.0, 2.0 * (RADIUS + 0.25 - math.hypot(x, y, z)))) for z in axis for y in axis for x in axis]
+    extent, corner = " ".join([f"0 {count - 1}"] * 3), " ".join([str(axis[0])] * 3)
+    head = f"""<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<ImageData WholeExtent="{extent}" Origin="{corner}" Spacing="{spacing} {spacing} {spacing}"><Piece Extent="{extent}">
+<PointData Scalars="V"><DataArray type="Float32" Name="V" format="appended" offset="0"/></PointData></Piece></ImageData>
+<AppendedData encoding="raw">_"""
+    data = struct.pack(f"<Q{len(values)}f", 4 * len(values), *values)
+    Path(file).write_bytes(head.encode() + data + b"</AppendedData></VTKFile>")
+
+
+def f3d_command(libraries, folder, volume=None):
+    """The line of the page, with the libraries and the volume of this test."""
+    page = (HERE.parents[1] / "Documentation" / "hosts.md").read_text(encoding="utf-8")
+    line = re.search(r"^## f3d\n.*?```sh\n(.*?)\n```", page, re.DOTALL | re.MULTILINE)[1]
+    command = re.fullmatch(r"VTK_AUTOLOAD_PATH=\S+ (f3d .*) head\.vti", line)[1].split()
+    os.environ.update(VTK_AUTOLOAD_PATH=libraries, HOST_PROBE=folder)
+    if volume is not None:  # seen from the left, in front, with the colours of a CT
+        return [*command, "--resolution=640,560", "--up=+Z", "--camera-azimuth-angle=140", "--range=-300,1500", "--bg-color=0,0,0",
+                "--colormap=0,0.3,0.2,0.15,0.2,0.9,0.65,0.55,0.4,0.95,0.8,0.7,1,1,1,0.95", volume]
+    write_ball(f"{folder}/ball.vti")
+    return [*command, "--resolution=500,500", f"{folder}/ball.vti"]
+
+
 class Program:
-    """A running program of programs/."""
+    """A running program of programs/, or f3d."""
 
     def __init__(self, python, name, folder, *volume):
         self.folder = Path(folder)
         self.log = open(self.folder / "program.log", "w+", encoding="utf-8")
+        self.runs_code = name != "f3d"
+        self.title = "^host" if self.runs_code else "^F3D"
+        command = [python, "-B", str(HERE / "program.py"), name, folder, *volume]
         self.process = subprocess.Popen(
-            [python, "-B", str(HERE / "program.py"), name, folder, *volume], stdout=self.log, stderr=subprocess.STDOUT)
+            command if self.runs_code else f3d_command(python, folder, *volume), stdout=self.log, stderr=subprocess.STDOUT)
         self.find()
 
     def find(self):
-        self.window = self.wait("a window", lambda: xdotool("search", "--onlyvisible", "--name", "^host").split()[:1])[0]
-        self.wait("a first look", (self.folder / "state.json").exists)
+        self.window = self.wait(
+            "a window", lambda: xdotool("search", "--onlyvisible", "--name", self.title).split()[:1], START)[0]
+
+        def is_looked_at():
+            for x in (20, 30) if not self.runs_code else ():  # f3d removes all observers of timers, until the mouse moves
+                xdotool("mousemove", "--window", self.window, x, x)
+            return (self.folder / "state.json").exists()
+
+        self.wait("a first look", is_looked_at, START)
 
         def is_placed():
             before = self.state()
@@ -60,7 +100,7 @@ class Program:
             # A program that draws its first frame doesn't look where its window is meanwhile.
             return after["looks"] > before["looks"] and self.place == before["middle"]
 
-        self.wait("a window at its place", is_placed)
+        self.wait("a window at its place", is_placed, START)
 
     def state(self):
         return json.loads((self.folder / "state.json").read_text())
@@ -190,8 +230,10 @@ def take_picture(python, name, folder, volume, picture):
     if name != "invesalius":
         xdotool("windowsize", program.window, 640, 560)
     # Frames as fine as those of a graphics card, however long that takes in software.
-    program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); probe.turn()")
+    if program.runs_code:
+        program.run("haptics.style.AutoAdjustVolumeQualityOff(); haptics.device.SetAttentionTime(600.0); probe.turn()")
     time.sleep(5.0)
+    program.place = program.state()["middle"]
     program.point()
     xdotool("key", "t")
     program.wait_state("the touch mode", lambda state: state["touch"])
@@ -213,6 +255,19 @@ def take_picture(python, name, folder, volume, picture):
     program.close()
 
 
+def minimise(program, radius=RADIUS):
+    if not program.state()["touch"]:
+        program.touch(radius)
+    xdotool("windowminimize", program.window)
+    program.feels_nothing("minimised")
+    program.focus()  # the window manager shows it again
+    time.sleep(1.0)
+    if program.state()["touch"]:
+        program.let_go()
+    program.touch(radius)
+    step("minimised, nothing is felt; then it is touched again")
+
+
 def main(python, name, folder):
     program = Program(python, name, folder)
     program.focus()
@@ -230,6 +285,11 @@ def main(python, name, folder):
     program.drag(back=True)
     step("Escape lets go, and the program has all of them again")
 
+    if not program.runs_code:
+        minimise(program)
+        program.close()
+        step("closed while it is touched, the program ends")
+        return print("1 passed, 0 failed")
     program.touch()
     program.run("exec(change_style)")
     time.sleep(0.3)
@@ -254,14 +314,7 @@ def main(python, name, folder):
     program.touch(radius)
     step("removed, nothing is felt; what is put in its place is touched")
 
-    xdotool("windowminimize", program.window)
-    program.feels_nothing("minimised")
-    program.focus()  # the window manager shows it again
-    time.sleep(1.0)
-    if program.state()["touch"]:
-        program.let_go()
-    program.touch(radius)
-    step("minimised, nothing is felt; then it is touched again")
+    minimise(program, radius)
     if program.state()["again"]:
         program.close_window()
         program.feels_nothing("closed")

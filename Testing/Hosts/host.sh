@@ -6,8 +6,8 @@
 #
 # usage: host.sh PYTHON PROGRAM [VOLUME PICTURE]
 #
-#   PYTHON   that has the package volumehaptics and the program's libraries
-#   PROGRAM  one of programs/
+#   PYTHON   that has the package volumehaptics and the program's libraries; for f3d, the value of VTK_AUTOLOAD_PATH
+#   PROGRAM  one of programs/, or f3d
 #   VOLUME   a CT of a head (.mhd), of which a PICTURE is taken in its window while it is touched
 #
 # Ends with 77 if a program that it needs is not installed; Testing/run.sh installs it.
@@ -17,7 +17,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=../Window/own-screen.sh
 source "$here/../Window/own-screen.sh"
 require_programs "xvfb xauth openbox xdotool wmctrl x11-utils imagemagick" xvfb-run openbox xdotool wmctrl import
-declare -A packages=([wx]=python3-wxgtk4.0 [tk]=python3-tk [invesalius]=invesalius)
+declare -A packages=([wx]=python3-wxgtk4.0 [tk]=python3-tk [invesalius]=invesalius [f3d]=f3d)
 if [[ -n ${packages[$2]:-} ]] && ! dpkg -s "${packages[$2]}" > /dev/null 2>&1
 then
   echo "SKIPPED: this takes Debian's package ${packages[$2]}"

@@ -189,6 +189,7 @@ allow(Qt PUBLIC)
 # plugin does, and reads the heads of files, places grids and finds samples that are outside, and how Hounsfield units
 # are stored, as the library does. All read numbers in any locale.
 allow(Applications/DeviceTool PUBLIC ${numbers})
+allow(Applications/Autoload PUBLIC)
 allow(Applications/Guard Devices/Falcon Devices/Guard Devices/Pad)
 set(explorer Applications/Explorer)
 set(chart VTK/Scene/Display/HapticForceChart.h VTK/Scene/Display/HapticForceTable.h)

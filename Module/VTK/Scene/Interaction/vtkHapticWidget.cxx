@@ -13,6 +13,7 @@
 #include "vtkHapticRepresentation.h"
 #include "vtkInteractorStyleHaptic.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -46,6 +47,15 @@ double Round(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
   return unit * std::round(value / unit);
+}
+
+/// Lets a render pass of the program look for the props again: f3d's keeps them until it changes.
+void TellPass(vtkRenderer* renderer)
+{
+  if (vtkRenderPass* const pass = renderer->GetPass())
+  {
+    pass->Modified();
+  }
 }
 
 /// An interaction that uses events of the interactor in the touch mode, and leaves all others to
@@ -364,8 +374,12 @@ struct vtkHapticWidget::vtkInternals
       this->Style->SetCurrentRenderer(renderer);
     }
     // Again, too: the program may have cleared its scene.
-    renderer->AddViewProp(this->Hand);
-    renderer->AddViewProp(this->Display);
+    if (!renderer->HasViewProp(this->Hand) || !renderer->HasViewProp(this->Display))
+    {
+      renderer->AddViewProp(this->Hand);
+      renderer->AddViewProp(this->Display);
+      TellPass(renderer);
+    }
     // As long as the application has not chosen other sizes.
     if (length > 0.0 && this->Hand->GetRadius() == this->Radius)
     {
@@ -385,6 +399,7 @@ struct vtkHapticWidget::vtkInternals
     {
       this->Renderer->RemoveViewProp(this->Hand);
       this->Renderer->RemoveViewProp(this->Display);
+      TellPass(this->Renderer);
     }
     this->Renderer = nullptr;
     this->Style->SetDefaultRenderer(nullptr);

@@ -17,6 +17,7 @@
 #include <vtkInteractorStyleImage.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkPropCollection.h>
+#include <vtkSequencePass.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -296,6 +297,22 @@ TEST_F(HapticWidget, OffLeavesTheWindowAsItWas)
   this->Press("t", 't');
   EXPECT_TRUE(this->Widget->GetEnabled());
   EXPECT_TRUE(this->Widget->GetTouchMode());
+}
+
+// The pass of f3d's renderer keeps the props that it draws until it changes.
+TEST_F(HapticWidget, TellsARenderPassOfTheProgramOfTheHand)
+{
+  vtkNew<vtkSequencePass> pass;
+  this->Renderer->SetPass(pass);
+  const vtkMTimeType before = pass->GetMTime();
+  this->SwitchOn();
+  const vtkMTimeType on = pass->GetMTime();
+  EXPECT_GT(on, before);
+  this->Widget->UpdateHaptics();
+  EXPECT_EQ(pass->GetMTime(), on) << "only when the hand comes or goes";
+  this->Widget->Off();
+  EXPECT_GT(pass->GetMTime(), on);
+  this->Renderer->SetPass(nullptr);
 }
 
 TEST_F(HapticWidget, EndsWithTheInteractorAndWithoutOne)

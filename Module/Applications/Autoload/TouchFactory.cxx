@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Gives the windows of a program that was not built for it a vtkHapticWidget. VOLUMEHAPTICS_PRESET
+ * names its preset, such as "CT contrast".
+ */
+#include "Applications/Autoload/InteractorFactory.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkHapticProperty.h"
+#include "vtkHapticWidget.h"
+#include "vtkNew.h"
+#include "vtkRenderingContext2DModule.h" // registers what draws the plot
+#include "vtkWeakPointer.h"
+
+#include <cstdlib>
+
+namespace
+{
+
+/** The widget of an interactor, and the observer that switches it on. */
+struct Touch
+{
+  vtkNew<vtkHapticWidget> Widget;
+  vtkWeakPointer<vtkCallbackCommand> Observer;
+};
+
+/** Switches the widget on once the interactor has a window. */
+void Begin(vtkObject* caller, unsigned long event, void* data, void*)
+{
+  auto* const interactor = static_cast<vtkRenderWindowInteractor*>(caller);
+  auto* const touch = static_cast<Touch*>(data);
+  // f3d removes all observers of timers when its loop begins, ours among them.
+  const bool isWhole = interactor->HasObserver(vtkCommand::TimerEvent, touch->Observer) != 0;
+  if (event == vtkCommand::TimerEvent || !interactor->GetRenderWindow() ||
+    (touch->Widget->GetEnabled() && (isWhole || touch->Widget->GetTouchMode())))
+  {
+    return;
+  }
+  if (!isWhole)
+  {
+    interactor->AddObserver(vtkCommand::TimerEvent, touch->Observer);
+  }
+  touch->Widget->Off();
+  touch->Widget->SetInteractor(interactor);
+  touch->Widget->On();
+}
+
+class TouchFactory : public VolumeHaptics::InteractorFactory
+{
+public:
+  static TouchFactory* New();
+  vtkTypeMacro(TouchFactory, VolumeHaptics::InteractorFactory);
+  const char* GetDescription() override { return "Volumes in windows of VTK can be touched"; }
+
+protected:
+  void Attach(vtkRenderWindowInteractor* made) override
+  {
+    auto* const touch = new Touch;
+    if (const char* const preset = std::getenv("VOLUMEHAPTICS_PRESET"))
+    {
+      touch->Widget->GetProperty()->ApplyPreset(preset); // names the presets if it is none of them
+    }
+    vtkNew<vtkCallbackCommand> begin;
+    touch->Observer = begin;
+    begin->SetClientData(touch);
+    begin->SetClientDataDeleteCallback([](void* data) { delete static_cast<Touch*>(data); });
+    begin->SetCallback(Begin);
+    for (const unsigned long event :
+      { vtkCommand::EnableEvent, vtkCommand::RenderEvent, vtkCommand::MouseMoveEvent })
+    {
+      made->AddObserver(event, begin, 1.0f); // above the widget
+    }
+  }
+};
+
+vtkStandardNewMacro(TouchFactory);
+
+} // namespace
+
+VTK_FACTORY_INTERFACE_IMPLEMENT(TouchFactory)
