@@ -4,6 +4,7 @@
 #include "Medians.h"
 #include "Motion.h"
 
+#include "Core/Tools/Burr/BakedBurr.h"
 #include "Core/Tools/Burr/BurrTool.h"
 
 #include <benchmark/benchmark.h>
@@ -45,14 +46,15 @@ struct BurrSlide
     d.View = volume.View;
     d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
     d.Removal = std::make_shared<TissueRemoval>();
-    d.Tool.Kind = ToolKind::Burr;
-    d.Tool.Burr.Settings.Radius = burr.Radius;
-    d.Tool.Burr.SpecificEnergy = ConstantPolyline(burr.Energy);
-    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(burr.Radius));
-    d.Tool.Shell.Touch.Level = BallLevel;
-    d.Tool.Shell.Touch.ContactArea = 0.1;
+    BurrDescription tool;
+    tool.Settings.Radius = burr.Radius;
+    tool.SpecificEnergy = ConstantPolyline(burr.Energy);
+    tool.Head.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(burr.Radius));
+    tool.Head.Touch.Level = BallLevel;
+    tool.Head.Touch.ContactArea = 0.1;
+    d.Tool = std::make_shared<const BakedBurr>(tool);
     this->Model = std::make_unique<HapticModel>(d);
-    this->Points = std::make_unique<ShellMemory>(*this->Model->Baked->Tool->Shell);
+    this->Points = std::make_unique<ShellMemory>(*tool.Head.Points);
     // From outside, until it is in contact.
     const Vector3 out = this->Ways.front() - volume.GetCentre();
     for (int i = 100; i > 0; --i)

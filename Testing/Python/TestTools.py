@@ -157,3 +157,13 @@ def test_a_skull_is_drilled(tmp_path):
     volume, _, average, most = map(float, found.groups())
     assert volume > 500.0, said
     assert 0.2 < average < most < 10.0, said
+
+
+def test_settings_are_set_by_their_names():
+    burr = volumehaptics.vtkHapticTool.Make("Burr")
+    assert isinstance(burr, volumehaptics.vtkHapticBurr)
+    assert burr.SetNumber("Radius", 3.0) and burr.GetRadius() == 3.0
+    assert burr.SetNumber("ContactArea", 0.2) and burr.GetContactArea() == 0.2
+    assert burr.GetFunction("SpecificEnergy") is burr.GetSpecificEnergy()
+    assert not burr.SetNumber("LateralStrength", 1.0) and burr.GetFunction("CuttingForce") is None
+    assert volumehaptics.vtkHapticTool.Make("Spoon") is None

@@ -8,6 +8,7 @@
 #include "CarvingRig.h"
 #include "ShellRig.h"
 
+#include "Core/Tools/Burr/BakedBurr.h"
 #include "Core/Tools/Burr/BurrTool.h"
 
 namespace coretest
@@ -39,15 +40,15 @@ struct BurrInHand : BurrSettings
   ShellSettings Shell;
 };
 
-inline ToolDescription DescribeBurr(
+inline BurrDescription DescribeBurr(
   const BurrInHand& settings, const Polyline& specificEnergy, std::size_t points = 1000)
 {
-  ToolDescription tool;
-  tool.Kind = ToolKind::Burr;
-  tool.Burr = { settings, specificEnergy };
-  tool.Shell.Points =
+  BurrDescription tool;
+  tool.Settings = settings;
+  tool.SpecificEnergy = specificEnergy;
+  tool.Head.Points =
     std::make_shared<const PointShell>(BakedBurr::MakeHead(settings.Radius, points));
-  tool.Shell.Touch = settings.Shell;
+  tool.Head.Touch = settings.Shell;
   return tool;
 }
 
@@ -59,7 +60,7 @@ public:
     const Polyline& specificEnergy, std::size_t points = 1000)
     : Settings(settings)
     , Model(With(std::move(description), DescribeBurr(settings, specificEnergy, points)))
-    , Points(*this->Model.Baked->Tool->Shell)
+    , Points(*ShapedTool::Find(*this->Model.Baked)->Description.Points)
   {
   }
 
@@ -134,9 +135,9 @@ public:
   double Removed = 0.0;       ///< mm^3
 
 private:
-  static HapticModelDescription With(HapticModelDescription description, ToolDescription tool)
+  static HapticModelDescription With(HapticModelDescription description, BurrDescription tool)
   {
-    description.Tool = std::move(tool);
+    description.Tool = std::make_shared<const BakedBurr>(std::move(tool));
     return description;
   }
 };

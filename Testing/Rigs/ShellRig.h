@@ -7,7 +7,7 @@
 
 #include "CoreScene.h"
 
-#include "Core/Tools/PointShell/ShellCoupling.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 
 #include <vector>
 

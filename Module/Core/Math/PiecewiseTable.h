@@ -42,6 +42,13 @@ struct ValueRange
   double High;
 };
 
+/** Whether two functions have the same vertices. */
+inline bool IsSameLine(const Polyline& a, const Polyline& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Vertex& v, const Vertex& w) { return v.X == w.X && v.Y == w.Y; });
+}
+
 /** A constant function. */
 inline Polyline ConstantPolyline(double value)
 {

@@ -2,90 +2,122 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The tool in the hand, baked for the servo tick.
+ * The interface of the tools in the hand, baked for the servo tick.
  *
- * Without one, the hand feels with a point. A kind of tool has a value of ToolKind, its description
- * in ToolDescription, and its code in Core/Tools. What passes from tick to tick is in ServoState,
- * and in ToolMemory if its size depends on the tool.
+ * Without a tool, the hand feels with a point. A kind of tool is a class in a folder of Core/Tools;
+ * nothing outside its folder names it, but for the list of states in Core/State/ToolStates.h. What
+ * passes from tick to tick is in ServoState, and in ToolMemory if its size depends on the tool.
  */
 #ifndef BakedTool_h
 #define BakedTool_h
 
-#include "Core/Math/PiecewiseTable.h"
-#include "Core/Model/BakedBurr.h"
-#include "Core/Model/PointShell.h"
+#include "Core/Model/MemoryRange.h"
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace VolumeHaptics
 {
 
-enum class ToolKind : std::uint8_t
-{
-  Point,  ///< none: the method's own point
-  Needle, ///< see Core/Tools/Needle/NeedleTool.h
-  Shell,  ///< see Core/Tools/ShellTool.h
-  Burr    ///< see Core/Tools/BurrInServo.h
-};
+class HapticModel;
+class ToolMemory;
+struct ServoState;
+struct TickRecord;
 
-/** How a needle feels by the value of the scalars, where no label gives a material. */
-struct NeedleDescription
+/** An array that only traces of some tools have. */
+struct ToolColumn
 {
-  Polyline ShaftFriction = ConstantPolyline(0.0); ///< tau, N per metre of the shaft
-  Polyline CuttingForce = ConstantPolyline(0.0);  ///< R, N
-  bool HasCuttingForce = false;                   ///< if false, R is the material's viscosity
-  double LateralStrength = 1.0;                   ///< s_l, N
+  const char* Name;
+  const char* Unit; ///< as in a column's title, such as " (mm^3)"; empty if there is none
+  int Components;
+  bool IsRecorded; ///< whether recordings have the array, too
+  /** Writes the numbers of a tick; a record of another tool gives zeros. */
+  void (*Read)(const HapticModel& model, const TickRecord& record, double* numbers);
 };
+using ToolColumns = std::vector<ToolColumn>;
 
-/** A tool with a shape, and how it is felt. */
-struct ShellDescription
+/** One tick of a tool. */
+class ToolTick
 {
-  std::shared_ptr<const PointShell> Points; ///< in world units; not null
-  /**
-   * Settings of the shell, except its contact area, which is in square world units here, and its
-   * scale, which is not used.
-   */
-  ShellSettings Touch;
-};
-
-/** Everything that a tool is baked from. */
-struct ToolDescription
-{
-  ToolKind Kind = ToolKind::Point;
-  NeedleDescription Needle; ///< for Needle
-  ShellDescription Shell;   ///< for Shell, and the head of a Burr
-  BurrDescription Burr;     ///< for Burr
-};
-
-/** A tool as a tick reads it. Immutable. */
-struct BakedTool
-{
-  explicit BakedTool(const ToolDescription& description)
-    : Kind(description.Kind)
-    , NeedleForces({ description.Needle.ShaftFriction, description.Needle.CuttingForce })
-    , HasCuttingForce(description.Needle.HasCuttingForce)
-    , LateralStrength(description.Needle.LateralStrength)
-    , Shell(description.Shell.Points)
-    , ShellTouch(description.Shell.Touch)
-    , Burr(description.Kind == ToolKind::Burr ? std::make_shared<const BakedBurr>(description.Burr)
-                                              : nullptr)
+public:
+  ToolTick(const HapticModel& model, ServoState& state, TickRecord& record, ToolMemory* memory)
+    : Model(model)
+    , State(state)
+    , Record(record)
+    , Memory(memory)
   {
   }
+  virtual ~ToolTick() = default;
 
-  const ToolKind Kind;
+  /** Feels with a point: one tick of the method. */
+  virtual void FeelPoint() const noexcept = 0;
+
+  const HapticModel& Model;
+  ServoState& State;
+  TickRecord& Record;       ///< has the tip
+  ToolMemory* const Memory; ///< made by MakeMemory() of the model's tool; null if there is none
+};
+
+/** A tool as a tick reads it. Immutable. The functions without noexcept are not for ticks. */
+class BakedTool
+{
+public:
+  virtual ~BakedTool() = default;
+
+  /** Whether another tool is felt in the same way. */
+  virtual bool IsSame(const BakedTool& other) const = 0;
+
+  /**
+   * Advances the state by a tick, and writes the record. Returns whether a law of the tool's own
+   * holds the hand, so that no release of the method's proxy is felt.
+   */
+  virtual bool Step(const ToolTick& tick) const noexcept = 0;
+
   ///@{
-  /** For a needle: see NeedleDescription. */
-  const PiecewiseTable<2> NeedleForces; ///< channels tau, R
-  const bool HasCuttingForce;
-  const double LateralStrength;
+  /**
+   * Carries the tool's state from its model to the next one, whose tool may be another one or null,
+   * or lets go. `memory` belongs to the next tool. Returns whether the method begins anew.
+   * Afterwards Begin() is called of the next tool.
+   */
+  virtual bool Carry(const HapticModel& /*from*/, const HapticModel& /*to*/, ServoState& /*state*/,
+    ToolMemory* /*memory*/) const noexcept
+  {
+    return false;
+  }
+  virtual void Begin(ServoState& /*state*/) const noexcept {}
   ///@}
-  ///@{
-  /** For a tool with a shape: see ShellDescription. */
-  const std::shared_ptr<const PointShell> Shell;
-  const ShellSettings ShellTouch;
-  ///@}
-  const std::shared_ptr<const BakedBurr> Burr; ///< null for other tools
+
+  /**
+   * Returns `last` if it can go on with this tool, otherwise a new memory; null if the tool needs
+   * none.
+   */
+  virtual std::shared_ptr<ToolMemory> MakeMemory(const std::shared_ptr<ToolMemory>& /*last*/) const
+  {
+    return nullptr;
+  }
+
+  /** Appends the memory that a tick reads. */
+  virtual void AppendTables(std::vector<MemoryRange>& tables) const = 0;
+
+  /** Returns the arrays that only traces of this tool have. */
+  virtual const ToolColumns& GetColumns() const
+  {
+    static const ToolColumns none;
+    return none;
+  }
+
+  /**
+   * World units: the farthest point that touches, from the tip; less than 0 if the tool feels only
+   * with the method's point.
+   */
+  virtual double GetReach() const noexcept { return -1.0; }
+  /** N m/rad, the spring that turns the hand; 0 if nothing turns it. */
+  virtual double GetTurningStiffness() const noexcept { return 0.0; }
+  /** Whether the tool writes to BakedVolume::Removal. */
+  virtual bool RemovesTissue() const noexcept { return false; }
+  /** Whether the tool spins while these buttons are pressed, or since the program orders it. */
+  virtual bool Spins(std::uint32_t /*buttons*/, bool /*isOrdered*/) const noexcept { return false; }
 };
 
 } // namespace VolumeHaptics

@@ -79,11 +79,6 @@ std::vector<BakedMode> MakeModes(const HapticModelDescription& d)
   return modes;
 }
 
-std::shared_ptr<const BakedTool> MakeTool(const ToolDescription& tool)
-{
-  return tool.Kind == ToolKind::Point ? nullptr : std::make_shared<const BakedTool>(tool);
-}
-
 /** In a tick; the servo has no time for more. */
 constexpr int MostFramesFollowed = 4;
 
@@ -160,7 +155,7 @@ BakedVolume::BakedVolume(const HapticModelDescription& d)
   , Cut(d.Cut)
   , HasOtherSurfaces(this->Cut || this->FeelsLabels())
   , Modes(MakeModes(d))
-  , Tool(MakeTool(d.Tool))
+  , Tool(d.Tool)
   , Number(d.Number > 0 ? d.Number : MakeUniqueNumber())
 {
 }

@@ -99,12 +99,6 @@ struct BakedVolume
   {
     return this->Cut ? this->Cut->Find(index).Share() : 1.0;
   }
-  bool HasTool(ToolKind kind) const noexcept { return this->Tool && this->Tool->Kind == kind; }
-  /** Whether the tool touches with points. */
-  bool HasShape() const noexcept
-  {
-    return this->HasTool(ToolKind::Shell) || this->HasTool(ToolKind::Burr);
-  }
   bool IsMoving() const noexcept { return !this->Frames.empty(); }
   /** Whether surfaces and materials come from its scalars alone. */
   bool IsPlain() const noexcept { return !this->HasOtherSurfaces && !this->Labels; }

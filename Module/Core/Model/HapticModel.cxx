@@ -141,7 +141,7 @@ double HapticModel::LabelReachAlong(const Vector3& normal) const noexcept
     this->KernelLengthOf(this->DeviceToLabel.Linear * normal));
 }
 
-std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
+std::vector<MemoryRange> HapticModel::GetTables() const
 {
   const MaterialTable& materials = this->Baked->Materials;
   const DistinctnessTable& distinctness = this->Baked->Distinctness;
@@ -170,34 +170,14 @@ std::vector<HapticModel::MemoryRange> HapticModel::GetTables() const
       tables.push_back({ mode.Guide->GetBoxes(), mode.Guide->GetBoxesSize() });
     }
   }
-  if (const BakedTool* const tool = this->Baked->Tool.get())
+  if (this->Baked->Tool)
   {
-    tables.push_back({ tool, sizeof(*tool) });
-    tables.push_back({ tool->NeedleForces.GetMemory(),
-      tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces) });
-    if (const PointShell* const shell = tool->Shell.get())
-    {
-      const std::size_t numbers = shell->GetSize() * sizeof(double);
-      const auto& blocks = shell->GetBlocks();
-      tables.push_back({ shell, sizeof(*shell) });
-      tables.push_back({ blocks.data(), blocks.size() * sizeof(blocks[0]) });
-      for (const double* const each :
-        { shell->GetX(), shell->GetY(), shell->GetZ(), shell->GetAreas() })
-      {
-        tables.push_back({ each, numbers });
-      }
-    }
-    if (const BakedBurr* const burr = tool->Burr.get())
-    {
-      tables.push_back({ burr, sizeof(*burr) });
-      tables.push_back({ burr->SpecificEnergy.GetMemory(),
-        burr->SpecificEnergy.GetMemorySize() - sizeof(burr->SpecificEnergy) });
-    }
+    this->Baked->Tool->AppendTables(tables);
   }
   return tables;
 }
 
-std::size_t HapticModel::GetMemorySize() const noexcept
+std::size_t HapticModel::GetMemorySize() const
 {
   const BakedVolume& baked = *this->Baked;
   std::size_t modes = 0;
@@ -207,13 +187,15 @@ std::size_t HapticModel::GetMemorySize() const noexcept
       (mode.Guide ? mode.Guide->GetSegmentsSize() + mode.Guide->GetBoxesSize() : 0) +
       (mode.GuideSurface ? mode.GuideSurface->GetMemorySize() : 0);
   }
-  const BakedTool* const tool = baked.Tool.get();
   std::size_t ofTool = 0;
-  if (tool)
+  if (baked.Tool)
   {
-    ofTool = sizeof(*tool) + tool->NeedleForces.GetMemorySize() - sizeof(tool->NeedleForces);
-    ofTool += tool->Shell ? tool->Shell->GetMemorySize() : 0;
-    ofTool += tool->Burr ? tool->Burr->GetMemorySize() : 0;
+    std::vector<MemoryRange> tables;
+    baked.Tool->AppendTables(tables);
+    for (const MemoryRange& table : tables)
+    {
+      ofTool += table.Size;
+    }
   }
   return modes + ofTool + sizeof(*this) + sizeof(baked) +
     baked.Kernel.Table.capacity() * sizeof(double) + baked.Materials.GetMemorySize() -

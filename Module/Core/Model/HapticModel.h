@@ -163,16 +163,11 @@ public:
                                : NoLabel;
   }
 
-  struct MemoryRange
-  {
-    const void* Begin = nullptr;
-    std::size_t Size = 0; ///< bytes
-  };
   /** The tables that every tick reads, without the samples and the mesh. */
   std::vector<MemoryRange> GetTables() const;
 
   /** Bytes without the image. */
-  std::size_t GetMemorySize() const noexcept;
+  std::size_t GetMemorySize() const;
 };
 
 } // namespace VolumeHaptics

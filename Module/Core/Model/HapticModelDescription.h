@@ -92,7 +92,7 @@ struct HapticModelDescription
    * primitives exceed the limit of a tick, are not felt.
    */
   std::vector<ModeDescription> Modes;
-  ToolDescription Tool;
+  std::shared_ptr<const BakedTool> Tool; ///< null: a point
   /**
    * Null, or the tissue that a tool removes from the samples of View, which then reads as absent.
    * The thread that ticks writes to it. Not for a volume that moves.

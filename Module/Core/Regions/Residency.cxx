@@ -17,11 +17,12 @@ namespace
  */
 Vector3 FindToolReach(const HapticModel& model) noexcept
 {
-  if (!model.Baked->HasShape())
+  const BakedTool* const tool = model.Baked->Tool.get();
+  if (!tool || tool->GetReach() < 0.0)
   {
     return {};
   }
-  const double reach = model.Baked->Tool->Shell->GetReach() / model.WorldUnitsPerMeter;
+  const double reach = tool->GetReach() / model.WorldUnitsPerMeter;
   // The foot of a point may move over a voxel, and its gradient reads one more on either side.
   constexpr double around = 3.0;
   return (reach + model.KernelLength) * model.VoxelsPerMeter + Vector3{ around, around, around };

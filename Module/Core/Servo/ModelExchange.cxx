@@ -3,7 +3,7 @@
 #include "Core/Servo/ModelExchange.h"
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Tools/ToolMemory.h"
+#include "Core/State/ToolMemory.h"
 
 #include <algorithm>
 #include <iterator>
@@ -26,13 +26,13 @@ std::uint64_t ModelExchange::Publish(std::shared_ptr<const HapticModel> model)
   {
     published->Tool = ToolMemory::Provide(*model->Baked, this->LastTool);
     this->LastTool = published->Tool ? published->Tool : this->LastTool;
-    std::vector<HapticModel::MemoryRange> tables = model->GetTables();
+    std::vector<MemoryRange> tables = model->GetTables();
     if (published->Tool)
     {
-      const std::vector<HapticModel::MemoryRange> more = published->Tool->GetTables();
+      const std::vector<MemoryRange> more = published->Tool->GetTables();
       tables.insert(tables.end(), more.begin(), more.end());
     }
-    for (const HapticModel::MemoryRange& table : tables)
+    for (const MemoryRange& table : tables)
     {
       if (!published->Lock.Add(table.Begin, table.Size))
       {

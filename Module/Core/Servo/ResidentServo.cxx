@@ -57,8 +57,7 @@ void ResidentServo::Tick(const HapticModel& model, ServoState& state, const Vect
   state.Proxy = state.PreviousTip = tip;
   state.Precise = PreciseState{};
   state.Precise.ReachedTip = tip;
-  state.Needle = NeedleState{};
-  state.Shell = ShellState{};
+  state.LetGo();
   state.Enabled = opening > 0.0;
   this->IsOut = opening > 0.0;
 }

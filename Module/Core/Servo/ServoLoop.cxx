@@ -3,7 +3,6 @@
 #include "Core/Servo/ServoLoop.h"
 
 #include "Core/Realtime/ServoClock.h"
-#include "Core/Tools/ShellTool.h"
 
 #include <algorithm>
 #include <utility>
@@ -254,13 +253,8 @@ bool ServoLoop::IsSpinning(std::uint32_t buttons) const noexcept
   const GateState gate = this->Gate.GetState();
   const bool isFelt =
     gate == GateState::Ramping || gate == GateState::Armed || gate == GateState::Fading;
-  if (!model || !isFelt || !model->Baked->HasTool(ToolKind::Burr))
-  {
-    return false;
-  }
-  const int button = model->Baked->Tool->Burr->Settings.SpinButton;
-  return this->SpinOrdered.load(std::memory_order_relaxed) ||
-    (button >= 0 && (buttons >> button & 1U) != 0);
+  const BakedTool* const tool = model && isFelt ? model->Baked->Tool.get() : nullptr;
+  return tool && tool->Spins(buttons, this->SpinOrdered.load(std::memory_order_relaxed));
 }
 
 bool ServoLoop::KeepForRecording() noexcept
@@ -368,6 +362,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
 {
   ServoSnapshot& s = this->Snapshot;
   const HapticModel* const model = this->Current->Model.get();
+  const BakedTool* const tool = model ? model->Baked->Tool.get() : nullptr;
   SafetyInput input;
   if (this->Gate.IsUnconfirmed())
   {
@@ -396,7 +391,7 @@ void ServoLoop::SendForce(const DeviceSample& sample, double period, double elap
   input.Lost = s.Device == DeviceState::Lost || this->WriteLost;
   const SafetyLimits& limits = this->Limits.Read();
   s.Command = this->Safety.Apply(input, limits, this->Gate);
-  s.Torque = this->Torques.Apply({ s.Record.Torque, model ? FindTurningStiffness(*model) : 0.0,
+  s.Torque = this->Torques.Apply({ s.Record.Torque, tool ? tool->GetTurningStiffness() : 0.0,
                                    s.Orientation, sample.Fresh, period },
     limits, this->Gate);
   this->WriteLost = this->Backend.Send({ s.Command, s.Torque }) == DeviceState::Lost;

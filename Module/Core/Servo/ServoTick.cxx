@@ -4,10 +4,6 @@
 
 #include "Core/Solvers/Methods/Methods.h"
 #include "Core/Solvers/SurfaceProxy/SurfaceProxy.h"
-#include "Core/Tools/BurrInServo.h"
-#include "Core/Tools/Needle/NeedleEntry.h"
-#include "Core/Tools/Needle/NeedleTool.h"
-#include "Core/Tools/ShellTool.h"
 
 namespace VolumeHaptics
 {
@@ -21,39 +17,27 @@ inline void StepMethod(const HapticModel& model, ServoState& state, TickRecord& 
   GetMethod(model.Baked->Settings).Step(model, state, record, { result, memory });
 }
 
-/** One tick with a tool in the hand. */
-void StepWithTool(const HapticModel& model, ServoState& state, TickRecord& record,
-  const LocalSurfaceResult& result, TickMemory* memory, ToolMemory* tool) noexcept
+/** The tick of a tool that may feel with the method's point. */
+class MethodTick final : public ToolTick
 {
-  if (!state.Enabled)
+public:
+  MethodTick(const HapticModel& model, ServoState& state, TickRecord& record, ToolMemory* tool,
+    const LocalSurfaceResult& result, TickMemory* taps) noexcept
+    : ToolTick(model, state, record, tool)
+    , Result(result)
+    , Taps(taps)
   {
-    state.Needle = NeedleState{};
-    state.Shell.Enabled = false;
   }
-  if (tool && tool->GetCarver() && model.Baked->HasTool(ToolKind::Burr))
+
+  void FeelPoint() const noexcept override
   {
-    StepBurr(model, state, *tool, record);
-    return;
+    StepMethod(this->Model, this->State, this->Record, this->Result, this->Taps);
   }
-  ShellMemory* const shell = tool ? tool->GetShell() : nullptr;
-  if (shell && model.Baked->HasTool(ToolKind::Shell))
-  {
-    StepShell(model, state, *shell, record);
-    return;
-  }
-  if (state.Needle.IsInserted)
-  {
-    StepNeedle(model, state, record);
-    return;
-  }
-  const FreeTick before(state);
-  const bool isFelt = state.Enabled && model.Baked->HasTool(ToolKind::Needle);
-  StepMethod(model, state, record, result, memory);
-  if (isFelt)
-  {
-    EnterNeedle(model, state, before, record);
-  }
-}
+
+private:
+  const LocalSurfaceResult& Result;
+  TickMemory* const Taps;
+};
 
 /** No force: tissue may come back where the hand is. */
 void Rest(
@@ -66,9 +50,8 @@ void Rest(
   record.IsServed = true;
   record.Value = record.SurfaceValue = record.MediumValue = model.ValueAtDevice(record.Tip);
   state.Proxy = state.PreviousTip = record.Tip;
-  state.Enabled = state.Shell.Enabled = false;
-  state.Burr = BurrState{};
-  state.Needle = NeedleState{};
+  state.Enabled = false;
+  static_cast<ToolStates&>(state) = ToolStates{};
 }
 
 } // namespace
@@ -93,6 +76,7 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.Leap = Vector3{};
   record.LeapStiffness = 0.0;
   record.Depth = record.ShaftForce = record.RemovedVolume = 0.0;
+  record.ToolNumbers = {};
   record.Request = RemovalRequest::None;
   record.IsServed = false;
   record.Torque = Vector3{};
@@ -100,9 +84,14 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   record.Contact = ContactState::Free;
   record.IsUnfinished = record.IsRenewed = false;
 
-  if (model.Baked->Tool)
+  bool hasOwnLaw = false;
+  if (const BakedTool* const held = model.Baked->Tool.get())
   {
-    StepWithTool(model, state, record, result, memory, tool);
+    if (!state.Enabled)
+    {
+      state.LetGo();
+    }
+    hasOwnLaw = held->Step(MethodTick(model, state, record, tool, result, memory));
   }
   else
   {
@@ -117,9 +106,9 @@ void Tick(const HapticModel& model, ServoState& state, const Vector3& tip, TickR
   state.CarriedTo = state.DataTime;
   state.Stiffness = record.Stiffness;
   state.SurfaceStrength = record.SurfaceStrength;
-  if (!state.Enabled || state.Needle.IsInserted)
+  if (!state.Enabled || hasOwnLaw)
   {
-    state.Release = ReleaseState{}; // a needle in the tissue has its own law
+    state.Release = ReleaseState{};
   }
   else
   {
@@ -171,9 +160,19 @@ void CarryState(
   const auto carry = [&](const Vector3& x) { return to.WorldToDevice(from.DeviceToWorld(x)); };
   const HapticSettings& was = from.Baked->Settings;
   const HapticSettings& is = to.Baked->Settings;
-  const bool wasInserted = state.Needle.IsInserted;
-  CarryNeedle(from, to, state.Needle);
-  CarryShellTool(from, to, state, tool);
+  bool beginsAnew = false;
+  if (from.Baked->Tool)
+  {
+    beginsAnew = from.Baked->Tool->Carry(from, to, state, tool);
+  }
+  else
+  {
+    static_cast<ToolStates&>(state) = ToolStates{};
+  }
+  if (to.Baked->Tool)
+  {
+    to.Baked->Tool->Begin(state);
+  }
   // A coarse image that stands in and the data that it replaces have surfaces at different places:
   // the proxy must not change sides.
   const bool isOtherSurface = from.Baked->ResidentShare != to.Baked->ResidentShare &&
@@ -189,7 +188,7 @@ void CarryState(
   state.Precise.CachedSampleDistance = PreciseState::Unknown;
   state.Precise.StepPrediction = 1.0;
   const bool isOther = was.Method != is.Method;
-  if (isOther || was.Solver != is.Solver || (wasInserted && !state.Needle.IsInserted))
+  if (isOther || was.Solver != is.Solver || beginsAnew)
   {
     // Methods and solvers keep only their own state up to date.
     state.Precise = PreciseState{};

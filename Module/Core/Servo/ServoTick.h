@@ -13,7 +13,7 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/Solvers/LocalSurface/LocalSurfaceSolver.h"
 #include "Core/State/ServoState.h"
-#include "Core/Tools/ToolMemory.h"
+#include "Core/State/ToolMemory.h"
 
 namespace VolumeHaptics
 {

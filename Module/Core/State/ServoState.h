@@ -11,14 +11,12 @@
 
 #include "Core/Math/Quaternion.h"
 #include "Core/Model/LabelMemory.h"
-#include "Core/State/BurrState.h"
 #include "Core/State/LocalState.h"
-#include "Core/State/NeedleState.h"
 #include "Core/State/PreciseState.h"
 #include "Core/State/PrimitiveMemory.h"
 #include "Core/State/ProxyRelease.h"
-#include "Core/State/ShellState.h"
 #include "Core/State/TickRecord.h"
+#include "Core/State/ToolStates.h"
 
 namespace VolumeHaptics
 {
@@ -27,7 +25,7 @@ namespace VolumeHaptics
 constexpr double FarthestTip = 1e9;
 
 /** The state from which the next tick goes on. */
-struct ServoState
+struct ServoState : ToolStates
 {
   Vector3 Proxy;
   Vector3 PreviousTip;
@@ -47,10 +45,7 @@ struct ServoState
   Quaternion Orientation;
   bool HasOrientation = false;
   ///@}
-  bool IsSpinning = false; ///< the burr spins in this tick; the caller sets it
-  NeedleState Needle;
-  ShellState Shell; ///< together with ToolMemory
-  BurrState Burr;
+  bool IsSpinning = false; ///< the tool spins in this tick; the caller sets it
   ///@{
   /** From the last tick, for CarriedProxy.h. */
   double CarriedTo = 0.0;       ///< its data time

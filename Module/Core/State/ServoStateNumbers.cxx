@@ -237,6 +237,7 @@ void VisitState(State& state, Function&& visit)
   visit(state.Release.Stiffness);
   visit(state.Release.Saved);
   visit(state.Burr.Room);
+  ToolStates::VisitLast(state, visit);
 }
 
 /** World units: beyond FarthestTip even in micrometres. */

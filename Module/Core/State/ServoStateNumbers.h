@@ -14,7 +14,18 @@
 namespace VolumeHaptics
 {
 
-constexpr int ServoStateSize = 299;
+/** Counts the numbers of ToolStates::VisitLast. */
+constexpr int CountLastToolNumbers()
+{
+  int count = 0;
+  const ToolStates states{};
+  ToolStates::VisitLast(states, [&count](const auto& /*number*/) { ++count; });
+  return count;
+}
+
+/** The numbers of a state without those of ToolStates::VisitLast. */
+constexpr int FirstServoStateSize = 299;
+constexpr int ServoStateSize = FirstServoStateSize + CountLastToolNumbers();
 /**
  * Sizes in recordings from before, in this order: MaterialPlacement, volumes that move, primitives,
  * their directions, tools, tools with a shape, burrs, burr steps that take more than a tick,
@@ -22,6 +33,18 @@ constexpr int ServoStateSize = 299;
  */
 constexpr std::array<int, 11> OldServoStateSizes = { 64, 68, 73, 98, 101, 226, 273, 288, 292, 293,
   298 };
+/** Whether recordings from before have states of this size. */
+constexpr bool IsOldServoStateSize(int size)
+{
+  for (const int old : OldServoStateSizes)
+  {
+    if (size == old)
+    {
+      return true;
+    }
+  }
+  return size >= FirstServoStateSize && size < ServoStateSize;
+}
 
 /** All numbers of a state, for a file. */
 std::array<double, ServoStateSize> ToNumbers(const ServoState& state) noexcept;

@@ -11,6 +11,7 @@
 #include "Core/Law/MaterialPoint.h"
 #include "Core/Math/Quaternion.h"
 
+#include <array>
 #include <cstdint>
 
 namespace VolumeHaptics
@@ -51,7 +52,9 @@ struct TickRecord : MaterialPoint
   double Depth = 0.0;         ///< m, insertion of a needle; 0: not inserted
   double ShaftForce = 0.0;    ///< N, the most that the tissue along the needle's shaft holds
   double RemovedVolume = 0.0; ///< mm^3 in the hand's space, by a burr in this tick
-  double Value = 0.0;         ///< V at the proxy, only if the volume's tissue may be removed
+  /** The tool's own numbers, which its columns read (BakedTool::GetColumns); else 0. */
+  std::array<double, 4> ToolNumbers{};
+  double Value = 0.0; ///< V at the proxy, only if the volume's tissue may be removed
   ContactState Contact = ContactState::Free;
   /// J, in this tick: the work of a moving surface on the spring that pulls the hand
   double WallWork = 0.0;

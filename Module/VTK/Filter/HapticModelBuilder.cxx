@@ -13,8 +13,8 @@
 #include "VTK/Filter/RegionSeries.h"
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPropertySettings.h"
-#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/RemovalAccess.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticProperty.h"
@@ -38,16 +38,10 @@ std::string DescribeRange(const PropertyFunction& function)
   return function.Maximum == 1.0 ? "between 0 and 1" + unit : "0" + unit + " or more";
 }
 
-/** Converts a function of the property's values to a function of scalars. */
-void ToScalars(vtkHapticProperty* property, Polyline& line)
-{
-  for (Vertex& vertex : line)
-  {
-    vertex.X = property->ValueToScalar(vertex.X);
-  }
-}
-
-/** Converts a function of gradient magnitudes of the property's values likewise. */
+/**
+ * Converts a function of gradient magnitudes of the property's values to a function of those of
+ * scalars.
+ */
 void ScaleSlopes(vtkHapticProperty* property, Polyline& line)
 {
   for (Vertex& vertex : line)
@@ -462,14 +456,9 @@ std::shared_ptr<const HapticModel> BuildHapticModel(vtkImageData* image, vtkData
   {
     return nullptr;
   }
-  if (!DescribeTool(options.Tool, d, error))
+  if (!DescribeTool(options.Tool, property, d, error))
   {
     return nullptr;
-  }
-  for (Polyline* const line :
-    { &d.Tool.Needle.ShaftFriction, &d.Tool.Needle.CuttingForce, &d.Tool.Burr.SpecificEnergy })
-  {
-    ToScalars(property, *line);
   }
   if (options.Removal)
   {

@@ -13,12 +13,6 @@ namespace VolumeHaptics
 namespace
 {
 
-bool IsSameLine(const Polyline& a, const Polyline& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const Vertex& v, const Vertex& w) { return v.X == w.X && v.Y == w.Y; });
-}
-
 bool IsSameMaterial(const HapticMaterial& a, const HapticMaterial& b)
 {
   return std::all_of(std::begin(PropertyFunctions), std::end(PropertyFunctions),
@@ -50,34 +44,11 @@ bool IsSameMode(const ModeDescription& a, const ModeDescription& b)
     AreSame(a.GuideSurface, b.GuideSurface) && a.Side == b.Side;
 }
 
-bool IsSameBurr(const BurrDescription& a, const BurrDescription& b)
-{
-  const BurrSettings& s = a.Settings;
-  const BurrSettings& t = b.Settings;
-  return s.Radius == t.Radius && s.Speed == t.Speed && s.Friction == t.Friction &&
-    s.Vibration == t.Vibration && s.SpinButton == t.SpinButton &&
-    IsSameLine(a.SpecificEnergy, b.SpecificEnergy);
-}
-
-bool IsSameTool(const ToolDescription& a, const ToolDescription& b)
-{
-  const NeedleDescription& n = a.Needle;
-  const NeedleDescription& m = b.Needle;
-  const ShellSettings& s = a.Shell.Touch;
-  const ShellSettings& t = b.Shell.Touch;
-  return a.Kind == b.Kind && a.Shell.Points == b.Shell.Points && s.Level == t.Level &&
-    s.IsBelow == t.IsBelow && s.ContactArea == t.ContactArea &&
-    s.CouplingStiffness == t.CouplingStiffness && s.TurningStiffness == t.TurningStiffness &&
-    IsSameLine(n.ShaftFriction, m.ShaftFriction) && IsSameLine(n.CuttingForce, m.CuttingForce) &&
-    n.HasCuttingForce == m.HasCuttingForce && n.LateralStrength == m.LateralStrength &&
-    IsSameBurr(a.Burr, b.Burr);
-}
-
 bool IsSameSetup(const HapticModelDescription& a, const HapticModelDescription& b)
 {
   return IsSameIn(FilterSettings, a, b) && IsSameIn(PropertySettings, a, b) &&
     a.Settings.TickPeriod == b.Settings.TickPeriod && a.Settings.Caps == b.Settings.Caps &&
-    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface && IsSameTool(a.Tool, b.Tool) &&
+    a.Settings.HasIsoSurface == b.Settings.HasIsoSurface && AreSame(a.Tool, b.Tool) &&
     std::equal(a.Modes.begin(), a.Modes.end(), b.Modes.begin(), b.Modes.end(), IsSameMode);
 }
 

@@ -5,7 +5,7 @@
 #include "VTK/Filter/HapticFilterSettings.h"
 #include "VTK/Filter/HapticMethods.h"
 #include "VTK/Modes/ModePresets.h"
-#include "VTK/Tools/HapticToolKinds.h"
+#include "VTK/Tools/ToolKind.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "vtkHapticMode.h"
@@ -104,7 +104,7 @@ vtkHapticMode* vtkVolumeHapticsAlgorithm::GetMode(int mode)
 //------------------------------------------------------------------------------
 void vtkVolumeHapticsAlgorithm::SetTool(vtkHapticTool* tool)
 {
-  if (tool && !VolumeHaptics::HasToolKind(tool))
+  if (tool && !VolumeHaptics::FindToolKind(tool))
   {
     vtkErrorMacro("A " << tool->GetClassName()
                        << " can't be felt and is not set: derive it from one of the module's "

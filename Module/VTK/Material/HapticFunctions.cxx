@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Material/HapticFunctions.h"
 
+#include "vtkHapticProperty.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
@@ -116,6 +117,14 @@ bool AreSame(const Node& a, const Node& b)
 }
 
 } // namespace
+
+void ToScalars(vtkHapticProperty* property, Polyline& line)
+{
+  for (Vertex& vertex : line)
+  {
+    vertex.X = property->ValueToScalar(vertex.X);
+  }
+}
 
 std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter)

@@ -13,6 +13,7 @@
 
 #include <string>
 
+class vtkHapticProperty;
 class vtkPiecewiseFunction;
 
 namespace VolumeHaptics
@@ -41,6 +42,9 @@ Polyline ToPolyline(vtkPiecewiseFunction* function, double emptyValue);
  */
 std::string FindFunctionFault(const Polyline& line, double maximum, const std::string& what,
   const std::string& allowed, const std::string& getter);
+
+/** Converts a function of the property's values to a function of scalars. */
+void ToScalars(vtkHapticProperty* property, Polyline& line);
 
 /** Returns the function that an object owns; creates it on the first call. */
 vtkPiecewiseFunction* ProvideFunction(vtkSmartPointer<vtkPiecewiseFunction>& owned);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Setup/HapticSetupTool.h"
 
-#include "VTK/Base/PassSettings.h"
 #include "VTK/Material/HapticSetupFunctions.h"
-#include "VTK/Tools/HapticToolKinds.h"
-#include "VTK/Tools/HapticToolSettings.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkVolumeHapticsAlgorithm.h"
+
+#include <algorithm>
 
 namespace VolumeHaptics
 {
@@ -19,15 +19,19 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
     return;
   }
   SetupNode node = haptics.Child("Tool");
+  const std::vector<const ToolKind*>& kinds = GetToolKinds();
   std::vector<const char*> names;
-  for (const ToolKindRow& kind : GetToolKinds())
+  for (const ToolKind* const kind : kinds)
   {
-    names.push_back(kind.Name);
+    names.push_back(kind->Name);
   }
   vtkSmartPointer<vtkHapticTool> tool = filter->GetTool();
-  const int read = node.Choice(
-    "Kind", names, [&] { return static_cast<int>(&FindToolKind(tool) - GetToolKinds().data()); },
-    [](int) {});
+  const auto place = [&kinds, &tool]
+  {
+    const auto found = std::find(kinds.begin(), kinds.end(), FindToolKind(tool));
+    return static_cast<int>(found - kinds.begin());
+  };
+  const int read = node.Choice("Kind", names, place, [](int) {});
   if (!haptics.IsWriting())
   {
     haptics.Require("Tool", read >= 0, "an object with the Kind of a tool");
@@ -35,28 +39,13 @@ void PassTool(SetupNode& haptics, vtkVolumeHapticsAlgorithm* filter)
     {
       return;
     }
-    tool = GetToolKinds()[static_cast<std::size_t>(read)].Make();
+    const ToolKind& kind = *kinds[static_cast<std::size_t>(read)];
+    tool = kind.Make();
+    kind.TakeOver(tool, filter->GetTool());
   }
-  if (auto* const needle = vtkHapticNeedle::SafeDownCast(tool))
-  {
-    PassSettings(node, needle, NeedleSettings);
-  }
-  if (auto* const shaped = vtkHapticShapedTool::SafeDownCast(tool))
-  {
-    PassSettings(node, shaped, ShapedToolSettings);
-  }
-  if (auto* const shell = vtkHapticPointShell::SafeDownCast(tool))
-  {
-    // The mesh stays the filter's, like the shapes of guides: a setup holds settings only.
-    auto* const before = vtkHapticPointShell::SafeDownCast(filter->GetTool());
-    shell->SetMesh(before ? before->GetMesh() : nullptr);
-    PassSettings(node, shell, PointShellSettings);
-  }
-  if (auto* const burr = vtkHapticBurr::SafeDownCast(tool))
-  {
-    PassSettings(node, burr, HapticBurrSettings);
-  }
-  for (const ToolFunction& function : FindToolKind(tool).Functions)
+  const ToolKind& kind = *FindToolKind(tool);
+  kind.Pass(node, tool);
+  for (const ToolFunction& function : kind.GetFunctions())
   {
     PassFunction(
       node.Child(function.Name), NotNegative(), [tool, get = function.Get] { return get(tool); });

@@ -5,7 +5,6 @@
 #include "Core/Model/HapticModel.h"
 #include "Core/State/NeedleState.h"
 #include "VTK/Base/HapticTuples.h"
-#include "VTK/Tools/ToolColumns.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -174,8 +173,8 @@ std::string MakeNeedleTrack(vtkPolyData* trace, vtkPolyData* track)
            "track.";
   }
   vtkPointData* const data = trace->GetPointData();
-  const NeedleTicks ticks{ trace, data->GetArray(ToolColumns[2]), data->GetArray("Normal"),
-    data->GetArray("Label"), data->GetArray("NormalForce"), data->GetArray(ToolColumns[6]) };
+  const NeedleTicks ticks{ trace, data->GetArray("Depth"), data->GetArray("Normal"),
+    data->GetArray("Label"), data->GetArray("NormalForce"), data->GetArray("ForbiddenTouches") };
   const vtkIdType n = trace->GetNumberOfPoints();
   const auto fits = [n](vtkDataArray* array, int components)
   {

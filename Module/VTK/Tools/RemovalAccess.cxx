@@ -3,6 +3,7 @@
 #include "VTK/Tools/RemovalAccess.h"
 
 #include "Core/Carving/ShareImage.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 
 #include "vtkDataArray.h"
 #include "vtkHapticRemoval.h"
@@ -222,7 +223,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
   std::string& error)
 {
   RemovalData& data = RemovalData::Of(removal);
-  const bool isBurr = d.Tool.Kind == ToolKind::Burr;
+  const bool removes = d.Tool && d.Tool->RemovesTissue();
   const bool isOther =
     data.Tissue && (!IsSameExtent(data.Geometry, extent) || data.IsOtherPart(geometry, extent));
   const bool isFitted = isOther && data.IsAsRead() && data.FitRead(geometry, extent);
@@ -245,7 +246,7 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
     data.Read = nullptr;
     data.HasAir = false;
   }
-  if (!d.Frames.empty() || (!isBurr && !isUsed))
+  if (!d.Frames.empty() || (!removes && !isUsed))
   {
     return true;
   }
@@ -254,9 +255,10 @@ bool DescribeRemoval(vtkHapticRemoval* removal, vtkImageData* geometry, const in
     data.Tissue = std::make_shared<TissueRemoval>();
   }
   // Regions of one volume share one value, and removed tissue keeps its own value.
-  if (removal->GetAutoAirValue() && (!data.HasAir || (isBurr && !isRegion && !isUsed)))
+  if (removal->GetAutoAirValue() && (!data.HasAir || (removes && !isRegion && !isUsed)))
   {
-    const bool isBelow = isBurr && d.Tool.Shell.Touch.IsBelow;
+    const auto* const shaped = dynamic_cast<const ShapedTool*>(d.Tool.get());
+    const bool isBelow = removes && shaped && shaped->Description.Touch.IsBelow;
     RemovalData::SetFoundAir(removal, FindAir(scalars, component, isBelow));
   }
   CopyGeometry(geometry, extent, data.Geometry);

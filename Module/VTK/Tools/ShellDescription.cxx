@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Tools/ShellDescription.h"
 
-#include "VTK/Tools/ShellPoints.h"
-
-#include "vtkHapticPointShell.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -60,27 +56,6 @@ Polyline FindFeltStrength(const HapticMaterial& material)
       { x, ValueAt(material.SurfaceStrength, x) * ValueAt(material.ScalarVisibility, x) });
   }
   return felt;
-}
-
-bool CheckShellNumbers(vtkHapticPointShell* shell, std::string& error)
-{
-  if (!CheckToolNumber(
-        shell, { "TurningStiffness", shell->GetTurningStiffness(), "N m/rad" }, error))
-  {
-    return false;
-  }
-  const int points = shell->GetNumberOfPoints();
-  if (points < 1 || points > MostShellPoints)
-  {
-    std::ostringstream text;
-    text << "The NumberOfPoints of the vtkHapticPointShell is " << points
-         << ". A tick has time for "
-         << "1 to " << MostShellPoints << ": set it with SetNumberOfPoints(), to at most 10000 at "
-         << "1 kHz.";
-    error = text.str();
-    return false;
-  }
-  return true;
 }
 
 bool CheckToolVolume(
@@ -138,17 +113,18 @@ bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string&
 }
 
 bool DescribeShapedTool(
-  vtkHapticShapedTool* tool, const char* deed, HapticModelDescription& d, std::string& error)
+  vtkHapticShapedTool* tool, const char* deed, ToolPlan& plan, ShellDescription& described)
 {
   const ToolNumber area{ "ContactArea", tool->GetContactArea(), "square world units" };
   const ToolNumber spring{ "CouplingStiffness", tool->GetCouplingStiffness(), "N/m" };
   SolidLevel solid;
-  if (!CheckToolNumber(tool, area, error) || !CheckToolNumber(tool, spring, error) ||
-    !CheckToolVolume(tool, deed, d, error) || !FindSolid(tool, d.Material, solid, error))
+  if (!CheckToolNumber(tool, area, plan.Error) || !CheckToolNumber(tool, spring, plan.Error) ||
+    !CheckToolVolume(tool, deed, plan.Model, plan.Error) ||
+    !FindSolid(tool, plan.Model.Material, solid, plan.Error))
   {
     return false;
   }
-  ShellSettings& touch = d.Tool.Shell.Touch;
+  ShellSettings& touch = described.Touch;
   touch.Level = solid.Level;
   touch.IsBelow = solid.IsBelow;
   touch.ContactArea = tool->GetContactArea();
@@ -188,25 +164,6 @@ bool FindSolidLevel(const HapticMaterial& material, SolidLevel& level, std::stri
           "SetSolidToBelow().";
   error = text.str();
   return false;
-}
-
-bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, std::string& error)
-{
-  if (!CheckShellNumbers(shell, error) ||
-    !DescribeShapedTool(shell, "is pressed out of what is solid", d, error))
-  {
-    return false;
-  }
-  ShellDescription& described = d.Tool.Shell;
-  described.Points = GetShellPoints(shell->GetMesh(), shell->GetNumberOfPoints(), error);
-  if (!described.Points)
-  {
-    error += " It is the one of SetMesh() of the vtkHapticPointShell.";
-    return false;
-  }
-  d.Tool.Kind = ToolKind::Shell;
-  described.Touch.TurningStiffness = shell->GetTurningStiffness();
-  return true;
 }
 
 } // namespace VolumeHaptics

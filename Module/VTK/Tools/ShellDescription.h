@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Describes a tool with a shape, such as a vtkHapticPointShell, to the model that is baked.
+ * Checks and describes what the tools with a shape have in common, vtkHapticPointShell and
+ * vtkHapticBurr.
  */
 #ifndef ShellDescription_h
 #define ShellDescription_h
 
-#include "Core/Model/HapticModelDescription.h"
+#include "Core/Tools/PointShell/BakedShell.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include <string>
-
-class vtkHapticPointShell;
-class vtkHapticShapedTool;
-class vtkHapticTool;
 
 namespace VolumeHaptics
 {
@@ -43,20 +41,12 @@ struct ToolNumber
 bool CheckToolNumber(vtkHapticTool* tool, const ToolNumber& number, std::string& error);
 
 /**
- * Adds what all tools with a shape share to the description of a model that already has its
- * settings, material and frames. False, with the reason and the cure in `error`, if the tool can't
+ * Describes what all tools with a shape share. False, with an error in the plan, if the tool can't
  * be felt.
  * @param deed what the tool does that needs the method, such as "removes what is solid"
  */
 bool DescribeShapedTool(
-  vtkHapticShapedTool* tool, const char* deed, HapticModelDescription& d, std::string& error);
-
-/**
- * Adds a shell of points to the description of a model that already has its settings, material and
- * frames. If the mesh has not changed, its points are shared with models that still use them.
- * False, with the reason and the cure in `error`, if the shell can't be felt.
- */
-bool DescribePointShell(vtkHapticPointShell* shell, HapticModelDescription& d, std::string& error);
+  vtkHapticShapedTool* tool, const char* deed, ToolPlan& plan, ShellDescription& described);
 
 } // namespace VolumeHaptics
 

@@ -8,7 +8,7 @@
 #ifndef ShellPoints_h
 #define ShellPoints_h
 
-#include "Core/Model/PointShell.h"
+#include "Core/Tools/PointShell/PointShell.h"
 #include "VTK/Base/BackgroundWork.h"
 
 #include "vtkType.h"

@@ -17,7 +17,7 @@
 #ifndef ShellSampler_h
 #define ShellSampler_h
 
-#include "Core/Model/PointShell.h"
+#include "Core/Tools/PointShell/PointShell.h"
 #include "VTK/Base/BackgroundWork.h"
 #include "VTK/Tools/ToolMesh.h"
 

@@ -3,7 +3,7 @@
 #include "vtkHapticBurr.h"
 
 #include "VTK/Material/HapticFunctions.h"
-#include "VTK/Tools/HapticToolKinds.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkHapticBurr);
 
 //------------------------------------------------------------------------------
 vtkHapticBurr::vtkHapticBurr()
-  : Superclass(VolumeHaptics::BurrContactArea)
+  : Superclass(0.1) // ContactArea
 {
 }
 

@@ -4,8 +4,8 @@
 
 #include "VTK/Material/HapticFunctions.h"
 #include "VTK/Material/HapticPresets.h"
-#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/NeedleTrace.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticPointShell.h"
 
-#include "VTK/Tools/HapticToolKinds.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkHapticPointShell);
 
 //------------------------------------------------------------------------------
 vtkHapticPointShell::vtkHapticPointShell()
-  : Superclass(VolumeHaptics::ShellContactArea)
+  : Superclass(25.0) // ContactArea
 {
 }
 

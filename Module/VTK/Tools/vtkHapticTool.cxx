@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHapticTool.h"
 
-#include "VTK/Tools/HapticToolKinds.h"
+#include "VTK/Tools/ToolKind.h"
 
 //------------------------------------------------------------------------------
 vtkHapticTool::vtkHapticTool() = default;
@@ -11,7 +11,47 @@ vtkHapticTool::~vtkHapticTool() = default;
 //------------------------------------------------------------------------------
 std::string vtkHapticTool::GetText()
 {
-  return VolumeHaptics::GetToolText(this);
+  const VolumeHaptics::ToolKind* const kind = VolumeHaptics::FindToolKind(this);
+  return kind ? kind->Text : "";
+}
+
+//------------------------------------------------------------------------------
+vtkHapticTool* vtkHapticTool::Make(const char* name)
+{
+  for (const VolumeHaptics::ToolKind* const kind : VolumeHaptics::GetToolKinds())
+  {
+    if (name && std::string(name) == kind->Name)
+    {
+      const vtkSmartPointer<vtkHapticTool> tool = kind->Make();
+      tool->Register(nullptr);
+      return tool;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHapticTool::SetNumber(const char* name, double value)
+{
+  const VolumeHaptics::ToolKind* const kind = VolumeHaptics::FindToolKind(this);
+  return kind && name && kind->Set(this, name, value);
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkHapticTool::GetFunction(const char* name)
+{
+  const VolumeHaptics::ToolKind* const kind = VolumeHaptics::FindToolKind(this);
+  if (kind && name)
+  {
+    for (const VolumeHaptics::ToolFunction& function : kind->GetFunctions())
+    {
+      if (std::string(name) == function.Name)
+      {
+        return function.Get(this);
+      }
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

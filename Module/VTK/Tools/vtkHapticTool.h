@@ -28,6 +28,8 @@
 
 #include <string> // for std::string
 
+class vtkPiecewiseFunction;
+
 class VTKVOLUMEHAPTICS_EXPORT vtkHapticTool : public vtkObject
 {
 public:
@@ -36,6 +38,22 @@ public:
 
   /** Get a description for the user, such as "needle". */
   std::string GetText();
+
+  /**
+   * Make a tool of a kind, whose name is that of its class without vtkHaptic, such as "Burr";
+   * nullptr if there is none.
+   */
+  VTK_NEWINSTANCE static vtkHapticTool* Make(const char* kind);
+
+  ///@{
+  /**
+   * Set a number by its name, such as "Radius", and Get a function by its name, such as
+   * "SpecificEnergy", for programs that show the settings of every kind. False and nullptr if the
+   * tool has none of that name.
+   */
+  bool SetNumber(const char* name, double value);
+  vtkPiecewiseFunction* GetFunction(const char* name);
+  ///@}
 
 protected:
   vtkHapticTool();

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTrace.h"
 
-#include "Core/Model/BakedVolume.h"
+#include "Core/Model/HapticModel.h"
 #include "VTK/Base/ArrayMemory.h"
+#include "VTK/Tools/ToolArrays.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include "vtkCellArray.h"
@@ -115,39 +116,47 @@ HapticTrace::~HapticTrace() = default;
 
 void HapticTrace::AddToolArrays(vtkIdType ticks, TraceArrayChoice choice, const BakedVolume& volume)
 {
-  // Those that only some tools have.
-  const bool isShaped = volume.HasTool(ToolKind::Shell);
-  const bool removes = volume.HasTool(ToolKind::Burr);
-  const bool isNeedle = volume.HasTool(ToolKind::Needle);
-  constexpr ColumnType number = ColumnType::Float64;
-  constexpr TraceColumn columns[] = { { ToolColumns[0], "", number, 4, 0 },
-    { ToolColumns[1], "", number, 3, offsetof(TraceRow, Torque) },
-    { ToolColumns[2], "", number, 1, offsetof(TraceRow, Depth) },
-    { ToolColumns[3], "", number, 1, offsetof(TraceRow, ShaftForce) },
-    { ToolColumns[4], "", number, 4, offsetof(TraceRow, ToolOrientation) },
-    { ToolColumns[5], "", number, 1, offsetof(TraceRow, RemovedVolume) },
-    { ToolColumns[6], "", number, 1, 0 } };
-  for (std::size_t i = 0; i < std::size(columns); ++i)
+  const auto add = [=](const TraceColumn& column, std::size_t index) -> double*
   {
-    if (!IsChosen(choice, GetToolArray(i)) || (i == 4 && !isShaped) || (i == 5 && !removes) ||
-      (i == 6 && !isNeedle))
+    if (!IsChosen(choice, GetToolArray(index)))
     {
-      continue;
+      return nullptr;
     }
-    this->Arrays.push_back(NewArray(columns[i], ticks));
-    void* const numbers = this->Arrays.back()->GetVoidPointer(0);
-    if (i == 0)
+    this->Arrays.push_back(NewArray(column, ticks));
+    return static_cast<double*>(this->Arrays.back()->GetVoidPointer(0));
+  };
+  constexpr ColumnType number = ColumnType::Float64;
+  this->OrientationNumbers = add({ CommonToolArrays[0], "", number, 4, 0 }, 0);
+  constexpr std::size_t torque = offsetof(TraceRow, Torque);
+  this->Columns[torque] =
+    reinterpret_cast<unsigned char*>(add({ CommonToolArrays[1], "", number, 3, torque }, 1));
+  const auto addOfTool = [&](const ToolColumn& column, std::size_t index)
+  {
+    double* const numbers = add({ column.Name, column.Unit, number, column.Components, 0 }, index);
+    if (numbers)
     {
-      this->OrientationNumbers = static_cast<double*>(numbers);
+      this->ToolArrays.push_back({ &column, numbers });
     }
-    else if (i == 6)
+  };
+  static const ToolColumn depth{ CommonToolArrays[2], "", 1, false,
+    [](const HapticModel& model, const TickRecord& record, double* numbers)
+    { numbers[0] = model.WorldUnitsPerMeter * record.Depth; } };
+  static const ToolColumn shaft{ CommonToolArrays[3], "", 1, false,
+    [](const HapticModel&, const TickRecord& record, double* numbers)
+    { numbers[0] = record.ShaftForce; } };
+  addOfTool(depth, 2);
+  addOfTool(shaft, 3);
+  const ToolColumns& own = volume.Tool->GetColumns();
+  std::size_t index = std::size(CommonToolArrays);
+  for (const ToolColumn* const array : GetToolArrays())
+  {
+    const auto found = std::find_if(own.begin(), own.end(),
+      [array](const ToolColumn& column) { return std::strcmp(column.Name, array->Name) == 0; });
+    if (found != own.end())
     {
-      this->TouchNumbers = static_cast<double*>(numbers);
+      addOfTool(*found, index);
     }
-    else
-    {
-      this->Columns[columns[i].Offset] = static_cast<unsigned char*>(numbers);
-    }
+    ++index;
   }
 }
 

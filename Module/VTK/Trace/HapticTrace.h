@@ -7,6 +7,7 @@
 #ifndef HapticTrace_h
 #define HapticTrace_h
 
+#include "Core/Model/BakedTool.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 #include "VTK/Trace/TraceRow.h"
 
@@ -57,8 +58,13 @@ public:
    * chosen.
    */
   double* GetOrientations() const { return this->OrientationNumbers; }
-  /** Returns how often forbidden labels stopped a needle, by tick; null if not chosen. */
-  double* GetForbiddenTouches() const { return this->TouchNumbers; }
+  /** A chosen array that only some tools have. */
+  struct ToolArray
+  {
+    const ToolColumn* Column;
+    double* Numbers;
+  };
+  const std::vector<ToolArray>& GetArraysOfTool() const { return this->ToolArrays; }
 
   /** Some rows of the trace: the ticks of one path. */
   struct Rows
@@ -84,7 +90,7 @@ private:
   long long* LabelNumbers = nullptr;
   std::vector<double*> ModeNumbers; ///< empty if no mode is chosen
   double* OrientationNumbers = nullptr;
-  double* TouchNumbers = nullptr;
+  std::vector<ToolArray> ToolArrays;
 };
 
 } // namespace VolumeHaptics

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Trace/HapticTraceColumns.h"
 
+#include "VTK/Tools/ToolArrays.h"
 #include "VTK/Trace/RecordingNames.h"
 #include "VTK/Trace/TraceArrayChoice.h"
 #include "VTK/Trace/TraceRow.h"
@@ -86,8 +87,15 @@ const std::vector<TraceColumn>& GetRecordingColumns()
     }
     add({ DataTimeColumn, "", Float64, 1, offsetof(TraceRow, DataTime) });
     add({ "Torque", " (N m)", Float64, 3, offsetof(TraceRow, Torque) });
-    add({ "ToolOrientation", "", Float64, 4, offsetof(TraceRow, ToolOrientation) });
-    add({ "RemovedVolume", " (mm^3)", Float64, 1, offsetof(TraceRow, RemovedVolume) });
+    std::size_t offset = offsetof(RecordingRow, OfTools);
+    for (const ToolColumn* const array : GetToolArrays())
+    {
+      if (array->IsRecorded)
+      {
+        all->push_back({ array->Name, array->Unit, Float64, array->Components, offset });
+        offset += static_cast<std::size_t>(array->Components) * sizeof(double);
+      }
+    }
     add({ "Proxy", " (world)", Float64, 3, offsetof(TraceRow, Proxy) });
     return all;
   }();
@@ -101,6 +109,13 @@ std::string GetTraceUnit(const std::string& array)
     if (column.Name == array)
     {
       return column.Unit;
+    }
+  }
+  for (const ToolColumn* const column : GetToolArrays())
+  {
+    if (column->Name == array)
+    {
+      return column->Unit;
     }
   }
   return {};

@@ -3,6 +3,7 @@
 #include "VTK/Trace/TraceArrayChoice.h"
 
 #include "VTK/Base/HapticFiles.h"
+#include "VTK/Tools/ToolArrays.h"
 #include "VTK/Trace/HapticTraceColumns.h"
 
 #include <cctype>
@@ -23,7 +24,7 @@ std::size_t GetToolArray(std::size_t column)
 
 std::size_t GetNumberOfTraceArrays()
 {
-  return GetToolArray(std::size(ToolColumns));
+  return GetToolArray(std::size(CommonToolArrays) + GetToolArrays().size());
 }
 
 const char* GetTraceArrayName(std::size_t array)
@@ -41,7 +42,11 @@ const char* GetTraceArrayName(std::size_t array)
     {
       all->push_back(ModeForceColumn + std::to_string(mode));
     }
-    all->insert(all->end(), std::begin(ToolColumns), std::end(ToolColumns));
+    all->insert(all->end(), std::begin(CommonToolArrays), std::end(CommonToolArrays));
+    for (const ToolColumn* const array : GetToolArrays())
+    {
+      all->push_back(array->Name);
+    }
     return all;
   }();
   return (*names)[array].c_str();

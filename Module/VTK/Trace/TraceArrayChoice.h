@@ -7,8 +7,6 @@
 #ifndef TraceArrayChoice_h
 #define TraceArrayChoice_h
 
-#include "VTK/Tools/ToolColumns.h"
-
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,13 +23,15 @@ constexpr const char* LabelColumn = "Label";
 constexpr const char* DataTimeColumn = "DataTime";
 constexpr const char* ModeForceColumn = "ModeForce_";
 ///@}
+/** Names of arrays that traces of every tool have, before those of its kind (ToolKind). */
+constexpr const char* CommonToolArrays[] = { "Orientation", "Torque", "Depth", "ShaftForce" };
 
 /** Largest number of modes. */
 constexpr std::size_t MostModeForces = 8;
 
 /**
  * Bit i stands for column i of GetTraceColumns(), and the bits after the last for the labels, the
- * data time, the force of each mode, and the ToolColumns.
+ * data time, the force of each mode, and the arrays of tools.
  */
 using TraceArrayChoice = unsigned long long;
 constexpr TraceArrayChoice AllTraceArrays = ~TraceArrayChoice(0);
@@ -46,7 +46,7 @@ constexpr bool IsChosen(TraceArrayChoice choice, std::size_t array)
 std::size_t GetNumberOfTraceArrays();
 /** Returns the index of the array of a mode's force. */
 std::size_t GetModeForceArray(std::size_t mode);
-/** Returns the index of one of the ToolColumns. */
+/** Returns the index of an array of tools: the CommonToolArrays, then those of each kind. */
 std::size_t GetToolArray(std::size_t column);
 const char* GetTraceArrayName(std::size_t array);
 ///@}

@@ -18,7 +18,6 @@ public:
     : Trace(trace)
     , ToWorld(model.DeviceToWorld)
     , Rotation(model.DeviceToWorldRotation)
-    , Turned(ToQuaternion(model.DeviceToWorldRotation))
     , Records(records)
     , Count(count)
     , FirstRow(firstRow)
@@ -32,19 +31,6 @@ public:
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     this->Vectors(to, [=](const TickRecord& record) { return this->Rotation * (record.*from); });
-  }
-  void Turn(double (TraceRow::*to)[4], Quaternion TickRecord::*from) const
-  {
-    double* column = this->Find<double, 4>(to);
-    for (std::size_t i = 0; column && i < this->Count; ++i, column += 4)
-    {
-      const Quaternion& q = this->Records[i].*from;
-      const Quaternion world = IsIdentical(q, NoOrientation) ? q : this->Turned * q;
-      column[0] = world.W;
-      column[1] = world.X;
-      column[2] = world.Y;
-      column[3] = world.Z;
-    }
   }
   void Number(double TraceRow::*to, double TickRecord::*from) const
   {
@@ -100,7 +86,6 @@ private:
   // Copies: for the compiler, writing to the columns could change the originals.
   const Affine3 ToWorld;
   const Matrix3 Rotation;
-  const Quaternion Turned;
   const TickRecord* const Records;
   const std::size_t Count;
   const vtkIdType FirstRow;
@@ -118,9 +103,16 @@ void WriteRecords(const HapticTrace& trace, const HapticModel& model, const Tick
   columns.Numbers(
     &TraceRow::DataTime, [&](std::size_t i) { return GetTraceDataTime(model, records[i]); });
   columns.Numbers(
-    &TraceRow::Depth, [&](std::size_t i) { return model.WorldUnitsPerMeter * records[i].Depth; });
-  columns.Numbers(
     &TraceRow::Value, [&](std::size_t i) { return GetTraceValue(model, records[i]); });
+  for (const HapticTrace::ToolArray& array : trace.GetArraysOfTool())
+  {
+    const int width = array.Column->Components;
+    double* numbers = array.Numbers + width * firstRow;
+    for (std::size_t i = 0; i < count; ++i, numbers += width)
+    {
+      array.Column->Read(model, records[i], numbers);
+    }
+  }
   if (long long* const labels = trace.GetLabels())
   {
     for (std::size_t i = 0; i < count; ++i)

@@ -4,6 +4,7 @@
 
 #include "Core/Servo/ServoLoop.h"
 #include "VTK/Base/HapticTuples.h"
+#include "VTK/Tools/ToolArrays.h"
 
 namespace VolumeHaptics
 {
@@ -25,12 +26,6 @@ struct RowFiller
   void Direction(double (TraceRow::*to)[3], Vector3 TickRecord::*from) const
   {
     ToArray(this->Model.DeviceToWorldRotation * (this->Record.*from), this->Row.*to);
-  }
-  void Turn(double (TraceRow::*to)[4], Quaternion TickRecord::*from) const
-  {
-    const Quaternion& q = this->Record.*from;
-    ToArray(TurnedBy(this->Model.DeviceToWorldRotation, q, !IsIdentical(q, NoOrientation)),
-      this->Row.*to);
   }
   void Number(double TraceRow::*to, double TickRecord::*from) const
   {
@@ -82,7 +77,6 @@ void FillTraceRow(
   row.Value = GetTraceValue(model, record);
   row.Energy = work.Add(record);
   row.DataTime = GetTraceDataTime(model, record);
-  row.Depth = model.WorldUnitsPerMeter * record.Depth;
 }
 
 RecordingRow MakeRecordingRow(
@@ -96,6 +90,15 @@ RecordingRow MakeRecordingRow(
   ToArray(snapshot.HasOrientation ? snapshot.Orientation : NoOrientation, row.DeviceOrientation);
   ToArray(TurnedBy(model.DeviceToWorldRotation, snapshot.Orientation, snapshot.HasOrientation),
     row.Orientation);
+  double* numbers = row.OfTools;
+  for (const ToolColumn* const array : GetToolArrays())
+  {
+    if (array->IsRecorded)
+    {
+      array->Read(model, snapshot.Record, numbers);
+      numbers += array->Components;
+    }
+  }
   row.Tick = static_cast<std::int64_t>(snapshot.Tick);
   row.Placement = placement;
   row.Buttons = static_cast<std::int32_t>(snapshot.Buttons);

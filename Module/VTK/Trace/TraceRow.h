@@ -41,18 +41,14 @@ struct TraceRow
   double SurfaceStrength;
   double Energy; ///< J
   double DataTime;
-  ///@{
-  /** Values of tools. */
-  double Torque[3];          ///< N m
-  double ToolOrientation[4]; ///< w, x, y, z of a unit quaternion; all 0 if the tool has no shape
-  double Depth;              ///< world units
-  double ShaftForce;
-  double RemovedVolume; ///< mm^3 of the hand's space
-  ///@}
+  double Torque[3]; ///< N m, of a tool
   unsigned char Contact;
   unsigned char Unfinished;
   unsigned char Renewed;
 };
+
+/** Most numbers of all ToolColumns that recordings have. */
+constexpr int MostToolNumbers = 7;
 
 /** One tick of a recording. */
 struct RecordingRow
@@ -63,8 +59,9 @@ struct RecordingRow
   double TorqueCommand[3]; ///< N m, sent
   /// w, x, y, z of a unit quaternion; all 0 if the device has none
   double DeviceOrientation[4];
-  double Orientation[4]; ///< orientation in the world
-  double Share;          ///< fraction of the force that the gate let through (ForceGate.h)
+  double Orientation[4];           ///< orientation in the world
+  double OfTools[MostToolNumbers]; ///< recorded arrays of each kind of tool, in order
+  double Share; ///< fraction of the force that the gate let through (ForceGate.h)
   std::int64_t Tick;
   std::int32_t Placement;
   std::int32_t Buttons;
@@ -150,9 +147,6 @@ void VisitTraceSources(Visitor&& visit)
   visit.Number(&TraceRow::DragForce, &TickRecord::DragForce);
   visit.Direction(&TraceRow::Normal, &TickRecord::Normal);
   visit.Direction(&TraceRow::Torque, &TickRecord::Torque);
-  visit.Turn(&TraceRow::ToolOrientation, &TickRecord::ToolOrientation);
-  visit.Number(&TraceRow::ShaftForce, &TickRecord::ShaftForce);
-  visit.Number(&TraceRow::RemovedVolume, &TickRecord::RemovedVolume);
   visit.Number(&TraceRow::GradientMagnitude, &TickRecord::GradientMagnitude);
   visit.Number(&TraceRow::SurfaceValue, &TickRecord::SurfaceValue);
   visit.Number(&TraceRow::MediumValue, &TickRecord::MediumValue);

@@ -15,6 +15,7 @@
 
 #include "Core/Realtime/ServoClock.h"
 #include "Core/Servo/ServoLoop.h"
+#include "Core/Tools/Burr/BakedBurr.h"
 #include "Rigs/BusyThreads.h"
 #include "Rigs/CoreScene.h"
 
@@ -300,12 +301,13 @@ public:
     d.View.Stride[2] = this->Size * this->Size;
     d.DeviceToWorld.Linear = 1000.0 * Matrix3{};
     d.Removal = std::make_shared<TissueRemoval>();
-    d.Tool.Kind = ToolKind::Burr;
-    d.Tool.Burr.Settings.Radius = radius;
-    d.Tool.Burr.SpecificEnergy = ConstantPolyline(energy);
-    d.Tool.Shell.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(radius));
-    d.Tool.Shell.Touch.Level = 100.0;
-    d.Tool.Shell.Touch.ContactArea = 0.1;
+    BurrDescription tool;
+    tool.Settings.Radius = radius;
+    tool.SpecificEnergy = ConstantPolyline(energy);
+    tool.Head.Points = std::make_shared<const PointShell>(BakedBurr::MakeHead(radius));
+    tool.Head.Touch.Level = 100.0;
+    tool.Head.Touch.ContactArea = 0.1;
+    d.Tool = std::make_shared<const BakedBurr>(tool);
     return std::make_shared<const HapticModel>(d);
   }
   /** m: 1 mm above the surface */

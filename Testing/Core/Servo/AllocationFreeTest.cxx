@@ -6,6 +6,7 @@
  */
 
 #include "Core/Solvers/Primitives/PrimitivesMethod.h"
+#include "Core/Tools/Needle/BakedNeedle.h"
 #include "Rigs/AllocationCounter.h"
 #include "Rigs/CoreScene.h"
 
@@ -178,8 +179,9 @@ TEST(AllocationFreeNeedle, NoTickAllocates)
     HapticModelDescription description = Describe(volume);
     description.Material.SurfaceStrength = ConstantPolyline(0.2);
     description.Material.Viscosity = { { 500.0, 0.0 }, { 600.0, 0.1 } };
-    description.Tool.Kind = ToolKind::Needle;
-    description.Tool.Needle.ShaftFriction = { { 0.0, 5.0 }, { 4000.0, 60.0 } };
+    NeedleDescription needle;
+    needle.ShaftFriction = { { 0.0, 5.0 }, { 4000.0, 60.0 } };
+    description.Tool = std::make_shared<const BakedNeedle>(needle);
     description.Labels = hasLabels ? MakeLabels(samples, false) : nullptr;
     const HapticModel model(description);
     ServoState state;

@@ -12,6 +12,7 @@
  */
 
 #include "Core/Regions/Residency.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 #include "RegionRig.h"
 
 #include <cmath>
@@ -237,15 +238,16 @@ TEST(RegionReach, AToolWithAShapeReadsAroundAllOfIt)
 {
   Dice dice(24);
   HapticModelDescription d = DescribeWideBall(HapticSolver::Precise, MaterialPlacement::Kernel);
-  d.Tool.Kind = ToolKind::Shell;
   std::vector<ShellPoint> points;
   for (int i = 0; i < 300; ++i)
   {
     points.push_back({ 2.5 * dice.DrawDirection(), 0.26 });
   }
-  d.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
-  d.Tool.Shell.Touch.ContactArea = 25.0;
-  d.Tool.Shell.Touch.Level = HapticModel(d).ValueAtDevice({ 0.022, 0.0, 0.0 });
+  ShellDescription tool;
+  tool.Points = std::make_shared<const PointShell>(std::move(points));
+  tool.Touch.ContactArea = 25.0;
+  tool.Touch.Level = HapticModel(d).ValueAtDevice({ 0.022, 0.0, 0.0 });
+  d.Tool = std::make_shared<const BakedShell>(tool);
   const Counts counts = CompareStrokes(d, 40.0, dice);
   EXPECT_GT(counts.Whole, 1000);
   EXPECT_GT(counts.Part, 300);

@@ -62,13 +62,15 @@ std::shared_ptr<const PointShell> MakeTool(double radius)
 }
 
 HapticModelDescription DescribeTool(
-  const TestVolume& volume, const std::shared_ptr<const PointShell>& shell)
+  const TestVolume& volume, const std::shared_ptr<const PointShell>& shell, double coupling = 500.0)
 {
   HapticModelDescription d = Describe(volume);
-  d.Tool.Kind = shell ? ToolKind::Shell : ToolKind::Point;
-  d.Tool.Shell.Points = shell;
-  d.Tool.Shell.Touch.Level = 1000.0;
-  d.Tool.Shell.Touch.ContactArea = 25.0;
+  ShellDescription tool;
+  tool.Points = shell;
+  tool.Touch.Level = 1000.0;
+  tool.Touch.ContactArea = 25.0;
+  tool.Touch.CouplingStiffness = coupling;
+  d.Tool = shell ? std::make_shared<const BakedShell>(tool) : nullptr;
   return d;
 }
 } // namespace
@@ -90,9 +92,9 @@ TEST(ToolLoop, WhateverIsPublishedStaysWithinTheLimits)
         shells.push_back(shell);
         shell = MakeTool(2.0 + 0.1 * (i % 20));
       }
-      HapticModelDescription d = DescribeTool(volume, i % 7 == 3 ? nullptr : shell);
+      HapticModelDescription d =
+        DescribeTool(volume, i % 7 == 3 ? nullptr : shell, 300.0 + 100.0 * (i % 4));
       d.Material.Stiffness = ConstantPolyline(300.0 + 100.0 * (i % 5));
-      d.Tool.Shell.Touch.CouplingStiffness = 300.0 + 100.0 * (i % 4);
       d.DeviceToWorld.Offset = { 0.0, 0.0, i % 3 ? 0.0 : 0.1 };
       const std::uint64_t ticks = loop->GetTickCount();
       loop->Publish(i % 50 == 49 ? nullptr : std::make_shared<const HapticModel>(d));
@@ -157,15 +159,15 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
         return ticks.size() > 3000;
       }));
     EXPECT_EQ(loop->GetLostRecords(), 0U);
-    const ShellContacts& kept = *loop->GetTool()->GetKept();
+    const ShellContacts& kept = *FindKeptContacts(loop->GetTool().get());
     contacts.assign(kept.List.begin(), kept.List.begin() + static_cast<std::ptrdiff_t>(kept.Count));
     share = kept.Share;
   }
   ASSERT_TRUE(ticks.front().IsKept);
   EXPECT_GT(contacts.size(), 10U);
   ServoState state = FromNumbers(ToNumbers(ticks.front().Before));
-  ToolMemory memory(model->Baked->Tool);
-  ASSERT_TRUE(memory.Restore(*model->Baked, contacts, share));
+  const auto memory = ToolMemory::Provide(*model->Baked, nullptr);
+  ASSERT_TRUE(RestoreContacts(*memory, *model->Baked, contacts, share));
   TickRecord record;
   for (const ServoSnapshot& tick : ticks)
   {
@@ -175,7 +177,8 @@ TEST(ToolLoop, WhatIsKeptBeginsAReplay)
     }
     state.Orientation = tick.Before.Orientation;
     state.HasOrientation = tick.Before.HasOrientation;
-    Tick(*model, state, tick.Record.Tip, record, LocalSurfaceResult::Simulated(), nullptr, &memory);
+    Tick(*model, state, tick.Record.Tip, record, LocalSurfaceResult::Simulated(), nullptr,
+      memory.get());
     ASSERT_TRUE(IsIdentical(record.Force, tick.Record.Force)) << tick.Tick;
     ASSERT_TRUE(IsIdentical(record.Torque, tick.Record.Torque)) << tick.Tick;
     ASSERT_TRUE(IsIdentical(record.ToolOrientation, tick.Record.ToolOrientation)) << tick.Tick;

@@ -65,15 +65,17 @@ public:
 class BurrOfModel : public testing::Test
 {
 protected:
-  BurrOfModel() { this->Half.Scene.Tool = DescribeBurr(this->Settings, this->Energies); }
   std::shared_ptr<const HapticModel> Make() const
   {
-    return std::make_shared<const HapticModel>(this->Half.Scene);
+    HapticModelDescription scene = this->Half.Scene;
+    scene.Tool = std::make_shared<const BakedBurr>(this->Burr);
+    return std::make_shared<const HapticModel>(scene);
   }
 
   HalfSpace Half{ { 40, 40, 40 }, 0.4, 16 };
   const BurrInHand Settings = MakeBurr(5e9, 100.0);
   const Polyline Energies = ConstantPolyline(2.0);
+  BurrDescription Burr = DescribeBurr(this->Settings, this->Energies);
   const Vector3 Above{ 7.9, 7.7, Half.Surface - 2.1 };
 };
 } // namespace
@@ -105,7 +107,7 @@ TEST_F(BurrOfModel, TicksInTheServo)
 /// In a world that is twice as large in the hand, its hole has the same place in the volume.
 TEST_F(BurrOfModel, HasItsSizeInTheWorld)
 {
-  this->Half.Scene.Tool.Burr.SpecificEnergy = ConstantPolyline(0.1);
+  this->Burr.SpecificEnergy = ConstantPolyline(0.1);
   for (const double scale : { 1000.0, 500.0 })
   {
     this->Half.Scene.DeviceToWorld.Linear = scale * Matrix3{};
@@ -152,7 +154,7 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   drill();
   const double first = drill();
   EXPECT_NEAR(first, 0.3 * 0.3 * 2.0 * 12.566 / 2.0, 0.05 * first) << "mu F v t/U";
-  this->Half.Scene.Tool.Burr.SpecificEnergy = ConstantPolyline(4.0);
+  this->Burr.SpecificEnergy = ConstantPolyline(4.0);
   hand.Publish(this->Make());
   const Vector3 force = hand.Press(2.0).Force;
   EXPECT_NEAR(Norm(force), 2.0, 0.02);
@@ -163,8 +165,7 @@ TEST_F(BurrOfModel, GoesAlongToAnotherModel)
   EXPECT_NEAR(Norm(hand.Tick(world).Force), 2.0, 0.05);
   EXPECT_NEAR(drill(), 0.5 * first, 0.05 * first);
   // Without it, the hand begins anew.
-  this->Half.Scene.Tool = ToolDescription{};
-  hand.Publish(this->Make());
+  hand.Publish(std::make_shared<const HapticModel>(this->Half.Scene));
   EXPECT_EQ(Norm(hand.Tick(world).Force), 0.0);
 }
 
@@ -174,6 +175,7 @@ TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
 {
   HapticModelDescription copied = this->Half.Scene;
   copied.Removal = std::make_shared<TissueRemoval>();
+  copied.Tool = std::make_shared<const BakedBurr>(this->Burr);
   ServoHand hand(this->Make());
   hand.Tick(this->Above);
   for (int i = 0; i < 700; ++i)
@@ -191,9 +193,9 @@ TEST_F(BurrOfModel, GoesOnFromWhatWasKept)
   }
   ServoHand again(std::make_shared<const HapticModel>(copied));
   hand.Memory->Keep();
-  const ShellContacts& kept = *hand.Memory->GetKept();
+  const ShellContacts& kept = *FindKeptContacts(hand.Memory.get());
   const std::vector<ShellContact> contacts(kept.List.begin(), kept.List.begin() + kept.Count);
-  ASSERT_TRUE(again.Memory->Restore(*again.Model->Baked, contacts, kept.Share));
+  ASSERT_TRUE(RestoreContacts(*again.Memory, *again.Model->Baked, contacts, kept.Share));
   const auto numbers = ToNumbers(hand.State);
   EXPECT_TRUE(AreOfAState(numbers));
   again.State = FromNumbers(numbers);
@@ -255,8 +257,8 @@ TEST_F(BurrOfModel, WithoutMemoryIsAPoint)
 /// energy finds no loop that swings.
 TEST_F(BurrOfModel, ALoopThatDrillsDoesNotSwing)
 {
-  this->Half.Scene.Tool.Burr.Settings.Vibration = 0.1;
-  this->Half.Scene.Tool.Burr.Settings.Speed = 150.0;
+  this->Burr.Settings.Vibration = 0.1;
+  this->Burr.Settings.Speed = 150.0;
   ServoHand hand(this->Make());
   EnergyObserver observer;
   constexpr double mass = 0.1;    // kg

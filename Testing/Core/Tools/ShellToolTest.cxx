@@ -8,6 +8,7 @@
 
 #include "Core/Servo/ServoTick.h"
 #include "Core/State/ServoStateNumbers.h"
+#include "Core/Tools/Needle/BakedNeedle.h"
 #include "Rigs/ShellRig.h"
 
 #include <gtest/gtest.h>
@@ -82,9 +83,9 @@ public:
   /// J, of the springs between tool and hand.
   double GetStored() const
   {
-    const BakedTool& tool = *this->Model->Baked->Tool;
+    const ShellSettings& touch = ShapedTool::Find(*this->Model->Baked)->Description.Touch;
     return FindCouplingEnergy(
-      tool.ShellTouch, this->Model->Caps, this->State.Shell.Tool, this->State.Shell.Hand);
+      touch, this->Model->Caps, this->State.Shell.Tool, this->State.Shell.Hand);
   }
 
   std::shared_ptr<const HapticModel> Model;
@@ -99,20 +100,21 @@ class ShellTool : public testing::Test
 protected:
   ShellTool()
   {
-    this->Scene.Tool.Kind = ToolKind::Shell;
-    this->Scene.Tool.Shell.Points =
-      std::make_shared<const PointShell>(MakeWorldSphere(ToolRadius, 10000));
-    this->Scene.Tool.Shell.Touch.Level = 100.0 * RampSurface;
-    this->Scene.Tool.Shell.Touch.ContactArea = 25.0;
+    this->Tool.Points = std::make_shared<const PointShell>(MakeWorldSphere(ToolRadius, 10000));
+    this->Tool.Touch.Level = 100.0 * RampSurface;
+    this->Tool.Touch.ContactArea = 25.0;
   }
 
-  std::shared_ptr<const HapticModel> Make() const
+  std::shared_ptr<const HapticModel> Make() const { return Make(this->Scene, this->Tool); }
+  static std::shared_ptr<const HapticModel> Make(
+    HapticModelDescription scene, const ShellDescription& tool)
   {
-    return std::make_shared<const HapticModel>(this->Scene);
+    scene.Tool = std::make_shared<const BakedShell>(tool);
+    return std::make_shared<const HapticModel>(scene);
   }
   void SetShell(std::vector<ShellPoint> points)
   {
-    this->Scene.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
+    this->Tool.Points = std::make_shared<const PointShell>(std::move(points));
   }
   /// In the tissue, with the hand 2 mm deep.
   ToolHand Press()
@@ -125,7 +127,8 @@ protected:
   }
 
   const TestVolume Volume = MakeRamp();
-  HapticModelDescription Scene = Describe(this->Volume);
+  HapticModelDescription Scene = Describe(this->Volume); ///< without the tool
+  ShellDescription Tool;
   const Vector3 Above{ 12.0, 12.0, RampSurface - ToolRadius - 1.0 };
 };
 } // namespace
@@ -165,8 +168,7 @@ TEST_F(ShellTool, HasItsSizeInTheWorld)
 TEST_F(ShellTool, IsAPointWithoutItsMemory)
 {
   const auto model = this->Make();
-  this->Scene.Tool.Kind = ToolKind::Point;
-  const auto point = this->Make();
+  const auto point = std::make_shared<const HapticModel>(this->Scene);
   ServoState states[2];
   TickRecord records[2];
   for (int i = 0; i < 400; ++i)
@@ -213,8 +215,9 @@ TEST_F(ShellTool, GoesOnWithAnotherMaterial)
     HapticModelDescription scene = this->Scene;
     scene.Material.Stiffness = ConstantPolyline(next.Stiffness);
     scene.Material.SurfaceStrength = ConstantPolyline(next.Strength);
-    scene.Tool.Shell.Touch.CouplingStiffness = next.Coupling;
-    hand.Publish(std::make_shared<const HapticModel>(scene));
+    ShellDescription tool = this->Tool;
+    tool.Touch.CouplingStiffness = next.Coupling;
+    hand.Publish(Make(scene, tool));
     hand.Rest(1);
     EXPECT_TRUE(hand.State.Enabled);
     // All energy is that of the springs and the contacts.
@@ -247,7 +250,7 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
   for (const double scale : { 1.0, 1.25 })
   {
     ToolHand moved = hand;
-    moved.Memory = std::make_shared<ToolMemory>(*hand.Memory);
+    moved.Memory = std::make_shared<ShapedMemory>(static_cast<const ShapedMemory&>(*hand.Memory));
     Affine3 placed;
     placed.Linear = (1000.0 / scale) * ToMatrix(turn);
     placed.Offset = { 3.0, -7.0, 2.0 };
@@ -266,26 +269,27 @@ TEST_F(ShellTool, GoesAlongWithTheDevicesPlacement)
 /// With another tool in the hand, or another shape, or another volume: no force until it moves.
 TEST_F(ShellTool, IsSwitchedUnderForce)
 {
-  HapticModelDescription point = this->Scene;
-  point.Tool.Kind = ToolKind::Point;
-  HapticModelDescription needle = this->Scene;
-  needle.Tool.Kind = ToolKind::Needle;
-  HapticModelDescription smaller = this->Scene;
-  smaller.Tool.Shell.Points =
-    std::make_shared<const PointShell>(MakeWorldSphere(0.9 * ToolRadius, 500));
+  const auto point = std::make_shared<const HapticModel>(this->Scene);
+  HapticModelDescription scene = this->Scene;
+  scene.Tool = std::make_shared<const BakedNeedle>(NeedleDescription{});
+  const auto needle = std::make_shared<const HapticModel>(scene);
+  ShellDescription smallerTool = this->Tool;
+  smallerTool.Points = std::make_shared<const PointShell>(MakeWorldSphere(0.9 * ToolRadius, 500));
+  const auto smaller = Make(this->Scene, smallerTool);
   const TestVolume copy = MakeRamp();
-  HapticModelDescription other = this->Scene;
-  other.View = copy.View;
-  for (const HapticModelDescription* next : { &point, &needle, &smaller, &other })
+  scene = this->Scene;
+  scene.View = copy.View;
+  const auto other = Make(scene, this->Tool);
+  for (const auto& next : { point, needle, smaller, other })
   {
     ToolHand hand = this->Press();
     ASSERT_GT(hand.Record.NormalForce, 0.4);
-    hand.Publish(std::make_shared<const HapticModel>(*next));
+    hand.Publish(next);
     hand.Rest(1);
     EXPECT_EQ(Norm(hand.Record.Force), 0.0);
     EXPECT_EQ(Norm(hand.Record.Torque), 0.0);
     // And back again, under force.
-    const double deeper = next == &point || next == &needle ? 5.5 : 3.0;
+    const double deeper = next == point || next == needle ? 5.5 : 3.0;
     hand.Lead(this->Above);
     hand.Lead(this->Above + Vector3{ 0.0, 0.0, deeper });
     hand.Publish(this->Make());
@@ -318,10 +322,10 @@ TEST_F(ShellTool, NoModelGivesEnergy)
     {
       this->Scene.Material.Stiffness = ConstantPolyline(50.0 + 1500.0 * uniform(engine));
       this->Scene.Material.SurfaceStrength = ConstantPolyline(3.0 * uniform(engine));
-      this->Scene.Tool.Shell.Touch.CouplingStiffness = 100.0 + 900.0 * uniform(engine);
-      this->Scene.Tool.Shell.Touch.TurningStiffness = 0.05 + uniform(engine);
-      this->Scene.Tool.Shell.Touch.ContactArea = 5.0 + 50.0 * uniform(engine);
-      this->Scene.Tool.Shell.Touch.Level = 950.0 + 100.0 * uniform(engine);
+      this->Tool.Touch.CouplingStiffness = 100.0 + 900.0 * uniform(engine);
+      this->Tool.Touch.TurningStiffness = 0.05 + uniform(engine);
+      this->Tool.Touch.ContactArea = 5.0 + 50.0 * uniform(engine);
+      this->Tool.Touch.Level = 950.0 + 100.0 * uniform(engine);
       hand.Publish(this->Make());
       const double after = hand.GetStored();
       EXPECT_LE(after, paid + 1e-12) << "publishing costs nothing";
@@ -335,7 +339,7 @@ TEST_F(ShellTool, NoModelGivesEnergy)
     const ShellPose last = hand.State.Shell.Hand;
     const ShellPose next{ hand.Model->WorldToDevice(at), TurnAbout({ 1.0, 0.3, 0.2 }, 1e-4 * i) };
     const auto energyOf = [&](const ShellPose& at)
-    { return FindCouplingEnergy(hand.Model->Baked->Tool->ShellTouch, hand.Model->Caps, tool, at); };
+    { return FindCouplingEnergy(this->Tool.Touch, hand.Model->Caps, tool, at); };
     // While the tool rests.
     paid += hand.State.Shell.Enabled ? energyOf(next) - energyOf(last) : 0.0;
     hand.TickAt(next.Position, next.Orientation);
@@ -379,12 +383,12 @@ TEST_F(ShellTool, GoesOnFromWhatWasKept)
       if (i == begin)
       {
         live.Memory->Keep();
-        const ShellContacts& kept = *live.Memory->GetKept();
+        const ShellContacts& kept = *FindKeptContacts(live.Memory.get());
         replay = std::make_unique<ToolHand>(this->Make());
         replay->State = FromNumbers(ToNumbers(live.State));
         EXPECT_TRUE(AreOfAState(ToNumbers(live.State)));
         EXPECT_EQ(kept.Count > 0, begin >= 100);
-        ASSERT_TRUE(replay->Memory->Restore(*replay->Model->Baked,
+        ASSERT_TRUE(RestoreContacts(*replay->Memory, *replay->Model->Baked,
           { kept.List.begin(), kept.List.begin() + static_cast<std::ptrdiff_t>(kept.Count) },
           kept.Share));
       }
@@ -407,16 +411,16 @@ TEST_F(ShellTool, WhatWasKeptOfAnotherToolIsRefused)
 {
   this->SetShell(MakeWorldSphere(4.0, 100));
   const auto model = this->Make();
-  ToolMemory memory(model->Baked->Tool);
+  const auto memory = ToolMemory::Provide(*model->Baked, nullptr);
   ShellContact contact{};
   contact.Point = 7;
-  EXPECT_TRUE(memory.Restore(*model->Baked, { contact }, 1.0));
-  EXPECT_FALSE(memory.Restore(*model->Baked, { contact, contact }, 1.0)) << "one twice";
+  EXPECT_TRUE(RestoreContacts(*memory, *model->Baked, { contact }, 1.0));
+  EXPECT_FALSE(RestoreContacts(*memory, *model->Baked, { contact, contact }, 1.0)) << "one twice";
   contact.Point = 100;
-  EXPECT_FALSE(memory.Restore(*model->Baked, { contact }, 1.0)) << "no such point";
+  EXPECT_FALSE(RestoreContacts(*memory, *model->Baked, { contact }, 1.0)) << "no such point";
   contact.Point = 7;
   this->SetShell(MakeWorldSphere(4.0, 100));
-  EXPECT_FALSE(memory.Restore(*this->Make()->Baked, { contact }, 1.0)) << "another shell";
+  EXPECT_FALSE(RestoreContacts(*memory, *this->Make()->Baked, { contact }, 1.0)) << "another shell";
 }
 
 TEST_F(ShellTool, ModelsWithTheSameShellShareItsMemory)
@@ -428,6 +432,6 @@ TEST_F(ShellTool, ModelsWithTheSameShellShareItsMemory)
   EXPECT_EQ(ToolMemory::Provide(*this->Make()->Baked, memory), memory);
   this->SetShell(MakeWorldSphere(4.0, 100));
   EXPECT_NE(ToolMemory::Provide(*this->Make()->Baked, memory), memory);
-  this->Scene.Tool.Kind = ToolKind::Point;
-  EXPECT_EQ(ToolMemory::Provide(*this->Make()->Baked, memory), nullptr);
+  const HapticModel point(this->Scene);
+  EXPECT_EQ(ToolMemory::Provide(*point.Baked, memory), nullptr);
 }

@@ -7,8 +7,8 @@
 
 #include "Core/Safety/EnergyObserver.h"
 #include "Core/Servo/ServoTick.h"
+#include "Core/State/ToolMemory.h"
 #include "Core/Tools/Needle/NeedleScene.h"
-#include "Core/Tools/ToolMemory.h"
 #include "Rigs/ShellRig.h"
 
 #include <gtest/gtest.h>
@@ -91,10 +91,11 @@ protected:
     this->Volume.Fill<std::uint8_t>([](std::int64_t, std::int64_t, std::int64_t k)
       { return static_cast<std::uint8_t>(k >= 12 ? 200 : 0); });
     this->Scene = Describe(this->Volume);
-    this->Scene.Tool.Kind = ToolKind::Shell;
-    this->Scene.Tool.Shell.Points = std::make_shared<const PointShell>(MakeSphere(4000.0, 1000));
-    this->Scene.Tool.Shell.Touch.Level = 100.0;
-    this->Scene.Tool.Shell.Touch.ContactArea = 0.1;
+    ShellDescription tool;
+    tool.Points = std::make_shared<const PointShell>(MakeSphere(4000.0, 1000));
+    tool.Touch.Level = 100.0;
+    tool.Touch.ContactArea = 0.1;
+    this->Scene.Tool = std::make_shared<const BakedShell>(tool);
   }
 
   TestVolume Volume;

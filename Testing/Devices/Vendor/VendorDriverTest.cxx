@@ -177,10 +177,11 @@ TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
   {
     point = { 1e3 * point.Position + Vector3{ 1.0, 0.0, 0.0 }, 1e6 * point.Area };
   }
-  d.Tool.Kind = ToolKind::Shell;
-  d.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
-  d.Tool.Shell.Touch.Level = 1000.0;
-  d.Tool.Shell.Touch.ContactArea = 25.0;
+  ShellDescription tool;
+  tool.Points = std::make_shared<const PointShell>(std::move(points));
+  tool.Touch.Level = 1000.0;
+  tool.Touch.ContactArea = 25.0;
+  d.Tool = std::make_shared<const BakedShell>(tool);
   const auto place = [this](double z, const Quaternion& q)
   {
     this->Play(

@@ -11,7 +11,6 @@
 #include "VTK/Material/HapticPropertySettings.h"
 #include "VTK/Modes/HapticModeSettings.h"
 #include "VTK/Regions/HapticRegionSettings.h"
-#include "VTK/Tools/HapticToolKinds.h"
 #include "VTK/Tools/HapticToolSettings.h"
 #include "VTK/Trace/Paths/HapticPathSettings.h"
 
@@ -131,7 +130,7 @@ TEST(SettingLists, HeadersHaveTheDefaultsAndKeepTheRanges)
   ShapedToolSetting ofBurr[std::size(ShapedToolSettings)];
   std::copy(std::begin(ShapedToolSettings), std::end(ShapedToolSettings), ofBurr);
   ASSERT_STREQ(ofBurr[0].Name, "ContactArea");
-  ofBurr[0].Default = BurrContactArea;
+  ofBurr[0].Default = 0.1;
   ExpectHeadersBehave<vtkHapticBurr>(ofBurr);
   ExpectHeadersBehave<vtkHapticBurr>(HapticBurrSettings);
   for (const HardwareVector& setting : HardwareVectors)

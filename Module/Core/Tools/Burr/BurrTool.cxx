@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tools/Burr/BurrTool.h"
 
+#include "Core/Tools/Burr/BakedBurr.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,12 @@ constexpr double LongestTick = 0.1;
 constexpr double StrokeEnd = 0.5;
 /** J: the most that the vibration gives back at a time. */
 constexpr double MostGivenBack = 1e-3;
+
+/** The tool of a model whose tool is a burr. */
+const BakedBurr& GetBurr(const HapticModel& model) noexcept
+{
+  return static_cast<const BakedBurr&>(*model.Baked->Tool);
+}
 
 /** A wave from -1 to 1, made of parabolas, nearly a sine, with mean zero. */
 double Wave(double phase) noexcept
@@ -289,11 +297,10 @@ void Remove(const HapticModel& model, const BurrHand& hand, BurrState& state,
     state.Unspent = hand.IsSpinning ? state.Unspent : 0.0;
     return;
   }
-  const BakedTool& tool = *model.Baked->Tool;
-  const BakedBurr& burr = *tool.Burr;
+  const BakedBurr& burr = GetBurr(model);
+  const ShellSettings& touch = burr.Description.Touch;
   const double radius = burr.Settings.Radius / model.WorldUnitsPerMeter;
-  memory.Carver.SetTissue(
-    model, { tool.ShellTouch.Level, tool.ShellTouch.IsBelow, &burr.SpecificEnergy });
+  memory.Carver.SetTissue(model, { touch.Level, touch.IsBelow, &burr.SpecificEnergy });
   if (!state.IsCarving || Norm(state.Carved - head) > 2.0 * radius)
   {
     // Start where the burr touches nothing yet.
@@ -330,7 +337,7 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
     state.Lost = 0.0;
     return {};
   }
-  const BakedTool& tool = *model.Baked->Tool;
+  const BakedBurr& burr = GetBurr(model);
   const Vector3& hand = shell.Hand.Position;
   const Vector3 moved = hand - before.Hand.Position;
   // The work of the hand on the spring; the part that the spring does not store is lost.
@@ -338,14 +345,13 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
     SpringEnergy(shell, before.Tool.Position, before.Hand.Position);
   const double lost = before.Budget + work - after.Budget;
   state.Lost = std::min(state.Lost + lost - Dot(state.Vibration, moved), MostGivenBack);
-  state.Phase += tool.Burr->Frequency * by.Step;
+  state.Phase += burr.Frequency * by.Step;
   state.Phase -= std::floor(state.Phase);
   const double force = Norm(shell.Force);
   // The way of the hand until the next tick.
   constexpr double leastWay = 1e-5; // m
   const double way = 2.0 * Norm(moved) + leastWay;
-  const double most =
-    std::min(tool.Burr->Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
+  const double most = std::min(burr.Settings.Vibration * force, std::max(state.Lost, 0.0) / way);
   if (!(most > 0.0))
   {
     return {};
@@ -355,8 +361,9 @@ Vector3 Vibrate(const HapticModel& model, const ShellSettings& settings, const B
   // With this limit, the pressed points bear at most as much as the strongest tissue.
   const double strength = model.Baked->Materials.GetRange(2).High *
     model.Baked->Materials.GetRange(4).High / settings.ContactArea;
-  const double pressed = settings.Scale * settings.Scale * tool.Shell->GetArea() * shell.Contacts /
-    static_cast<double>(std::max<std::size_t>(tool.Shell->GetSize(), 1));
+  const PointShell& head = *burr.Description.Points;
+  const double pressed = settings.Scale * settings.Scale * head.GetArea() * shell.Contacts /
+    static_cast<double>(std::max<std::size_t>(head.GetSize(), 1));
   const double bound = strength * pressed;
   return ClampNorm(shell.Force + vibration, std::max(bound, force)) - shell.Force;
 }
@@ -368,10 +375,10 @@ void TickBurr(const HapticModel& model, const BurrHand& hand, ShellState& shell,
 {
   record = BurrRecord{};
   TissueRemoval* const removal = model.Baked->Removal.get();
-  const BakedTool& tool = *model.Baked->Tool;
+  const PointShell& head = *GetBurr(model).Description.Points;
   const ShellSettings settings = FindShellSettings(model);
   const ShellState before = shell;
-  TickShell(model, *tool.Shell, settings, { hand.Position, {} }, shell, memory.Shell, record.Shell);
+  TickShell(model, head, settings, { hand.Position, {} }, shell, memory.Shell, record.Shell);
   if (!shell.Enabled)
   {
     state = BurrState{};

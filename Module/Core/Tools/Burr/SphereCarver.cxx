@@ -417,7 +417,7 @@ bool SphereCarver::IsAnySolid(const BrickPlace& place) noexcept
   return false;
 }
 
-void SphereCarver::AppendTables(std::vector<HapticModel::MemoryRange>& tables) const
+void SphereCarver::AppendTables(std::vector<MemoryRange>& tables) const
 {
   tables.push_back({ this->Changes.data(), this->Changes.size() * sizeof(this->Changes[0]) });
   tables.push_back({ this->Empty.data(), this->Empty.size() * sizeof(this->Empty[0]) });

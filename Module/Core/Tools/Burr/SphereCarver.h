@@ -38,6 +38,9 @@
 namespace VolumeHaptics
 {
 
+/** The energy (J/mm^3) for removing tissue, by value: channel 0. */
+using SpecificEnergyTable = PiecewiseTable<2>;
+
 /** Which tissue is carved. */
 struct CarvedTissue
 {
@@ -92,7 +95,7 @@ public:
   CarvingCost Try(const TissueRemoval& removal, const Vector3& centre, double radius,
     const Vector3* from = nullptr, const CarvingPart& part = {}) noexcept;
   /** The memory that a tick writes. */
-  void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
+  void AppendTables(std::vector<MemoryRange>& tables) const;
   /** Removes the tissue of the last trial. */
   void Carve(TissueRemoval& removal) const noexcept;
 

@@ -26,6 +26,7 @@ constexpr double StepShare = 0.25; // voxels
 NeedleTissueReader::NeedleTissueReader(
   const HapticModel& model, double dataTime, LabelMemory& memory) noexcept
   : Model(model)
+  , Needle(GetNeedle(model))
   , Labels(model.Baked->Labels.get())
   , Field(model.Baked->At(dataTime))
   , Memory(memory)
@@ -47,10 +48,11 @@ NeedleTissue NeedleTissueReader::At(const Vector3& place) const noexcept
   tissue.Value = this->Field.Value(index);
   const double kept = baked.KeptShare(index);
   const MaterialTable::Values material = baked.Materials(tissue.Value);
-  const PiecewiseTable<2>::Values own = baked.Tool->NeedleForces(tissue.Value);
+  const PiecewiseTable<2>::Values own = this->Needle.Forces(tissue.Value);
   tissue.Shaft = own[0];
-  tissue.Cutting =
-    baked.Tool->HasCuttingForce ? own[1] : material[DragChannel] * material[VisibilityChannel];
+  tissue.Cutting = this->Needle.Description.HasCuttingForce
+    ? own[1]
+    : material[DragChannel] * material[VisibilityChannel];
   tissue.Label = this->Model.LabelAtDevice(place);
   if (const LabelMaterial* const label = this->FindLabel(tissue.Label))
   {

@@ -9,9 +9,16 @@
 
 #include "Core/Model/HapticModel.h"
 #include "Core/Model/LabelMemory.h"
+#include "Core/Tools/Needle/BakedNeedle.h"
 
 namespace VolumeHaptics
 {
+
+/** The tool of a model whose tool is a needle. */
+inline const BakedNeedle& GetNeedle(const HapticModel& model) noexcept
+{
+  return static_cast<const BakedNeedle&>(*model.Baked->Tool);
+}
 
 /** The tissue at a place. */
 struct NeedleTissue
@@ -30,7 +37,7 @@ struct NeedleTissue
 class NeedleTissueReader
 {
 public:
-  /** The model has a tool, and outlives the reader. */
+  /** The model has a needle, and outlives the reader. */
   NeedleTissueReader(const HapticModel& model, double dataTime, LabelMemory& memory) noexcept;
 
   /** Nothing resists outside the volume, and where it is cut away. */
@@ -62,6 +69,7 @@ private:
   }
 
   const HapticModel& Model;
+  const BakedNeedle& Needle;
   const BakedLabels* const Labels;
   const FieldAtTime Field;
   LabelMemory& Memory;

@@ -35,7 +35,7 @@ public:
     , Tip(tip)
     , Proxy(state.Proxy)
     , Stiffness(Law::Capped(state.Needle.Stiffness, model.Caps.Stiffness))
-    , LateralStrength(model.Baked->Tool->LateralStrength)
+    , LateralStrength(GetNeedle(model).Description.LateralStrength)
     , Axis(state.HasOrientation ? AxisOfStylus(state.Orientation) : state.Needle.Axis)
     , KernelLength(model.KernelLengthAlong(this->Axis))
   {
@@ -320,8 +320,7 @@ void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& ne
 {
   const HapticSettings& was = from.Baked->Settings;
   const HapticSettings& is = to.Baked->Settings;
-  if (!from.Baked->HasTool(ToolKind::Needle) || !to.Baked->HasTool(ToolKind::Needle) ||
-    was.Method != is.Method)
+  if (!dynamic_cast<const BakedNeedle*>(to.Baked->Tool.get()) || was.Method != is.Method)
   {
     needle = NeedleState{};
     return;

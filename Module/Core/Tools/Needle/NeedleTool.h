@@ -44,7 +44,10 @@ inline Vector3 AxisOfStylus(const Quaternion& q) noexcept
 /** One tick of an inserted needle. If it is withdrawn, the proxy ends at the tip, free. */
 void StepNeedle(const HapticModel& model, ServoState& state, TickRecord& record) noexcept;
 
-/** Moves a needle along to another placement of the device, or releases it with another tool. */
+/**
+ * Moves the needle of a model along to another placement of the device, or releases it with another
+ * tool.
+ */
 void CarryNeedle(const HapticModel& from, const HapticModel& to, NeedleState& needle) noexcept;
 
 } // namespace VolumeHaptics

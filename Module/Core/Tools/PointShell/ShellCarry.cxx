@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tools/PointShell/ShellCarry.h"
 
+#include "Core/Tools/PointShell/BakedShell.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -22,7 +24,14 @@ bool IsSameVolume(const BakedVolume& from, const BakedVolume& to) noexcept
 
 const PointShell* ShellOf(const BakedVolume& baked) noexcept
 {
-  return baked.HasShape() ? baked.Tool->Shell.get() : nullptr;
+  const ShapedTool* const tool = ShapedTool::Find(baked);
+  return tool ? tool->Description.Points.get() : nullptr;
+}
+
+/** The settings of a model whose tool has a shape. */
+const ShellSettings& TouchOf(const HapticModel& model) noexcept
+{
+  return static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
 }
 
 /** Maps from the frame of one model's device to that of another. */
@@ -98,7 +107,7 @@ void CarryShell(
   memory->Clearance.Reset();
   state.IsCarried = true;
   const auto energyOf = [&state](const HapticModel& model)
-  { return FindCouplingEnergy(model.Baked->Tool->ShellTouch, model.Caps, state.Tool, state.Hand); };
+  { return FindCouplingEnergy(TouchOf(model), model.Caps, state.Tool, state.Hand); };
   double room = std::max(state.Budget - energyOf(from), 0.0);
   if (!IsIdentical(from.DeviceToWorld, to.DeviceToWorld))
   {

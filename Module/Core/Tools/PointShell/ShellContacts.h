@@ -28,8 +28,8 @@
 #define ShellContacts_h
 
 #include "Core/Model/HapticModel.h"
-#include "Core/Model/PointShell.h"
 #include "Core/State/ShellState.h"
+#include "Core/Tools/PointShell/PointShell.h"
 #include "Core/Tools/PointShell/ShellReader.h"
 
 #include <cstdint>

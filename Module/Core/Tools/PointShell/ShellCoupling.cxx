@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Tools/PointShell/ShellCoupling.h"
 
+#include "Core/Tools/PointShell/BakedShell.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,8 +127,8 @@ bool IsPose(const ShellPose& pose) noexcept
 
 std::size_t FindMostLooks(const HapticModel& model, const PointShell& shell) noexcept
 {
-  const bool isCarved =
-    model.Baked->HasTool(ToolKind::Burr) && model.Baked->Field.GetCarved().HasAny();
+  const bool isCarved = model.Baked->Tool && model.Baked->Tool->RemovesTissue() &&
+    model.Baked->Field.GetCarved().HasAny();
   const std::size_t points =
     std::max<std::size_t>(shell.GetSize(), 1) * (isCarved ? PointsOfCarved : 1);
   return std::clamp<std::size_t>(MostPointsRead / points, 2, MostLooks);
@@ -349,7 +351,7 @@ private:
 
 ShellSettings FindShellSettings(const HapticModel& model) noexcept
 {
-  ShellSettings settings = model.Baked->Tool->ShellTouch;
+  ShellSettings settings = static_cast<const ShapedTool&>(*model.Baked->Tool).Description.Touch;
   settings.Scale = 1.0 / model.WorldUnitsPerMeter;
   settings.ContactArea *= settings.Scale * settings.Scale;
   return settings;
@@ -394,7 +396,7 @@ bool ShellMemory::Restore(const std::vector<ShellContact>& contacts, double shar
   return true;
 }
 
-void ShellMemory::AppendTables(std::vector<HapticModel::MemoryRange>& tables) const
+void ShellMemory::AppendTables(std::vector<MemoryRange>& tables) const
 {
   const auto append = [&tables](const auto& list) {
     tables.push_back({ list.data(), list.size() * sizeof(list[0]) });

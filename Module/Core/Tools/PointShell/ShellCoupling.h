@@ -58,7 +58,7 @@ public:
    */
   bool Restore(const std::vector<ShellContact>& contacts, double share) noexcept;
   /** The memory that a tick writes. */
-  void AppendTables(std::vector<HapticModel::MemoryRange>& tables) const;
+  void AppendTables(std::vector<MemoryRange>& tables) const;
 
   ShellClearance Clearance;
   /** BakedVolume::Number of the model to which the contacts belong. */
@@ -86,7 +86,7 @@ struct ShellRecord
   bool IsUnfinished = false;  ///< the tool has not reached its pose yet
 };
 
-/** The settings of a model's tool with a shape, in the device's units of length. */
+/** The settings of a model whose tool has a shape, in the device's units of length. */
 ShellSettings FindShellSettings(const HapticModel& model) noexcept;
 
 /** J, in the springs between hand and tool. */

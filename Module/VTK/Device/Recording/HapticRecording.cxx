@@ -4,6 +4,7 @@
 
 #include "Core/Servo/ServoLoop.h"
 #include "Core/State/ServoStateNumbers.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/HapticRecordingFile.h"
 #include "VTK/Device/Recording/JournalReader.h"
@@ -132,9 +133,10 @@ bool HapticRecording::Append(const ServoSnapshot& snapshot)
     this->Begin.reset(
       new RecordingBegin{ ToNumbers(snapshot.Before), model.Baked->Settings.TickPeriod,
         removal ? model.Baked->Field.GetCarved().Air : std::nan("") });
-    if (tool && tool->GetKept() && snapshot.Before.Shell.Enabled)
+    const ShellContacts* const contacts = FindKeptContacts(tool);
+    if (contacts && snapshot.Before.Shell.Enabled)
     {
-      this->BeginContacts = ToRows(*tool->GetKept());
+      this->BeginContacts = ToRows(*contacts);
     }
     if (removal)
     {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VTK/Scene/Display/DisplayText.h"
 
+#include "VTK/Tools/ToolKind.h"
+
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticMode.h"
-#include "vtkHapticPointShell.h"
 #include "vtkHapticProperty.h"
 #include "vtkHapticRemoval.h"
 #include "vtkMath.h"
@@ -84,7 +85,8 @@ std::string DescribeTorque(vtkHapticDevice* device)
 {
   vtkVolumeHapticsFilter* const filter = device->GetVolumeHaptics();
   const double torque = 1e3 * vtkMath::Norm(device->GetComputedTorque());
-  if (!filter || !vtkHapticPointShell::SafeDownCast(filter->GetTool()) || !(torque >= 0.05))
+  const ToolKind* const kind = FindToolKind(filter ? filter->GetTool() : nullptr);
+  if (!kind || !kind->IsTurnable() || kind->TurnsWithStylus() || !(torque >= 0.05))
   {
     return {};
   }

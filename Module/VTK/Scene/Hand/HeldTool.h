@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The shaped tool in a hand.
+ * The tool in a hand, as the scene needs it.
  */
 #ifndef HeldTool_h
 #define HeldTool_h
 
-#include "vtkSmartPointer.h"
-
 class vtkHapticDevice;
 class vtkHapticTool;
-class vtkPolyData;
 
 namespace VolumeHaptics
 {
@@ -24,9 +21,6 @@ bool IsTurnable(vtkHapticTool* tool);
 
 /** World units: from the hand to the farthest touching point of a tool; 0 without a shape. */
 double FindToolReach(vtkHapticTool* tool);
-
-/** The mesh of a tool, relative to the hand, in world units; null without a shape. */
-vtkSmartPointer<vtkPolyData> MakeToolShape(vtkHapticTool* tool);
 
 } // namespace VolumeHaptics
 

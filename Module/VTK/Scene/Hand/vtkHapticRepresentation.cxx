@@ -10,7 +10,7 @@
 #include "VTK/Scene/Base/HapticTextLook.h"
 #include "VTK/Scene/Base/HapticViewRay.h"
 #include "VTK/Scene/Hand/DrawnNeedle.h"
-#include "VTK/Scene/Hand/DrawnShell.h"
+#include "VTK/Scene/Hand/DrawnTool.h"
 #include "VTK/Scene/Hand/FollowedScene.h"
 #include "VTK/Scene/Hand/HapticRepresentationSettings.h"
 #include "VTK/Scene/Hand/LandingRing.h"
@@ -74,7 +74,7 @@ struct vtkHapticRepresentation::vtkInternals
     { SceneMarker::Arrow, 0.15, 0.5, 0.95 }, { SceneMarker::Arrow, 0.95, 0.5, 0.05 } };
   FollowedScene Followed{ ModeColors, ModeColorCount };
   DrawnNeedle Needle;
-  DrawnShell Shell;
+  DrawnTool Tool;
   SceneMarker Stylus{ SceneMarker::Stylus, 1.0, 1.0, 1.0 };
   /// The orientation of a stylus without a measured one, by the camera of the last frame.
   Quaternion Leaning = NoOrientation;
@@ -106,7 +106,7 @@ struct vtkHapticRepresentation::vtkInternals
     }
     this->Stylus.RenderOpaque(viewport);
     this->Needle.RenderOpaque(viewport);
-    this->Shell.RenderOpaque(viewport);
+    this->Tool.RenderOpaque(viewport);
     this->Landing.RenderOpaque(viewport);
   }
   void RenderInside(vtkViewport* viewport)
@@ -323,9 +323,9 @@ void vtkHapticRepresentation::UpdateMarkers()
 void vtkHapticRepresentation::UpdateStylus()
 {
   auto& d = *this->Internals;
-  d.Shell.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, d.Leaning);
+  d.Tool.Update(this->StylusVisibility && d.HasState ? this->GetDevice() : nullptr, d.Leaning);
   d.Stylus.Show(false);
-  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown() || d.Shell.IsShown())
+  if (!d.HasState || !this->StylusVisibility || d.Needle.IsShown() || d.Tool.IsShown())
   {
     return;
   }
@@ -412,7 +412,7 @@ double* vtkHapticRepresentation::GetBounds()
   d.Spring.AddTo(d.Box);
   d.Stylus.AddTo(d.Box);
   d.Needle.AddTo(d.Box);
-  d.Shell.AddTo(d.Box);
+  d.Tool.AddTo(d.Box);
   d.Followed.AddTo(d.Box);
   d.Landing.AddTo(d.Box);
   if (d.Trail && d.Trail->GetNumberOfPoints() > 0)
@@ -497,7 +497,7 @@ int vtkHapticRepresentation::RenderOverlay(vtkViewport* viewport)
     d.Followed.RenderHidden(viewport);
     d.Landing.RenderHidden(viewport);
     d.Needle.RenderHidden(viewport);
-    d.Shell.RenderHidden(viewport);
+    d.Tool.RenderHidden(viewport);
     d.Stylus.RenderHidden(viewport); // draw first, so that it covers no marker
     for (SceneMarker& sphere : d.Spheres)
     {
@@ -544,7 +544,7 @@ void vtkHapticRepresentation::ReleaseGraphicsResources(vtkWindow* window)
   }
   d.Stylus.Release(window);
   d.Needle.Release(window);
-  d.Shell.Release(window);
+  d.Tool.Release(window);
   d.Followed.Release(window);
   d.Landing.Release(window);
   d.TrailActor->ReleaseGraphicsResources(window);

@@ -8,6 +8,7 @@
 #define RecordedPath_h
 
 #include "Core/Servo/ServoTick.h"
+#include "Core/Tools/PointShell/ShellContacts.h"
 
 #include <limits>
 #include <vector>

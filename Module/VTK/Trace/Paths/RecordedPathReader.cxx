@@ -107,9 +107,8 @@ void RecordedPathReader::ReadPlacements()
 void RecordedPathReader::ReadBegin()
 {
   vtkDataArray* const found = this->Path->GetFieldData()->GetArray(RecordingNames::InitialState);
-  const auto& old = OldServoStateSizes;
   const int size = found ? found->GetNumberOfComponents() : ServoStateSize;
-  const bool isOld = std::find(old.begin(), old.end(), size) != old.end();
+  const bool isOld = IsOldServoStateSize(size);
   vtkDataArray* const state =
     this->FindField(RecordingNames::InitialState, isOld ? size : ServoStateSize, 1);
   vtkDataArray* const period = this->FindField(RecordingNames::TickPeriod, 1, 1);

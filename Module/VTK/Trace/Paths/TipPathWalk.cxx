@@ -3,6 +3,7 @@
 #include "VTK/Trace/Paths/TipPathWalk.h"
 
 #include "Core/Servo/ServoTick.h"
+#include "Core/Tools/PointShell/BakedShell.h"
 
 #include <algorithm>
 #include <utility>
@@ -87,7 +88,8 @@ std::shared_ptr<const HapticModel> TipPathWalk::Tick(std::shared_ptr<const Hapti
       CarryState(*model, *moved, this->State, this->Tool.get());
     }
     else if (this->Tool &&
-      !this->Tool->Restore(*moved->Baked, recording.InitialContacts, recording.ContactShare))
+      !RestoreContacts(
+        *this->Tool, *moved->Baked, recording.InitialContacts, recording.ContactShare))
     {
       // The state belongs to another tool; the new tool begins in the hand.
       this->State.Shell = ShellState{};

@@ -52,8 +52,6 @@ public:
    * Returns the orientation of the stylus (world) in the last tick; NoOrientation if there is none.
    */
   Quaternion GetOrientation(const HapticModel& model) const;
-  /** Returns how often a forbidden label has stopped the needle in this insertion. */
-  double GetForbiddenTouches() const { return this->State.Needle.Touches; }
   /** Returns the time of the last tick (s). */
   double GetTime() const;
 

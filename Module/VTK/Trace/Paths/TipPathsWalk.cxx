@@ -48,7 +48,7 @@ std::shared_ptr<TissueRemoval> MakeOwnRemoval(
   const std::vector<BrickShares> shares =
     recording ? recording->InitialShares : CopyBricks(baked.Removal->Bricks);
   const bool isChanged =
-    baked.HasTool(ToolKind::Burr) || (recording && !recording->Requests.empty());
+    (baked.Tool && baked.Tool->RemovesTissue()) || (recording && !recording->Requests.empty());
   // What only feels tissue needs no room to remove any.
   const auto bricks = static_cast<std::uint32_t>(std::max<std::size_t>(shares.size(), 1));
   auto removal = isChanged
@@ -197,8 +197,8 @@ void TipPathsWalk::GiveBack(Runner* runner)
   runner->IsTaken = false;
   if (this->GetTicksLeft(runner->Path) == 0)
   {
-    const bool isBurr = runner->Model->Baked->HasTool(ToolKind::Burr);
-    if (runner->Removal && isBurr && this->Rows.size() == 1)
+    const BakedTool* const tool = runner->Model->Baked->Tool.get();
+    if (runner->Removal && tool && tool->RemovesTissue() && this->Rows.size() == 1)
     {
       this->FinalShares = CopyBricks(runner->Removal->Bricks);
     }
@@ -282,10 +282,6 @@ void TipPathsWalk::Advance(Runner& runner, vtkIdType ticks)
     {
       ToArray(runner.Walk.GetOrientation(*runner.Model),
         orientations + 4 * (rows.First + rows.Count + i));
-    }
-    if (double* const touches = this->Trace.GetForbiddenTouches())
-    {
-      touches[rows.First + rows.Count + i] = runner.Walk.GetForbiddenTouches();
     }
     if (hasModes)
     {

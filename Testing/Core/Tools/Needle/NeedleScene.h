@@ -7,6 +7,7 @@
 #ifndef NeedleScene_h
 #define NeedleScene_h
 
+#include "Core/Tools/Needle/BakedNeedle.h"
 #include "Rigs/CoreScene.h"
 
 #include <cmath>
@@ -118,7 +119,7 @@ public:
     this->Description.Settings.Geometry = SurfaceGeometry::Labels;
     // Air, which has no label's material, holds nothing.
     this->Description.Material.SurfaceStrength = ConstantPolyline(0.0);
-    this->Description.Tool.Kind = ToolKind::Needle;
+    this->Description.Tool = std::make_shared<const BakedNeedle>(NeedleDescription{});
   }
 
   int LabelAt(double depth) const

@@ -327,7 +327,7 @@ TEST_P(Needles, LetsTheHandGoWhenTheToolIsChanged)
   NeedleScene scene(layers);
   const auto needle = this->Bake(scene);
   NeedleScene other(layers);
-  other.Description.Tool.Kind = ToolKind::Point;
+  other.Description.Tool = nullptr;
   const auto point = this->Bake(other);
   NeedleHand hand(*needle);
   hand.MoveTo(Along(2.0));

@@ -52,11 +52,11 @@ TEST(NeedleTissue, FollowsFunctionsOfTheScalar)
     HapticModelDescription description = Describe(volume);
     description.Settings.Solver = solver;
     description.Material.SurfaceStrength = ConstantPolyline(0.0);
-    description.Tool.Kind = ToolKind::Needle;
-    description.Tool.Needle.ShaftFriction = { { 1000.0, 0.0 }, { 1000.0, 20.0 },
-      { 5000.0, 100.0 } };
-    description.Tool.Needle.CuttingForce = { { 1000.0, 0.0 }, { 1000.0, 0.1 }, { 5000.0, 0.5 } };
-    description.Tool.Needle.HasCuttingForce = true;
+    NeedleDescription needle;
+    needle.ShaftFriction = { { 1000.0, 0.0 }, { 1000.0, 20.0 }, { 5000.0, 100.0 } };
+    needle.CuttingForce = { { 1000.0, 0.0 }, { 1000.0, 0.1 }, { 5000.0, 0.5 } };
+    needle.HasCuttingForce = true;
+    description.Tool = std::make_shared<const BakedNeedle>(needle);
     const HapticModel model(description);
     NeedleHand hand(model);
     hand.MoveTo(Along(5.0));
@@ -91,8 +91,9 @@ TEST(NeedleTissue, PuncturesTheSurfacesOfTheScalars)
     description.Material.SurfaceStrength = ConstantPolyline(1.0);
     description.Material.Distinctness = { { 50.0, 0.0 }, { 200.0, 1.0 } };
     description.Material.Viscosity = { { 500.0, 0.0 }, { 500.0, 0.2 } };
-    description.Tool.Kind = ToolKind::Needle;
-    description.Tool.Needle.ShaftFriction = { { 500.0, 0.0 }, { 500.0, 30.0 } };
+    NeedleDescription needle;
+    needle.ShaftFriction = { { 500.0, 0.0 }, { 500.0, 30.0 } };
+    description.Tool = std::make_shared<const BakedNeedle>(needle);
     const HapticModel model(description);
     NeedleHand hand(model);
     hand.MoveTo(Along(10.0));
@@ -179,8 +180,9 @@ TEST(NeedleTissue, OffersNothingOutsideTheVolumeNorInWhatIsNoNumber)
   volume.Fill<float>([](std::int64_t, std::int64_t, std::int64_t)
     { return std::numeric_limits<float>::quiet_NaN(); });
   HapticModelDescription description = Describe(volume);
-  description.Tool.Kind = ToolKind::Needle;
-  description.Tool.Needle.ShaftFriction = ConstantPolyline(30.0);
+  NeedleDescription needle;
+  needle.ShaftFriction = ConstantPolyline(30.0);
+  description.Tool = std::make_shared<const BakedNeedle>(needle);
   const HapticModel model(description);
   LabelMemory memory;
   const NeedleTissueReader reader(model, 0.0, memory);

@@ -44,15 +44,16 @@ TEST(ShellMemoryUse, NoTickOfAToolAllocates)
 {
   const TestVolume volume = MakeRamp();
   HapticModelDescription scene = Describe(volume);
-  scene.Tool.Kind = ToolKind::Shell;
   std::vector<ShellPoint> points = MakeSphere(3.0, 400);
   for (ShellPoint& point : points)
   {
     point = { 1e3 * point.Position, 1e6 * point.Area };
   }
-  scene.Tool.Shell.Points = std::make_shared<const PointShell>(std::move(points));
-  scene.Tool.Shell.Touch.Level = 1000.0;
-  scene.Tool.Shell.Touch.ContactArea = 25.0;
+  ShellDescription tool;
+  tool.Points = std::make_shared<const PointShell>(std::move(points));
+  tool.Touch.Level = 1000.0;
+  tool.Touch.ContactArea = 25.0;
+  scene.Tool = std::make_shared<const BakedShell>(tool);
   const HapticModel first(scene);
   scene.Material.Stiffness = ConstantPolyline(900.0);
   scene.DeviceToWorld.Linear = 900.0 * Matrix3{};

@@ -9,6 +9,9 @@
 
 #include "VTK/Base/HapticFiles.h"
 #include "VTK/Device/Recording/TickCollector.h"
+#include "VTK/Tools/ToolArrays.h"
+
+#include <algorithm>
 
 using namespace recordertest;
 
@@ -60,6 +63,17 @@ TEST_F(Recorder, KeepsForReadersATenthOfAState)
   EXPECT_LE(sizeof(RecordingRow) * HapticRecording::MostWaiting, 7e6);
 }
 
+TEST_F(Recorder, HasRoomForTheNumbersOfAllTools)
+{
+  int numbers = 0;
+  for (const ToolColumn* const array : GetToolArrays())
+  {
+    numbers += array->IsRecorded ? array->Components : 0;
+  }
+  EXPECT_GE(numbers, 5) << "ToolOrientation and RemovedVolume";
+  EXPECT_LE(numbers, MostToolNumbers);
+}
+
 TEST_F(Recorder, WritesWhatTheTicksAre)
 {
   // None, one, part of a group, whole groups, and one more.
@@ -82,7 +96,10 @@ TEST_F(Recorder, WritesWhatTheTicksAre)
     {
       EXPECT_EQ(trace->GetPointData()->GetArray(a)->GetNumberOfTuples(), count);
     }
-    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 38);
+    const std::vector<const ToolColumn*>& ofTools = GetToolArrays();
+    const auto recorded = std::count_if(
+      ofTools.begin(), ofTools.end(), [](const ToolColumn* array) { return array->IsRecorded; });
+    EXPECT_EQ(trace->GetPointData()->GetNumberOfArrays(), 36 + recorded);
     double work = 0.0;
     for (int i = 0; i < count; ++i)
     {

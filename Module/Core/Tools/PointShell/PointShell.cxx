@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Model/PointShell.h"
+#include "Core/Tools/PointShell/PointShell.h"
 
 #include <algorithm>
 #include <cstdint>

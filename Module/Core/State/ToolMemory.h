@@ -11,11 +11,9 @@
 #ifndef ToolMemory_h
 #define ToolMemory_h
 
-#include "Core/Tools/Burr/SphereCarver.h"
-#include "Core/Tools/PointShell/ShellCoupling.h"
+#include "Core/Model/HapticModel.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace VolumeHaptics
@@ -24,42 +22,26 @@ namespace VolumeHaptics
 class ToolMemory
 {
 public:
-  explicit ToolMemory(std::shared_ptr<const BakedTool> tool);
+  virtual ~ToolMemory() = default;
 
   /**
    * The memory for a model: `last` if it belongs to the same tool; null if the tool needs none.
    * Allocates.
    */
   static std::shared_ptr<ToolMemory> Provide(
-    const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last);
+    const BakedVolume& baked, const std::shared_ptr<ToolMemory>& last)
+  {
+    return baked.Tool ? baked.Tool->MakeMemory(last) : nullptr;
+  }
 
-  /** Null if the tool has no shape. */
-  ShellMemory* GetShell() noexcept { return this->Shell ? &*this->Shell : nullptr; }
-
-  /** Null if the tool removes nothing. */
-  SphereCarver* GetCarver() noexcept { return this->Carver ? &*this->Carver : nullptr; }
-
-  ///@{
   /**
    * Copies, on the thread that ticks, the part that belongs to the state before its next tick, once
    * for each recording; another thread reads the copy then.
    */
-  void Keep() noexcept;
-  const ShellContacts* GetKept() const noexcept
-  {
-    return this->Shell ? &this->Shell->GetKept() : nullptr;
-  }
-  ///@}
-  /** Continues with a copy. If it belongs to another tool, returns false and changes nothing. */
-  bool Restore(const BakedVolume& baked, const std::vector<ShellContact>& contacts, double share);
+  virtual void Keep() noexcept = 0;
 
   /** The memory that a tick writes. */
-  std::vector<HapticModel::MemoryRange> GetTables() const;
-
-private:
-  const std::shared_ptr<const BakedTool> Tool;
-  std::optional<ShellMemory> Shell;
-  std::optional<SphereCarver> Carver;
+  virtual std::vector<MemoryRange> GetTables() const = 0;
 };
 
 } // namespace VolumeHaptics

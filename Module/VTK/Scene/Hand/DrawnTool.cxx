@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VTK/Scene/Hand/DrawnShell.h"
+#include "VTK/Scene/Hand/DrawnTool.h"
 
 #include "VTK/Scene/Hand/HeldTool.h"
 #include "VTK/Scene/Hand/SceneMarker.h"
+#include "VTK/Tools/ToolKind.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkHapticBurr.h"
 #include "vtkHapticDevice.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -26,15 +26,15 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double SeenTurns = 1.7;
 
 /** The rotation from the tool to the world's axes; NoOrientation if the tool is not felt. */
-Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaternion& leaning)
+Quaternion FindTurn(
+  vtkHapticDevice* device, const ToolKind& kind, bool hasShape, const Quaternion& leaning)
 {
   const double* const wxyz = device->GetToolOrientation();
   const Quaternion felt{ wxyz[0], wxyz[1], wxyz[2], wxyz[3] };
-  if (IsIdentical(felt, NoOrientation) || !vtkHapticBurr::SafeDownCast(tool))
+  if (!kind.TurnsWithStylus() || (hasShape && IsIdentical(felt, NoOrientation)))
   {
     return felt;
   }
-  // The burr's head is a ball, felt without an orientation; use the stylus's orientation.
   const double* const wanted = device->GetTipOrientation();
   const bool isLeaning = !device->HasTipOrientation() && !IsIdentical(leaning, NoOrientation);
   const Quaternion held =
@@ -45,7 +45,7 @@ Quaternion FindTurn(vtkHapticDevice* device, vtkHapticTool* tool, const Quaterni
 
 } // namespace
 
-DrawnShell::DrawnShell()
+DrawnTool::DrawnTool()
 {
   this->Normals->SetFeatureAngle(FeatureAngle);
   this->Mapper->SetInputConnection(this->Normals->GetOutputPort());
@@ -66,10 +66,12 @@ DrawnShell::DrawnShell()
   this->Ghost->ForceOpaqueOn();
 }
 
-void DrawnShell::Update(vtkHapticDevice* device, const Quaternion& leaning)
+void DrawnTool::Update(vtkHapticDevice* device, const Quaternion& leaning)
 {
   vtkHapticTool* const tool = FindHeldTool(device);
-  const Quaternion q = tool ? FindTurn(device, tool, leaning) : NoOrientation;
+  const ToolKind* const kind = FindToolKind(tool);
+  const Quaternion q =
+    kind ? FindTurn(device, *kind, kind->FindReach(tool) > 0.0, leaning) : NoOrientation;
   this->Shown = !IsIdentical(q, NoOrientation);
   if (!this->Shown)
   {
@@ -79,7 +81,7 @@ void DrawnShell::Update(vtkHapticDevice* device, const Quaternion& leaning)
   {
     this->Tool = tool;
     this->ToolTime = tool->GetMTime();
-    this->Normals->SetInputData(MakeToolShape(tool));
+    this->Normals->SetInputData(kind->MakeShape(tool));
   }
   const Matrix3 rotation = ToMatrix(q);
   const double* const at = device->GetProxyPosition();
@@ -93,7 +95,7 @@ void DrawnShell::Update(vtkHapticDevice* device, const Quaternion& leaning)
   }
 }
 
-void DrawnShell::RenderOpaque(vtkViewport* viewport)
+void DrawnTool::RenderOpaque(vtkViewport* viewport)
 {
   if (this->Shown)
   {
@@ -101,7 +103,7 @@ void DrawnShell::RenderOpaque(vtkViewport* viewport)
   }
 }
 
-void DrawnShell::RenderHidden(vtkViewport* viewport)
+void DrawnTool::RenderHidden(vtkViewport* viewport)
 {
   if (this->Shown)
   {
@@ -109,13 +111,13 @@ void DrawnShell::RenderHidden(vtkViewport* viewport)
   }
 }
 
-void DrawnShell::Release(vtkWindow* window)
+void DrawnTool::Release(vtkWindow* window)
 {
   this->Solid->ReleaseGraphicsResources(window);
   this->Ghost->ReleaseGraphicsResources(window);
 }
 
-void DrawnShell::AddTo(vtkBoundingBox& box)
+void DrawnTool::AddTo(vtkBoundingBox& box)
 {
   if (this->Shown)
   {

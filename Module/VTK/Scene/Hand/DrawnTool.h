@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A tool with a shape in the scene: its mesh at the tool's pose, which lags behind the hand. The
- * head of a burr turns while it spins.
+ * A tool in the scene: the mesh of its kind (ToolKind::MakeShape) at the tool's pose, which may lag
+ * behind the hand, or spin.
  */
-#ifndef DrawnShell_h
-#define DrawnShell_h
+#ifndef DrawnTool_h
+#define DrawnTool_h
 
 #include "Core/Math/Quaternion.h"
 
@@ -27,18 +27,19 @@ class vtkWindow;
 namespace VolumeHaptics
 {
 
-class DrawnShell
+class DrawnTool
 {
 public:
-  DrawnShell();
+  DrawnTool();
 
   /**
    * Shows the latest state; nothing without a device.
-   * @param leaning pose of a burr whose device measures no orientation; or NoOrientation
+   * @param leaning pose of a tool that turns with the stylus, if the device measures no
+   * orientation; or NoOrientation
    */
   void Update(vtkHapticDevice* device, const Quaternion& leaning);
 
-  /** Whether the hand holds a tool with a shape. */
+  /** Whether the hand holds a tool that has a mesh. */
   bool IsShown() const { return this->Shown; }
   void RenderOpaque(vtkViewport* viewport);
   /** Draws the faint copy. */
